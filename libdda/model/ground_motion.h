@@ -1,0 +1,63 @@
+// One component of a ground motion as functions of time that belong together: displacement, velocity,
+// acceleration.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace voussoir
+{
+
+/// A motion along one axis, starting at rest and at zero displacement at t = 0 (unless given as displacement).
+///
+/// A sampled acceleration is linear between its samples and is integrated exactly, once: velocity is a quadratic
+/// and displacement a cubic in each sample interval, so that the ground is the same whatever the time step and the
+/// cuts. A sampled velocity is linear between samples (displacement quadratic). A sampled displacement is a C1
+/// cubic (Hermite, central-difference slopes), for a jump of velocity would leave an undamped flip in stiff
+/// contacts. After the last sample the acceleration is zero: the residual velocity goes on. No baseline is
+/// touched.
+class GroundMotion
+{
+ public:
+    /// @param samples (n >= 2) [m/s2]; @param time_step [s] > 0. @throws InputError on NaN, too few samples, bad
+    /// step
+    static GroundMotion from_acceleration(std::vector<double> samples, double time_step, std::string source);
+    /// @param samples (n >= 2) [m/s]
+    static GroundMotion from_velocity(std::vector<double> samples, double time_step, std::string source);
+    /// @param samples (n >= 2) [m]
+    static GroundMotion from_displacement(std::vector<double> samples, double time_step, std::string source);
+    /// a(t) = amplitude sin(2 pi frequency t + phase) from t = 0 to `duration` (zero after), integrated in closed
+    /// form from rest. @param amplitude [m/s2]; @param frequency [Hz]; @param phase [rad]; @param duration [s]
+    static GroundMotion sine_acceleration(double amplitude, double frequency, double phase, double duration);
+
+    double displacement(double time) const;  // m
+    double velocity(double time) const;      // m/s
+    double acceleration(double time) const;  // m/s2
+
+    double duration() const;               // s, the time of the last sample
+    double residual_velocity() const;      // m/s at and after the end
+    double residual_displacement() const;  // m at the end
+    double peak_acceleration() const;      // m/s2, largest |a| of the samples (of the wave for a sine)
+    const std::string& source() const { return source_; }
+
+    /// The same motion times `factor`.
+    GroundMotion scaled(double factor) const;
+    /// The same motion after adding the acceleration, linear in time, that makes velocity and displacement end at
+    /// zero: only if asked, and reported by the caller. Only for motions given as sampled acceleration.
+    GroundMotion with_end_correction() const;
+
+ private:
+    struct Cubic {
+        double displacement, velocity, acceleration, jerk;  // at the start of the interval; jerk constant in it
+    };
+    GroundMotion() = default;
+    Cubic at(double time, double& since) const;
+
+    std::vector<Cubic> intervals_;  // empty for a closed-form sine; the last one holds for all later times
+    double time_step_ = 0;
+    double peak_acceleration_ = 0;
+    double sine_amplitude_ = 0, sine_frequency_ = 0, sine_phase_ = 0, sine_duration_ = 0;
+    std::string source_;
+};
+
+}  // namespace voussoir

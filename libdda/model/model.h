@@ -1,0 +1,165 @@
+// What stays constant in a run (Model) and in a stage (Stage).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libdda/geometry/convex_polyhedron.h"
+#include "libdda/geometry/moments.h"
+#include "libdda/model/ground_motion.h"
+#include "libdda/model/kinematics.h"
+
+namespace voussoir
+{
+
+struct BlockMaterial {
+    std::string name;
+    double density = 0;  // kg/m3
+    double young = 0;    // Pa; a rigid scene uses it for the default contact stiffness only
+    double poisson = 0;  // -
+};
+
+/// How stiff a contact is, in the two spellings that are used.
+struct ContactStiffness {
+    enum class Kind {
+        from_modulus,  // documented rule: factor x series modulus / mean block depth, N/m per m2
+        per_area,      // as joints are measured, Pa/m
+        per_point,     // Shi's g0, N/m per contact point, spread over a face contact as value x corners / area
+    };
+    Kind kind = Kind::from_modulus;
+    double value = 0;  // Pa/m, or N/m; unused for from_modulus
+};
+
+struct JointMaterial {
+    std::string name;
+    double friction_angle = 0;    // rad
+    double cohesion = 0;          // Pa; only joints that are closed at the start of the run have it
+    double tensile_strength = 0;  // Pa; a dry joint has neither
+    ContactStiffness stiffness;
+    double shear_to_normal_stiffness = 0.5;  // -; Shi's 1/h2
+    double dashpot = 0;  // s, stiffness-proportional contact damping (eta of N = -k(g + eta dg/dt))
+};
+
+/// A block: one or more glued convex parts with one set of unknowns.
+struct Block {
+    std::string name;
+    int group = 0;                        // index into Model::groups
+    int material = 0;                     // index into Model::materials
+    std::vector<ConvexPolyhedron> parts;  // vertices relative to the block's centroid, m
+    Moments moments;                      // of all parts; centroid in model coordinates, m
+};
+
+/// A block that follows the ground. Each component is held (it follows the motion given for it, or stays) or free.
+struct Foundation {
+    int block = 0;
+    std::array<bool, 3> translation_held{true, true, true};
+    bool rotation_held = true;  // a foundation block is rigid whatever the scene
+    bool fully_held() const
+    {
+        return translation_held[0] && translation_held[1] && translation_held[2] && rotation_held;
+    }
+};
+
+/// Constant during a run.
+struct Model {
+    Kinematics kinematics = Kinematics::spatial_deformable;
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, subtracted from the user's coordinates on input
+    std::vector<std::string> groups;
+    std::vector<BlockMaterial> materials;
+    std::vector<JointMaterial> joints;
+    std::vector<int> joint_of_groups;  // (groups x groups) row major: index into joints
+    std::vector<Block> blocks;
+    std::vector<Foundation> foundations;
+
+    double mass(int block) const
+    {
+        return materials[blocks[block].material].density * blocks[block].moments.volume;
+    }
+    const JointMaterial& joint_between(int block_a, int block_b) const
+    {
+        const std::size_t row = blocks[block_a].group, column = blocks[block_b].group;
+        return joints[joint_of_groups[row * groups.size() + column]];
+    }
+};
+
+/// Makes a block from parts in model coordinates: moves them to their common centroid and integrates the moments.
+Block make_block(std::string name, int group, int material, std::vector<ConvexPolyhedron> parts);
+
+/// A model with one group, one block material and one joint material; what small scenes and tests start from.
+Model make_model(Kinematics kinematics, const BlockMaterial& material, const JointMaterial& joint);
+
+/// Ground motion of one component of one foundation.
+struct FoundationMotion {
+    int foundation = 0;  // index into Model::foundations
+    int component = 0;   // 0, 1, 2: x, y, z
+    std::shared_ptr<const GroundMotion> motion;
+};
+
+/// A body force m a(t) on one block along one axis: the ground's own frame, or a load on a free abutment.
+struct BodyAcceleration {
+    int block = 0;
+    int component = 0;
+    std::shared_ptr<const GroundMotion> motion;
+};
+
+/// Shares of the end-of-step value in the force of a step; the inertia is Newmark's (1/2, 1) in all.
+///
+/// The step is v1 = v0 + h a, q1 = q0 + h (v0 + v1)/2 with M a = F. `newmark` takes F at the end of the step
+/// (Shi's Newmark beta = 1/2, gamma = 1): damping ratio omega h / 4. `energy_decaying` takes, term by term, the
+/// discrete gradient of the potential (which conserves energy exactly) plus `dissipation` times the difference to
+/// the end-of-step force: damping ratio dissipation x omega h / 4, and never a gain of energy, for every term's
+/// loss is
+/// >= 0 by convexity. A contact that was open or sliding at the start of the step keeps the end-of-step force.
+enum class Integrator { newmark, energy_decaying };
+
+enum class OpenClose {
+    newton,     // Newton iteration on the step's potential with a line search; cannot chatter
+    published,  // Shi's: states and friction loads from the previous pass, a few passes, else cut the step
+};
+
+enum class LinearSolverKind { automatic, cholmod, conjugate_gradients };
+
+struct StepControl {
+    double time_step = 1e-3;      // s, nominal; cut steps return to this grid
+    double min_time_step = 1e-9;  // s; below it the run gives up
+    Integrator integrator = Integrator::newmark;
+    double dissipation = 0.1;  // 0..1, of energy_decaying
+    OpenClose open_close = OpenClose::newton;
+    int max_open_close = 40;        // Newton iterations (published: 6) before the step is cut
+    double force_tolerance = 1e-5;  // unbalanced force of a block / (its weight + its contact forces)
+    LinearSolverKind linear_solver = LinearSolverKind::automatic;
+    double linear_tolerance = 1e-6;  // relative residual of conjugate gradients
+    int threads = 1;
+};
+
+struct Damping {
+    double rate = 0;             // 1/s: velocity relative to the ground times exp(-rate h) each step
+    double factor_per_step = 1;  // the papers' dynamic coefficient k01; depends on the step, for comparison only
+};
+
+enum class StageType { static_equilibrium, dynamic };
+
+/// Constant in a stage.
+struct Stage {
+    std::string name;
+    StageType type = StageType::dynamic;
+    double duration = 0;  // s; dynamic only
+    Eigen::Vector3d gravity{0, 0, -9.80665};
+    std::vector<FoundationMotion> motions;
+    std::vector<BodyAcceleration> body_accelerations;
+    Damping damping;
+    StepControl control;
+    // Static only: the stage ends when every block's unbalanced force is below this share of its load in two
+    // consecutive steps without change of contact state.
+    double unbalanced_tolerance = 1e-8;
+    int max_static_steps = 2000;
+    // Static only: gravity is raised to its value in this many equal increments, for friction remembers its path.
+    int gravity_increments = 1;
+};
+
+}  // namespace voussoir

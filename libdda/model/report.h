@@ -1,0 +1,87 @@
+// Passive results of a step and of a run. No later step reads them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voussoir
+{
+
+/// Energies [J]. Work terms and losses accumulate from the start of the run; every term comes from its own forces
+/// and displacements, none as the difference of the others.
+struct EnergyLedger {
+    double kinetic = 0;  // now, of blocks that have unknowns
+    double strain = 0;   // now
+    double contact = 0;  // now, in normal and shear springs
+    double gravity_work = 0;
+    double foundation_work = 0;       // done by prescribed motion on the structure
+    double boundary_work = 0;         // by viscous boundaries
+    double load_work = 0;             // by body accelerations
+    double friction = 0;              // dissipated
+    double damping_kinetic = 0;       // dissipated by the kinetic damping rate or factor
+    double damping_static = 0;        // velocity removed in static stages
+    double damping_contact = 0;       // dissipated by contact dashpots
+    double fracture = 0;              // elastic energy lost when an intact joint breaks
+    double algorithmic = 0;           // loss of the integrator, from its own identity
+    double algorithmic_rotation = 0;  // of the finite rotation and shape update
+    double redetection = 0;           // spring energy that changed when contacts were found anew
+    double start_kinetic = 0, start_strain = 0, start_contact = 0;
+
+    double input() const { return gravity_work + foundation_work + boundary_work + load_work; }
+    double dissipated() const
+    {
+        return friction + damping_kinetic + damping_static + damping_contact + fracture + algorithmic +
+               algorithmic_rotation + redetection;
+    }
+    double stored_change() const
+    {
+        return kinetic - start_kinetic + strain - start_strain + contact - start_contact;
+    }
+    double residual() const { return input() - dissipated() - stored_change(); }
+    /// |residual| / max(|input|, dissipated): what share of the energy is unaccounted for. 0 for 0/0.
+    double relative_residual() const;
+};
+
+enum class StepOutcome { converged, gave_up };
+
+enum class Part { contact_search, assembly, linear_solve, line_search, update, output, count };
+std::string_view name_of(Part part);
+
+struct StepReport {
+    StepOutcome outcome = StepOutcome::converged;
+    double time_step = 0;  // s, of the accepted step
+    int open_close_iterations = 0;
+    int cuts = 0;
+    int factorisations = 0;
+    int linear_iterations = 0;
+    double unbalanced = 0;        // largest block residual / block load at acceptance
+    int worst_block = -1;         // the block of `unbalanced`
+    double max_penetration = 0;   // m
+    double max_displacement = 0;  // m, of a block centroid in this step
+    double inertia_ratio = 0;     // static: largest unbalanced force / load of a block
+    bool contact_state_changed = false;
+    int closed_points = 0;
+    std::array<double, static_cast<int>(Part::count)> seconds{};
+};
+
+enum class Outcome { completed, collapsed, gave_up, interrupted };
+std::string_view name_of(Outcome outcome);
+
+struct RunReport {
+    Outcome outcome = Outcome::completed;
+    std::string message;  // why, and the remedy, when not completed
+    std::int64_t steps = 0, step_cuts = 0, unconverged_steps = 0;
+    std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;
+    std::int64_t factor_entries = 0;  // of the last factorisation
+    double simulated_time = 0;        // s, dynamic stages only
+    double max_penetration = 0;       // m
+    double static_unbalanced = 0;     // of the last static stage
+    EnergyLedger energy;
+    std::array<double, static_cast<int>(Part::count)> seconds{};
+    std::vector<std::string> warnings;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,27 @@
+# One place for the flags every target of the project shares.
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+
+# The same answer bit for bit on any number of threads: no contraction of a*b+c, no fast-math anywhere.
+add_library(voussoir_flags INTERFACE)
+target_compile_options(voussoir_flags INTERFACE -Wall -Wextra -Werror -ffp-contract=off)
+target_include_directories(voussoir_flags INTERFACE ${CMAKE_SOURCE_DIR})
+if(VOUSSOIR_SANITIZE)
+  target_compile_options(voussoir_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                         -fno-omit-frame-pointer)
+  target_link_options(voussoir_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# voussoir_library(NAME sources...): a static library with the project's flags and the alias voussoir::NAME.
+function(voussoir_library name)
+  add_library(voussoir_${name} STATIC ${ARGN})
+  add_library(voussoir::${name} ALIAS voussoir_${name})
+  target_link_libraries(voussoir_${name} PUBLIC voussoir_flags)
+endfunction()
+
+# voussoir_program(NAME sources...): an executable in bin/.
+function(voussoir_program name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE voussoir_flags)
+endfunction()
