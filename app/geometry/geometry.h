@@ -1,0 +1,64 @@
+// Geometry from mesh files, read and certified in a child process under time and memory limits: a reader that
+// crashes or hangs is a refusal with a reason. Neither assimp nor CGAL is loaded into the program that asks.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "libdda/geometry/convex_polyhedron.h"
+#include "libdda/geometry/moments.h"
+
+namespace voussoir
+{
+
+/// One stone of a mesh file with its certificate.
+struct Stone {
+    std::string name;
+    bool closed = false, convex = false;
+    std::string reason;                // why it was refused; empty when accepted
+    std::vector<std::string> repairs;  // every repair that was made, in words
+    std::vector<ConvexPolyhedron>
+        parts;        // in metres, z up, model coordinates (origin subtracted); empty when refused
+    Moments moments;  // of all parts, m
+};
+
+/// What a mesh file gave.
+struct ImportedMesh {
+    std::string file;
+    bool accepted = false;
+    std::string reason;  // why the file was refused; empty when accepted
+    double metres_per_unit = 1;
+    std::vector<std::string> repairs;
+    std::vector<Stone> stones;
+};
+
+/// Two stones that overlap by more than the tolerance.
+struct Overlap {
+    std::string stone_a, stone_b;
+    double volume = 0;  // m3
+};
+
+struct Geometry {
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, subtracted from all coordinates
+    std::vector<ImportedMesh> meshes;
+    std::vector<Overlap> overlaps;
+};
+
+struct MeshRequest {
+    std::filesystem::path file;
+    double metres_per_unit = 1;
+    char up = 'z';  // axis of the file that points up: 'x', 'y' or 'z'
+};
+
+struct GeometryLimits {
+    double seconds = 30;
+    std::size_t bytes = std::size_t{2} << 30;
+};
+
+/// Starts the helper program `voussoir-geometry` (beside the running program), hands it the request, reads its
+/// answer. Refusals are in the answer; a helper that dies, hangs or answers nonsense is a refusal of the files
+/// with the reason.
+Geometry import_geometry(const std::vector<MeshRequest>& requests, const GeometryLimits& limits);
+
+}  // namespace voussoir
