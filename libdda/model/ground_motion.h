@@ -13,9 +13,9 @@ namespace voussoir
 /// A sampled acceleration is linear between its samples and is integrated exactly, once: velocity is a quadratic
 /// and displacement a cubic in each sample interval, so that the ground is the same whatever the time step and the
 /// cuts. A sampled velocity is linear between samples (displacement quadratic). A sampled displacement is a C1
-/// cubic (Hermite, central-difference slopes), for a jump of velocity would leave an undamped flip in stiff
-/// contacts. After the last sample the acceleration is zero: the residual velocity goes on. No baseline is
-/// touched.
+/// cubic (Hermite, central-difference slopes; zero slope at t = 0, from rest), for a jump of velocity would leave
+/// an undamped flip in stiff contacts. Before t = 0 the ground rests where it starts. After the last sample the
+/// acceleration is zero: the residual velocity goes on. No baseline is touched.
 class GroundMotion
 {
  public:
@@ -43,7 +43,8 @@ class GroundMotion
     /// The same motion times `factor`.
     GroundMotion scaled(double factor) const;
     /// The same motion after adding the acceleration, linear in time, that makes velocity and displacement end at
-    /// zero: only if asked, and reported by the caller. Only for motions given as sampled acceleration.
+    /// zero: only if asked, and reported by the caller.
+    /// @throws InputError when the motion was not given as sampled acceleration
     GroundMotion with_end_correction() const;
 
  private:
@@ -52,8 +53,10 @@ class GroundMotion
     };
     GroundMotion() = default;
     Cubic at(double time, double& since) const;
+    Cubic sine_at(double time, double& since) const;
 
     std::vector<Cubic> intervals_;  // empty for a closed-form sine; the last one holds for all later times
+    bool given_as_acceleration_ = false;
     double time_step_ = 0;
     double peak_acceleration_ = 0;
     double sine_amplitude_ = 0, sine_frequency_ = 0, sine_phase_ = 0, sine_duration_ = 0;
