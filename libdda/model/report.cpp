@@ -1,0 +1,51 @@
+#include "libdda/model/report.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir
+{
+
+double EnergyLedger::relative_residual() const
+{
+    const double scale = std::max(std::abs(input()), dissipated());
+    return scale > 0 ? std::abs(residual()) / scale : (residual() == 0 ? 0 : 1);
+}
+
+std::string_view name_of(Part part)
+{
+    switch (part) {
+        case Part::contact_search:
+            return "contact_search";
+        case Part::assembly:
+            return "assembly";
+        case Part::linear_solve:
+            return "linear_solve";
+        case Part::line_search:
+            return "line_search";
+        case Part::update:
+            return "update";
+        case Part::output:
+            return "output";
+        case Part::count:
+            break;
+    }
+    return "none";
+}
+
+std::string_view name_of(Outcome outcome)
+{
+    switch (outcome) {
+        case Outcome::completed:
+            return "completed";
+        case Outcome::collapsed:
+            return "collapsed";
+        case Outcome::gave_up:
+            return "gave_up";
+        case Outcome::interrupted:
+            return "interrupted";
+    }
+    return "none";
+}
+
+}  // namespace voussoir
