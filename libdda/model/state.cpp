@@ -90,9 +90,10 @@ State initial_state(const Model& model)
     state.velocities.assign(model.blocks.size() * unknowns_per_block(model.kinematics), 0.0);
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         double* x = state.coordinates.data() + b * n;
-        Map<Vector3d>(x) = model.blocks[b].moments.centroid;
+        Map<Vector3d> centroid(x);
+        centroid = model.blocks[b].moments.centroid;
         if (is_deformable(model.kinematics))
-            Map<Matrix3d>(x + 3).setIdentity();
+            Map<Matrix3d>{x + 3}.setIdentity();
         else
             x[3] = 1;
     }
