@@ -1,0 +1,262 @@
+#include "libdda/contact/find_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <span>
+
+#include "libdda/contact/broad_phase.h"
+#include "libdda/contact/narrow_phase.h"
+
+namespace voussoir
+{
+
+using Eigen::Vector3d;
+
+namespace
+{
+
+constexpr double deformable_stiffness_factor = 10;  // joint ten times as stiff as a block: 9 % of its compliance
+constexpr double rigid_stiffness_factor = 1;        // the joint carries the block's own compliance
+constexpr double closed_at_start = 1e-4;            // of the part size: a smaller gap is a closed joint
+constexpr double nearest_point_reach = 0.05;        // of the square root of the patch area
+
+using PairKey = std::pair<int, int>;  // global part indices, ascending
+
+bool is_fully_held(const Model& model, int block)
+{
+    return std::any_of(model.foundations.begin(), model.foundations.end(),
+                       [&](const Foundation& f) { return f.block == block && f.fully_held(); });
+}
+
+double depth_along(const Block& block, const std::vector<PlacedPart>& parts, const PlacedPart& part,
+                   const Vector3d& normal)
+{
+    if (block.parts.size() == 1) return part.support(normal) + part.support(-normal);
+    double high = -INFINITY, low = INFINITY;
+    for (const PlacedPart& other : parts) {
+        if (other.block != part.block) continue;
+        high = std::max(high, other.support(normal));
+        low = std::min(low, -other.support(-normal));
+    }
+    return high - low;
+}
+
+/// The documented default: factor x series modulus of the two half blocks on either side of the joint,
+/// k = 2 f / (L_a/E_a + L_b/E_b), which is f E / L for equal blocks; a held block adds no compliance.
+double stiffness_from_modulus(const Model& model, const std::vector<PlacedPart>& parts, const PlacedPart& first,
+                              const PlacedPart& second, const Vector3d& normal)
+{
+    double compliance = 0;
+    for (const PlacedPart* part : {&first, &second}) {
+        if (is_fully_held(model, part->block)) continue;
+        const Block& block = model.blocks[part->block];
+        compliance += depth_along(block, parts, *part, normal) / model.materials[block.material].young;
+    }
+    const double factor = is_deformable(model.kinematics) ? deformable_stiffness_factor : rigid_stiffness_factor;
+    return 2 * factor / compliance;
+}
+
+double face_area(const PlacedPart& part, int face)
+{
+    const std::vector<int>& loop = part.shape->faces[face];
+    double twice = 0;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+        twice += part.normals[face].dot((part.vertices[loop[i]] - part.vertices[loop[0]])
+                                            .cross(part.vertices[loop[i + 1]] - part.vertices[loop[0]]));
+    return twice / 2;
+}
+
+/// Shi's penalty per contact point, spread over the smaller of the two faces: value x corners / area.
+double stiffness_from_points(double value, const ContactPolygon& polygon, const PlacedPart& reference,
+                             const PlacedPart& incident)
+{
+    if (polygon.edge_edge) return value / polygon.points.front().area;
+    const int f = static_cast<int>(polygon.reference_feature), g = static_cast<int>(polygon.incident_feature);
+    const double area_f = face_area(reference, f), area_g = face_area(incident, g);
+    const bool reference_smaller = area_f < area_g;
+    const std::size_t corners =
+        reference_smaller ? reference.shape->faces[f].size() : incident.shape->faces[g].size();
+    return value * static_cast<double>(corners) / std::min(area_f, area_g);
+}
+
+double normal_stiffness(const Model& model, const std::vector<PlacedPart>& parts, const ContactPolygon& polygon,
+                        const PlacedPart& reference, const PlacedPart& incident)
+{
+    const ContactStiffness& given = model.joint_between(reference.block, incident.block).stiffness;
+    switch (given.kind) {
+        case ContactStiffness::Kind::per_area:
+            return given.value;
+        case ContactStiffness::Kind::per_point:
+            return stiffness_from_points(given.value, polygon, reference, incident);
+        case ContactStiffness::Kind::from_modulus:
+            break;
+    }
+    return stiffness_from_modulus(model, parts, reference, incident, polygon.normal);
+}
+
+/// The old patch of a pair of parts and its points.
+struct History {
+    const ContactPatch* patch = nullptr;
+    std::span<const ContactPoint> points;
+};
+
+History history_of(const State& state, const std::map<PairKey, int>& old_patches, const PairKey& key)
+{
+    const auto found = old_patches.find(key);
+    if (found == old_patches.end()) return {};
+    const ContactPatch& patch = state.patches[found->second];
+    return {&patch, std::span(state.contact_points).subspan(patch.first_point, patch.point_count)};
+}
+
+/// Takes over slip from the old patch; `sign` is -1 when reference and incident body have changed places.
+void inherit_slip(const History& history, bool same_features, double sign, double patch_area, ContactPoint& point)
+{
+    const ContactPoint* source = nullptr;
+    if (same_features)
+        for (const ContactPoint& old : history.points)
+            if (old.feature == point.feature) source = &old;
+    if (!source) {
+        double nearest = nearest_point_reach * std::sqrt(patch_area);
+        for (const ContactPoint& old : history.points) {
+            const double distance = (old.position - point.position).norm();
+            if (distance > nearest) continue;
+            nearest = distance;
+            source = &old;
+        }
+    }
+    if (source) {
+        point.elastic_slip = sign * source->elastic_slip;
+        point.plastic_slip = sign * source->plastic_slip;
+        point.status = source->status;
+        return;
+    }
+    double area = 0;
+    for (const ContactPoint& old : history.points) {
+        area += old.area;
+        point.elastic_slip += sign * old.area * old.elastic_slip;
+        point.plastic_slip += sign * old.area * old.plastic_slip;
+    }
+    if (area > 0) {
+        point.elastic_slip /= area;
+        point.plastic_slip /= area;
+        point.status = history.points.front().status;
+    }
+}
+
+struct FoundPatch {
+    ContactPatch patch;
+    std::vector<ContactPoint> points;
+};
+
+FoundPatch attach_history(const Model& model, const State& state, const std::vector<PlacedPart>& parts,
+                          const PlacedPart& first, const PlacedPart& second, const ContactPolygon& polygon,
+                          const History& history)
+{
+    const PlacedPart& reference = polygon.second_is_reference ? second : first;
+    const PlacedPart& incident = polygon.second_is_reference ? first : second;
+    FoundPatch found;
+    ContactPatch& patch = found.patch;
+    patch.block_a = incident.block;
+    patch.part_a = incident.part;
+    patch.block_b = reference.block;
+    patch.part_b = reference.part;
+    patch.feature_a = polygon.incident_feature;
+    patch.feature_b = polygon.reference_feature;
+    patch.edge_edge = polygon.edge_edge;
+    patch.normal = polygon.normal;
+
+    const bool same_sides = history.patch && history.patch->block_b == patch.block_b;
+    const bool same_features = same_sides && history.patch->edge_edge == patch.edge_edge &&
+                               history.patch->feature_a == patch.feature_a &&
+                               history.patch->feature_b == patch.feature_b;
+    double area = 0, nearest = INFINITY;
+    for (const PolygonPoint& corner : polygon.points) {
+        area += corner.area;
+        nearest = std::min(nearest, corner.gap);
+    }
+    patch.stiffness =
+        same_features ? history.patch->stiffness : normal_stiffness(model, parts, polygon, reference, incident);
+    const JointMaterial& joint = model.joint_between(patch.block_a, patch.block_b);
+    const bool has_strength = joint.cohesion > 0 || joint.tensile_strength > 0;
+    const double size = std::min(first.size, second.size);
+    patch.intact = history.patch ? history.patch->intact
+                                 : has_strength && state.step == 0 && nearest < closed_at_start * size;
+
+    for (const PolygonPoint& corner : polygon.points) {
+        ContactPoint point;
+        point.feature = corner.feature;
+        point.position = corner.position;
+        point.gap = corner.gap;
+        point.area = corner.area;
+        if (history.patch) inherit_slip(history, same_features, same_sides ? 1 : -1, area, point);
+        point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
+        found.points.push_back(point);
+    }
+    return found;
+}
+
+}  // namespace
+
+void find_contacts(const Model& model, const State& state, const std::vector<double>& reach, int threads,
+                   std::vector<PlacedPart>& parts, ContactSet& found)
+{
+    place_parts(model, state, parts);
+    std::vector<bool> fully_held(model.blocks.size(), false);
+    for (const Foundation& foundation : model.foundations) fully_held[foundation.block] = foundation.fully_held();
+    std::vector<int> first_part(model.blocks.size() + 1, 0);
+    for (std::size_t b = 0; b < model.blocks.size(); ++b)
+        first_part[b + 1] = first_part[b] + static_cast<int>(model.blocks[b].parts.size());
+
+    std::map<PairKey, int> old_patches;
+    for (int p = 0; p < static_cast<int>(state.patches.size()); ++p) {
+        const ContactPatch& patch = state.patches[p];
+        const int a = first_part[patch.block_a] + patch.part_a, b = first_part[patch.block_b] + patch.part_b;
+        old_patches[{std::min(a, b), std::max(a, b)}] = p;
+    }
+
+    const std::vector<PairKey> pairs = candidate_pairs(parts, reach, fully_held);
+    std::vector<std::optional<FoundPatch>> slots(pairs.size());
+#pragma omp parallel for num_threads(threads) schedule(static) if (pairs.size() > 32)
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const PlacedPart& first = parts[pairs[i].first];
+        const PlacedPart& second = parts[pairs[i].second];
+        const History history = history_of(state, old_patches, pairs[i]);
+        std::optional<LastContact> last;
+        if (history.patch)
+            last = LastContact{history.patch->block_b == second.block, history.patch->edge_edge,
+                               history.patch->feature_b};
+        const double margin = reach[first.block] + reach[second.block];
+        const std::optional<ContactPolygon> polygon = contact_polygon(first, second, margin, last);
+        if (polygon) slots[i] = attach_history(model, state, parts, first, second, *polygon, history);
+    }
+
+    found.patches.clear();
+    found.points.clear();
+    for (std::optional<FoundPatch>& slot : slots) {
+        if (!slot) continue;
+        slot->patch.first_point = static_cast<int>(found.points.size());
+        slot->patch.point_count = static_cast<int>(slot->points.size());
+        found.patches.push_back(slot->patch);
+        found.points.insert(found.points.end(), slot->points.begin(), slot->points.end());
+    }
+}
+
+double spring_energy(const Model& model, const std::vector<ContactPatch>& patches,
+                     const std::vector<ContactPoint>& points)
+{
+    double energy = 0;
+    for (const ContactPatch& patch : patches) {
+        const double shear = model.joint_between(patch.block_a, patch.block_b).shear_to_normal_stiffness;
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+            const ContactPoint& point = points[i];
+            const double depth = patch.intact ? point.gap : std::min(point.gap, 0.0);
+            energy +=
+                0.5 * patch.stiffness * point.area * (depth * depth + shear * point.elastic_slip.squaredNorm());
+        }
+    }
+    return energy;
+}
+
+}  // namespace voussoir
