@@ -74,7 +74,6 @@ void clip(std::vector<ClipPoint>& polygon, const Vector3d& normal, double offset
         const Vector3d crossing = here.position + d0 / (d0 - d1) * (next.position - here.position);
         // Within the tolerance the true crossing may lie outside the segment: take the end that is inside.
         const Vector3d point = d0 * d1 <= 0 ? crossing : (in0 ? here.position : next.position);
-        if (in0) scratch.back().leaving = here.leaving;
         scratch.push_back({point, in0 ? label : here.leaving});
     }
     polygon.swap(scratch);

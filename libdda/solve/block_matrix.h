@@ -1,0 +1,30 @@
+// The symmetric matrix of a step: one square block per block of the scene, and per pair in contact.
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+namespace voussoir
+{
+
+/// Lower triangle by rows of square blocks, columns ascending, the diagonal block last in each row.
+struct BlockMatrix {
+    int block_size = 0;
+    std::vector<int> row_start;  // (rows + 1)
+    std::vector<int> columns;    // (blocks)
+    std::vector<double> values;  // (blocks x block_size x block_size), each block column major
+
+    int rows() const { return static_cast<int>(row_start.size()) - 1; }
+    double* block(int position) { return values.data() + position * block_size * block_size; }
+    const double* block(int position) const { return values.data() + position * block_size * block_size; }
+    int diagonal(int row) const { return row_start[row + 1] - 1; }
+    /// Position of block (row, column), row > column; it must exist.
+    int position(int row, int column) const;
+};
+
+/// Gives the matrix the pattern of `rows` diagonal blocks and the given pairs (row > column; any order, repeats
+/// allowed), and sets it to zero. Returns whether the pattern is a new one.
+bool set_pattern(BlockMatrix& matrix, int block_size, int rows, std::vector<std::pair<int, int>>& pairs);
+
+}  // namespace voussoir

@@ -1,0 +1,167 @@
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "libdda/solve/linear_solver.h"
+
+namespace voussoir
+{
+
+using Eigen::VectorXd;
+
+namespace
+{
+
+/// The kernels of the iteration for one block size, so that the compiler unrolls them.
+template <int N>
+struct Kernels {
+    using Square = Eigen::Matrix<double, N, N>;
+    using Segment = Eigen::Matrix<double, N, 1>;
+    using ConstBlock = Eigen::Map<const Square>;
+    using Block = Eigen::Map<Square>;
+
+    static ConstBlock block(const BlockMatrix& m, int position) { return ConstBlock(m.block(position)); }
+
+    static void multiply(const BlockMatrix& m, const VectorXd& x, VectorXd& y)
+    {
+        y.setZero();
+        for (int i = 0; i < m.rows(); ++i) {
+            const Segment xi = x.segment<N>(N * i);
+            Segment sum = Segment::Zero();
+            for (int p = m.row_start[i]; p < m.diagonal(i); ++p) {
+                const int j = m.columns[p];
+                const ConstBlock a = block(m, p);
+                sum.noalias() += a * x.segment<N>(N * j);
+                y.segment<N>(N * j).noalias() += a.transpose() * xi;
+            }
+            sum.noalias() += block(m, m.diagonal(i)) * xi;
+            y.segment<N>(N * i) += sum;
+        }
+    }
+
+    /// L with L L^T = A on the pattern of A: L_ij = (A_ij - sum_k L_ik L_jk^T) L_jj^-T. A diagonal block that
+    /// loses definiteness by the dropped fill keeps the factor of A_ii alone.
+    static void factorise(const BlockMatrix& a, BlockMatrix& l)
+    {
+        l.values = a.values;
+        for (int i = 0; i < a.rows(); ++i) {
+            for (int p = l.row_start[i]; p < l.diagonal(i); ++p) {
+                const int j = l.columns[p];
+                Square sum = Block(l.block(p));
+                subtract_common(l, i, p, j, sum);
+                const ConstBlock diagonal(l.block(l.diagonal(j)));
+                // X L_jj^T = sum  <=>  L_jj X^T = sum^T
+                Block(l.block(p)) =
+                    diagonal.template triangularView<Eigen::Lower>().solve(sum.transpose()).transpose();
+            }
+            Square diagonal = Block(l.block(l.diagonal(i)));
+            for (int p = l.row_start[i]; p < l.diagonal(i); ++p) {
+                const ConstBlock lij(l.block(p));
+                diagonal.noalias() -= lij * lij.transpose();
+            }
+            Eigen::LLT<Square> cholesky(diagonal);
+            if (cholesky.info() != Eigen::Success) cholesky.compute(block(a, a.diagonal(i)));
+            Block(l.block(l.diagonal(i))) = cholesky.matrixL();
+        }
+    }
+
+    /// sum -= L_ik L_jk^T over the columns k < j that rows i and j share.
+    static void subtract_common(const BlockMatrix& l, int i, int end_i, int j, Square& sum)
+    {
+        int q = l.row_start[j];
+        for (int p = l.row_start[i]; p < end_i; ++p) {
+            while (q < l.diagonal(j) && l.columns[q] < l.columns[p]) ++q;
+            if (q == l.diagonal(j)) return;
+            if (l.columns[q] == l.columns[p]) sum.noalias() -= block(l, p) * block(l, q).transpose();
+        }
+    }
+
+    static void precondition(const BlockMatrix& l, const VectorXd& r, VectorXd& z)
+    {
+        z = r;
+        for (int i = 0; i < l.rows(); ++i) {
+            Segment sum = z.segment<N>(N * i);
+            for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
+                sum.noalias() -= block(l, p) * z.segment<N>(N * l.columns[p]);
+            block(l, l.diagonal(i)).template triangularView<Eigen::Lower>().solveInPlace(sum);
+            z.segment<N>(N * i) = sum;
+        }
+        for (int i = l.rows() - 1; i >= 0; --i) {
+            Segment sum = z.segment<N>(N * i);
+            block(l, l.diagonal(i)).transpose().template triangularView<Eigen::Upper>().solveInPlace(sum);
+            z.segment<N>(N * i) = sum;
+            for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
+                z.segment<N>(N * l.columns[p]).noalias() -= block(l, p).transpose() * sum;
+        }
+    }
+};
+
+class ConjugateGradientSolver : public LinearSolver
+{
+ public:
+    ConjugateGradientSolver(double tolerance, int max_iterations)
+        : tolerance_(tolerance), max_iterations_(max_iterations)
+    {
+    }
+
+    LinearReport solve(const BlockMatrix& matrix, const VectorXd& right_hand_side, VectorXd& solution) override
+    {
+        switch (matrix.block_size) {
+            case 12:
+                return iterate<Kernels<12>>(matrix, right_hand_side, solution);
+            case 6:
+                return iterate<Kernels<6>>(matrix, right_hand_side, solution);
+            case 3:
+                return iterate<Kernels<3>>(matrix, right_hand_side, solution);
+            default:
+                return {};
+        }
+    }
+
+ private:
+    template <class K>
+    LinearReport iterate(const BlockMatrix& a, const VectorXd& b, VectorXd& x)
+    {
+        if (factor_.columns != a.columns || factor_.row_start != a.row_start) factor_ = a;
+        factor_.block_size = a.block_size;
+        K::factorise(a, factor_);
+        LinearReport report{false, 1, 0, static_cast<std::int64_t>(factor_.values.size())};
+
+        x.setZero(b.size());
+        residual_ = b;
+        product_.resize(b.size());
+        K::precondition(factor_, residual_, z_);
+        direction_ = z_;
+        double rz = residual_.dot(z_);
+        const double target = tolerance_ * b.norm();
+        while (report.iterations < max_iterations_) {
+            if (residual_.norm() <= target) break;
+            ++report.iterations;
+            K::multiply(a, direction_, product_);
+            const double curvature = direction_.dot(product_);
+            if (!(curvature > 0) || !(rz > 0)) return report;  // not positive definite, or not a number
+            const double step = rz / curvature;
+            x += step * direction_;
+            residual_ -= step * product_;
+            K::precondition(factor_, residual_, z_);
+            const double next = residual_.dot(z_);
+            direction_ = z_ + next / rz * direction_;
+            rz = next;
+        }
+        report.solved = residual_.norm() <= target;
+        return report;
+    }
+
+    double tolerance_;
+    int max_iterations_;
+    BlockMatrix factor_;
+    VectorXd residual_, z_, direction_, product_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_conjugate_gradient_solver(double tolerance, int max_iterations)
+{
+    return std::make_unique<ConjugateGradientSolver>(tolerance, max_iterations);
+}
+
+}  // namespace voussoir

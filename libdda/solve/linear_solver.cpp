@@ -1,0 +1,47 @@
+#include "libdda/solve/linear_solver.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+/// Conjugate gradients first; the direct solver takes over a system they cannot solve.
+class FallbackSolver : public LinearSolver
+{
+ public:
+    explicit FallbackSolver(double tolerance) : iterative_(make_conjugate_gradient_solver(tolerance)) {}
+
+    LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
+                       Eigen::VectorXd& solution) override
+    {
+        LinearReport report = iterative_->solve(matrix, right_hand_side, solution);
+        if (report.solved) return report;
+        if (!direct_) direct_ = make_cholmod_solver();
+        const LinearReport second = direct_->solve(matrix, right_hand_side, solution);
+        report.solved = second.solved;
+        report.factorisations += second.factorisations;
+        report.factor_entries = second.factor_entries;
+        return report;
+    }
+
+ private:
+    std::unique_ptr<LinearSolver> iterative_, direct_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, double tolerance)
+{
+    switch (kind) {
+        case LinearSolverKind::cholmod:
+            return make_cholmod_solver();
+        case LinearSolverKind::conjugate_gradients:
+            return make_conjugate_gradient_solver(tolerance);
+        case LinearSolverKind::automatic:
+            break;
+    }
+    return std::make_unique<FallbackSolver>(tolerance);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,41 @@
+// Solves the symmetric positive definite system of a Newton step.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "libdda/model/model.h"
+#include "libdda/solve/block_matrix.h"
+
+namespace voussoir
+{
+
+struct LinearReport {
+    bool solved = false;
+    int factorisations = 0;
+    int iterations = 0;
+    std::int64_t factor_entries = 0;  // numbers stored for the factor
+};
+
+/// One way of solving K x = b. Members keep what can be reused from call to call (symbolic analysis, memory), and
+/// nothing that changes a result.
+class LinearSolver
+{
+ public:
+    virtual ~LinearSolver() = default;
+    /// @param matrix SPD; @param right_hand_side, solution (rows x block_size)
+    virtual LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
+                               Eigen::VectorXd& solution) = 0;
+};
+
+/// Sparse Cholesky (CHOLMOD): the symbolic analysis is kept while the pattern stays.
+std::unique_ptr<LinearSolver> make_cholmod_solver();
+
+/// Conjugate gradients preconditioned by an incomplete Cholesky factor on the pattern of the matrix, block by
+/// block: exact for chains (bridge, tower). @param tolerance of |K x - b| / |b|
+std::unique_ptr<LinearSolver> make_conjugate_gradient_solver(double tolerance, int max_iterations = 500);
+
+/// The member asked for. `automatic` is conjugate gradients, with CHOLMOD when they do not converge.
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, double tolerance);
+
+}  // namespace voussoir
