@@ -1,0 +1,95 @@
+#include "records/format.h"
+
+#include <cmath>
+#include <utility>
+
+#include "records/numbers.h"
+
+namespace voussoir
+{
+
+Unit resolve_unit(const std::string& in_header, const ReadOptions& options, const std::string& place,
+                  FaultList& faults)
+{
+    const Unit none{"m/s2", Quantity::acceleration, 1};
+    const std::optional<Unit> from_header = find_unit(in_header);
+    if (!options.unit) {
+        if (from_header) return *from_header;
+        const std::string found = in_header.empty() ? "no unit" : "unknown unit \"" + in_header + "\"";
+        faults.add(place, found, "give the record a unit, one of " + known_units());
+        return none;
+    }
+    const std::optional<Unit> given = find_unit(*options.unit);
+    if (!given) {
+        faults.add(place, "unit \"" + *options.unit + "\" was asked for", "use one of " + known_units());
+        return none;
+    }
+    const bool same =
+        !from_header || (from_header->quantity == given->quantity && from_header->factor == given->factor);
+    if (!same) {
+        faults.add(place, "the file is in " + from_header->name + " but " + given->name + " was asked for",
+                   "leave the unit out");
+    }
+    return *given;
+}
+
+double resolve_time_step(std::optional<double> in_file, const ReadOptions& options, const std::string& place,
+                         FaultList& faults)
+{
+    if (!in_file && !options.time_step) {
+        faults.add(place, "no time step", "give the record a time_step");
+        return 1;
+    }
+    const double time_step = in_file ? *in_file : *options.time_step;
+    if (!(time_step > 0) || !std::isfinite(time_step)) {
+        faults.add(place, "time step = " + to_text(time_step) + " s", "must be finite and greater than 0");
+        return 1;
+    }
+    // Times are often printed with few digits: the same step to a thousandth is the same step.
+    if (in_file && options.time_step && !(std::abs(*options.time_step - time_step) <= 1e-3 * time_step)) {
+        faults.add(place,
+                   "the file has time step " + to_text(time_step) + " s but " + to_text(*options.time_step) +
+                       " s was asked for",
+                   "leave the time step out");
+    }
+    return time_step;
+}
+
+std::vector<double> read_fortran_samples(const SourceFile& file, std::size_t first, FaultList& faults)
+{
+    std::vector<double> samples, on_line;
+    for (std::size_t i = first; i < file.lines.size(); ++i) {
+        if (trim(file.lines[i]).empty()) continue;
+        if (!parse_fortran(file.lines[i], on_line)) {
+            faults.add(file.at(i), "not a line of numbers", "every line after the header holds samples only");
+            continue;
+        }
+        for (const double sample : on_line) {
+            if (!std::isfinite(sample)) faults.add(file.at(i), "sample " + to_text(sample), "must be finite");
+        }
+        samples.insert(samples.end(), on_line.begin(), on_line.end());
+    }
+    return samples;
+}
+
+void check_count(double announced, std::size_t found, const std::string& place, FaultList& faults)
+{
+    const bool plausible = announced >= 2 && announced == std::floor(announced);
+    if (!plausible) {
+        faults.add(place, "the header announces " + to_text(announced) + " samples",
+                   "a record holds a whole number of samples, 2 or more");
+    } else if (announced != static_cast<double>(found)) {
+        faults.add(
+            place,
+            "the header announces " + to_text(announced) + " samples but the file holds " + std::to_string(found),
+            "the file is cut short or damaged: fetch it again");
+    }
+}
+
+Channel make_channel(std::string component, const Unit& unit, double time_step, std::vector<double> samples)
+{
+    for (double& sample : samples) sample *= unit.factor;
+    return {std::move(component), unit.quantity, time_step, std::move(samples), unit.name};
+}
+
+}  // namespace voussoir

@@ -1,0 +1,46 @@
+// What a reader of one file format is. A new format is one file that defines one of these, and one line in the
+// table of record.cpp.
+#pragma once
+
+#include "records/record.h"
+#include "records/source_file.h"
+#include "records/units.h"
+
+namespace voussoir
+{
+
+struct Format {
+    const char* name;
+    /// Judges by content, never by the file's name.
+    bool (*recognises)(const SourceFile&);
+    /// @throws InputError with every fault of the file and of the options it needs
+    Record (*read)(const SourceFile&, const ReadOptions&);
+};
+
+extern const Format peer_at2;
+extern const Format corrected_acc;
+extern const Format text_table;
+
+// ---- what readers share (format.cpp)
+
+/// The unit, from the file's header, or from the options when the header has none (empty) or one we do not know.
+/// Adds a fault when there is none or the two differ. @returns the unit, or "m/s2" after a fault
+Unit resolve_unit(const std::string& in_header, const ReadOptions& options, const std::string& place,
+                  FaultList& faults);
+
+/// The time step, from the file (nothing when it has none) or from the options; as resolve_unit.
+/// @returns [s], or 1 after a fault
+double resolve_time_step(std::optional<double> in_file, const ReadOptions& options, const std::string& place,
+                         FaultList& faults);
+
+/// All numbers of the lines from `first` on, touching Fortran numbers included; blank lines are passed over. Adds
+/// a fault for each line that holds anything but finite numbers.
+std::vector<double> read_fortran_samples(const SourceFile& file, std::size_t first, FaultList& faults);
+
+/// Adds a fault when the header announces another number of samples than there are, or fewer than 2.
+void check_count(double announced, std::size_t found, const std::string& place, FaultList& faults);
+
+/// The samples times their unit: a channel in SI.
+Channel make_channel(std::string component, const Unit& unit, double time_step, std::vector<double> samples);
+
+}  // namespace voussoir

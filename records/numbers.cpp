@@ -1,0 +1,139 @@
+#include "records/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <system_error>
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr std::string_view white_space = " \t\r\f\v\x1A";
+
+bool is_space(char c)
+{
+    return white_space.find(c) != std::string_view::npos;
+}
+bool is_delimiter(char c)
+{
+    return c == ',' || c == ';';
+}
+bool is_sign(char c)
+{
+    return c == '+' || c == '-';
+}
+
+/// Fortran writes double precision as 1.5D-03; std::from_chars wants an E.
+std::size_t parse_with_exponent_d(std::string_view text, std::size_t mantissa, double& value)
+{
+    const std::size_t exponent = mantissa + 1;
+    const std::size_t digits = exponent + (exponent < text.size() && is_sign(text[exponent]) ? 1 : 0);
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", digits), text.size());
+    if (end == digits) return 0;
+    std::string with_e(text.substr(0, end));
+    with_e[mantissa] = 'e';
+    const auto [stop, error] = std::from_chars(with_e.data(), with_e.data() + with_e.size(), value);
+    return error == std::errc() && stop == with_e.data() + with_e.size() ? end : 0;
+}
+
+}  // namespace
+
+std::string_view trim(std::string_view text)
+{
+    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+std::string lower_case(std::string_view text)
+{
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
+std::size_t parse_leading_number(std::string_view text, double& value)
+{
+    const std::size_t skipped = text.size() > 1 && text[0] == '+' && !is_sign(text[1]) ? 1 : 0;
+    const std::string_view digits = text.substr(skipped);
+    const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc::invalid_argument) return 0;
+    auto used = static_cast<std::size_t>(stop - digits.data());
+    if (error == std::errc::result_out_of_range) {
+        // Below the smallest number is as good as zero; above the largest is as bad as infinity.
+        const bool tiny = lower_case(digits.substr(0, used)).find("e-") != std::string::npos;
+        value = tiny ? 0 : std::numeric_limits<double>::infinity();
+    } else if (used < digits.size() && (digits[used] == 'D' || digits[used] == 'd')) {
+        const std::size_t with_exponent = parse_with_exponent_d(digits, used, value);
+        if (with_exponent > 0) used = with_exponent;
+    }
+    return skipped + used;
+}
+
+bool parse_number(std::string_view text, double& value)
+{
+    text = trim(text);
+    return !text.empty() && parse_leading_number(text, value) == text.size();
+}
+
+bool parse_separated(std::string_view line, std::vector<double>& values)
+{
+    values.clear();
+    bool by_space = false;
+    char delimiter = 0;
+    std::string_view rest = trim(line);
+    while (!rest.empty()) {
+        double value = 0;
+        const std::size_t used = parse_leading_number(rest, value);
+        if (used == 0) return false;
+        values.push_back(value);
+        const std::string_view after = trim(rest.substr(used));
+        if (after.empty()) return true;
+        if (is_delimiter(after.front())) {
+            if (by_space || (delimiter != 0 && delimiter != after.front())) return false;
+            delimiter = after.front();
+            rest = trim(after.substr(1));
+            if (rest.empty()) return false;  // nothing after the last comma: a cell is missing
+        } else {
+            if (delimiter != 0 || !is_space(rest[used])) return false;
+            by_space = true;
+            rest = after;
+        }
+    }
+    return !values.empty();
+}
+
+bool parse_fortran(std::string_view line, std::vector<double>& values)
+{
+    values.clear();
+    std::string_view rest = trim(line);
+    while (!rest.empty()) {
+        double value = 0;
+        const std::size_t used = parse_leading_number(rest, value);
+        if (used == 0) return false;
+        const std::string_view number = rest.substr(0, used);
+        rest.remove_prefix(used);
+        // Only a complete number, exponent included, may be touched by the sign of the next.
+        const bool complete = number.find_first_of("eEdD") != std::string_view::npos;
+        if (!rest.empty() && !is_space(rest.front()) && !(complete && is_sign(rest.front()))) return false;
+        values.push_back(value);
+        rest = trim(rest);
+    }
+    return !values.empty();
+}
+
+std::string to_text(double value)
+{
+    std::array<char, 32> buffer{};
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return error == std::errc() ? std::string(buffer.data(), end) : std::string("?");
+}
+
+}  // namespace voussoir

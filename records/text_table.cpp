@@ -1,0 +1,224 @@
+// Text: a table whose first column is time (each further column a component), or values only, any number on a
+// line, read row by row. Heading lines before the first number; lines beginning with # % ! // are comments, and
+// lines beginning with * may close the file ("*** End Data ***"). Unit and, without a time column, time step come
+// from the user.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "records/format.h"
+#include "records/numbers.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+/// The numbers of a text, row after row.
+struct Rows {
+    std::vector<double> numbers;
+    std::vector<std::size_t> starts;  // (rows + 1), into numbers
+    std::vector<std::size_t> lines;   // (rows), 0-based line each row stands on
+
+    std::size_t count() const { return lines.size(); }
+    std::size_t width(std::size_t row) const { return starts[row + 1] - starts[row]; }
+    double at(std::size_t row, std::size_t column) const { return numbers[starts[row] + column]; }
+};
+
+bool is_comment(std::string_view line)
+{
+    line = trim(line);
+    return line.empty() || line.front() == '#' || line.front() == '%' || line.front() == '!' ||
+           line.substr(0, 2) == "//";
+}
+
+/// A heading may not begin with a number: such a line is rather a damaged row, and skipping it would shift time.
+bool begins_with_number(std::string_view line)
+{
+    double value = 0;
+    line = trim(line);
+    const std::size_t used = parse_leading_number(line, value);
+    return used > 0 &&
+           (used == line.size() || std::string_view(" \t,;").find(line[used]) != std::string_view::npos);
+}
+
+Rows read_rows(const SourceFile& file, FaultList& faults)
+{
+    Rows rows;
+    rows.starts.push_back(0);
+    std::vector<double> on_line;
+    std::size_t closing = 0;  // first line beginning with * after the last row; 0: none
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        if (is_comment(file.lines[i])) continue;
+        if (parse_separated(file.lines[i], on_line)) {
+            rows.numbers.insert(rows.numbers.end(), on_line.begin(), on_line.end());
+            rows.starts.push_back(rows.numbers.size());
+            rows.lines.push_back(i);
+            if (closing > 0)
+                faults.add(file.at(closing), "not a line of numbers", "only numbers between the rows");
+            closing = 0;
+        } else if (rows.count() > 0 && trim(file.lines[i]).front() == '*') {
+            if (closing == 0) closing = i;
+        } else if (rows.count() > 0 || begins_with_number(file.lines[i])) {
+            faults.add(file.at(i), "not a line of numbers",
+                       "rows hold numbers with a decimal point, separated by blanks, commas or semicolons; "
+                       "headings stand before them and do not begin with a number");
+        }
+    }
+    return rows;
+}
+
+void check_finite(const SourceFile& file, const Rows& rows, FaultList& faults)
+{
+    for (std::size_t row = 0; row < rows.count(); ++row) {
+        for (std::size_t column = 0; column < rows.width(row); ++column) {
+            const double number = rows.at(row, column);
+            if (std::isfinite(number)) continue;
+            faults.add(file.at(rows.lines[row]), to_text(number) + " in column " + std::to_string(column + 1),
+                       "every number must be finite");
+        }
+    }
+}
+
+/// Every row as wide as the first; only a last row of values without time may be shorter.
+void check_widths(const SourceFile& file, const Rows& rows, bool last_may_be_short, FaultList& faults)
+{
+    const std::size_t width = rows.width(0);
+    for (std::size_t row = 1; row < rows.count(); ++row) {
+        const std::size_t here = rows.width(row);
+        const bool is_last = row + 1 == rows.count();
+        if (here == width || (is_last && last_may_be_short && here < width)) continue;
+        faults.add(file.at(rows.lines[row]),
+                   std::to_string(here) + (here == 1 ? " number" : " numbers") + " where the first row has " +
+                       std::to_string(width),
+                   "every row must be complete");
+    }
+}
+
+/// Whether the first column is a time. Two columns always claim it; of more, the first must increase in nine rows
+/// of ten, so that one damaged row is refused instead of turning times into samples.
+bool has_time_column(const Rows& rows)
+{
+    if (rows.width(0) < 2) return false;
+    if (rows.width(0) == 2) return true;
+    std::size_t increasing = 0;
+    for (std::size_t row = 1; row < rows.count(); ++row) {
+        if (rows.at(row, 0) > rows.at(row - 1, 0)) ++increasing;
+    }
+    return rows.count() >= 3 && 10 * increasing >= 9 * (rows.count() - 1);
+}
+
+/// The first row whose time does not increase; 0 when all do.
+std::size_t first_not_increasing(const Rows& rows)
+{
+    for (std::size_t row = 1; row < rows.count(); ++row) {
+        if (!(rows.at(row, 0) > rows.at(row - 1, 0))) return row;
+    }
+    return 0;
+}
+
+/// The row to blame when times are off the grid of the mean step by more than a hundredth of it, which rounding in
+/// print explains: where the step first changes, else where the times stray farthest. 0 when they are even.
+std::size_t first_uneven(const Rows& rows, double step)
+{
+    const double start = rows.at(0, 0), first_step = rows.at(1, 0) - start;
+    double farthest = 0.01 * step;
+    std::size_t changed = 0, strayed = 0;
+    for (std::size_t row = 1; row < rows.count(); ++row) {
+        const double here = rows.at(row, 0) - rows.at(row - 1, 0);
+        const double off_grid = std::abs(rows.at(row, 0) - start - static_cast<double>(row) * step);
+        if (changed == 0 && std::abs(here - first_step) > 0.02 * first_step) changed = row;
+        if (off_grid > farthest) farthest = off_grid, strayed = row;
+    }
+    return strayed > 0 && changed > 0 ? changed : strayed;
+}
+
+/// The mean step of the time column [s]. Adds a fault when the times do not increase in even steps.
+double even_time_step(const SourceFile& file, const Rows& rows, FaultList& faults)
+{
+    const std::size_t last = rows.count() - 1;
+    const double step = (rows.at(last, 0) - rows.at(0, 0)) / static_cast<double>(last);
+    const auto times = [&](std::size_t row) {
+        return "time " + to_text(rows.at(row, 0)) + " s after " + to_text(rows.at(row - 1, 0)) + " s";
+    };
+    if (const std::size_t row = first_not_increasing(rows); row > 0) {
+        faults.add(file.at(rows.lines[row]), times(row), "column 1 must be an increasing time in seconds");
+    } else if (const std::size_t uneven = first_uneven(rows, step); uneven > 0) {
+        faults.add(file.at(rows.lines[uneven]), times(uneven) + " where the mean step is " + to_text(step) + " s",
+                   "resample the record to an even step; if only its printed times are rounded, give column and "
+                   "time_step");
+    }
+    return step;
+}
+
+/// 0-based columns to read, as the user asked or all that are not time.
+std::vector<std::size_t> choose_columns(const Rows& rows, const ReadOptions& options, bool has_time,
+                                        const std::string& name, FaultList& faults)
+{
+    const std::size_t width = rows.width(0);
+    std::vector<std::size_t> columns;
+    if (options.column) {
+        const bool exists = *options.column >= 1 && static_cast<std::size_t>(*options.column) <= width;
+        if (exists) return {static_cast<std::size_t>(*options.column) - 1};
+        faults.add(name, "column " + std::to_string(*options.column) + " was asked for",
+                   "the file has columns 1 to " + std::to_string(width));
+    }
+    for (std::size_t column = has_time ? 1 : 0; column < width; ++column) columns.push_back(column);
+    return columns;
+}
+
+std::vector<double> take_column(const Rows& rows, std::size_t column)
+{
+    std::vector<double> samples;
+    samples.reserve(rows.count());
+    for (std::size_t row = 0; row < rows.count(); ++row) samples.push_back(rows.at(row, column));
+    return samples;
+}
+
+bool recognises(const SourceFile& file)
+{
+    std::vector<double> on_line;
+    return is_text(file) && std::any_of(file.lines.begin(), file.lines.end(), [&](std::string_view line) {
+               return !is_comment(line) && parse_separated(line, on_line);
+           });
+}
+
+Record read(const SourceFile& file, const ReadOptions& options)
+{
+    FaultList faults;
+    const Rows rows = read_rows(file, faults);
+    check_finite(file, rows, faults);
+    const bool has_time = has_time_column(rows);
+    const bool by_row = !has_time && !options.column;  // values only: the rows are one long list
+    check_widths(file, rows, by_row, faults);
+    const Unit unit = resolve_unit("", options, file.name, faults);
+    const std::vector<std::size_t> columns = choose_columns(rows, options, has_time, file.name, faults);
+    const std::size_t count = by_row ? rows.numbers.size() : rows.count();
+    if (count < 2) faults.add(file.name, std::to_string(count) + " sample", "a record holds at least 2 samples");
+
+    // Who names both a column and a step has said that column 1 is not to be believed.
+    const bool timed = has_time && columns.front() != 0 && !(options.column && options.time_step);
+    if (timed) faults.throw_if_any(file.name);  // times cannot be judged before every row is complete
+    std::optional<double> in_file;
+    if (timed) in_file = even_time_step(file, rows, faults);
+    if (timed) faults.throw_if_any(file.name);
+    const double time_step = resolve_time_step(in_file, options, file.name, faults);
+    faults.throw_if_any(file.name);
+
+    if (by_row) return {file.name, "values-only text", {make_channel("", unit, time_step, rows.numbers)}};
+    Record record{file.name, rows.width(0) == 2 ? "two-column text" : "text table", {}};
+    for (const std::size_t column : columns) {
+        record.channels.push_back(
+            make_channel("column " + std::to_string(column + 1), unit, time_step, take_column(rows, column)));
+    }
+    return record;
+}
+
+}  // namespace
+
+const Format text_table{"text table", recognises, read};
+
+}  // namespace voussoir

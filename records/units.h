@@ -1,0 +1,30 @@
+// Units in which accelerograms are written.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "records/record.h"
+
+namespace voussoir
+{
+
+struct Unit {
+    std::string name;  // as we print it: "g", "cm/s2"
+    Quantity quantity;
+    double factor;  // SI value of one unit
+};
+
+/// Standard gravity, exact. Source: 3rd CGPM (1901), ISO 80000-3. [m/s2]
+inline constexpr double standard_gravity = 9.80665;
+
+/// A unit by any of its usual spellings ("G", "cm/sec/sec", "cm/s^2", "gal"); nothing when unknown.
+std::optional<Unit> find_unit(std::string_view text);
+
+/// "g, m/s2, ...", for messages.
+std::string known_units();
+
+const char* to_text(Quantity quantity);
+
+}  // namespace voussoir
