@@ -1,0 +1,84 @@
+#include "app/case/case_file.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "app/case/blocks.h"
+#include "app/case/foundation.h"
+#include "app/case/materials.h"
+#include "app/case/motion.h"
+#include "app/case/output.h"
+#include "app/case/overrides.h"
+#include "app/case/stages.h"
+#include "app/case/yaml_cursor.h"
+
+namespace voussoir
+{
+namespace
+{
+
+std::string read_text(const std::filesystem::path& file)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
+        throw InputError(file.string(), std::filesystem::exists(file, error) ? "not a file" : "no such file",
+                         "give a YAML case file");
+    if (std::filesystem::file_size(file, error) > largest_case_file)
+        throw InputError(file.string(), "larger than 16 MiB", "a case file is much smaller");
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+    if (!stream.good() && !stream.eof())
+        throw InputError(file.string(), "cannot be read", "check its permissions");
+    return text.str();
+}
+
+/// The model: what is there. Everything is read even when something is wrong, so that all faults are listed.
+void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<FoundationEntry>& foundations)
+{
+    Model& model = result.model;
+    model.kinematics = top.choice_or<Kinematics>(
+        "kinematics",
+        {{"spatial_deformable", Kinematics::spatial_deformable}, {"spatial_rigid", Kinematics::spatial_rigid}},
+        Kinematics::spatial_deformable);
+    model.materials = read_materials(top);
+    model.joints = read_joints(top);
+    read_blocks(top, result.file.parent_path(), model, findings);
+    model.joint_of_groups = read_joint_rules(top, model.joints, model.groups);
+    foundations = read_foundations(top, model);
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+    Case result;
+    result.file = file;
+    result.text = read_text(file);
+    result.overrides = overrides;
+    Findings findings;
+    findings.file = file.string();
+
+    YamlNode root = parse_yaml(result.text, findings.file);
+    if (root.kind == YamlNode::Kind::null) throw InputError(findings.file, "the file is empty", "give a case");
+    if (root.kind != YamlNode::Kind::map)
+        throw InputError(findings.file + ":" + std::to_string(root.line), describe(root),
+                         "a case is a map of keys: materials, joints, blocks, stages, ...");
+    for (const std::string& setting : overrides) apply_override(setting, root, findings);
+
+    YamlCursor top(root, "", findings);
+    result.title = top.find_text("title").value_or(file.stem().string());
+    std::vector<FoundationEntry> foundations;
+    read_model(top, result, findings, foundations);
+    MotionContext motions{file.parent_path(), result.motions};
+    result.stages = read_stages(top, result.model, foundations, motions);
+    result.output = read_output(top, result.model, result.stages);
+    top.reject_unknown_keys();
+
+    if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
+    result.defaults = in_words(findings.defaults);
+    result.warnings = std::move(findings.warnings);
+    return result;
+}
+
+}  // namespace voussoir

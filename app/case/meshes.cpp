@@ -1,0 +1,110 @@
+#include <fmt/core.h>
+
+#include "app/case/block_reading.h"
+#include "app/case/blocks.h"
+
+namespace voussoir
+{
+namespace
+{
+
+void read_patterns(YamlCursor& entry, std::vector<GroupPattern>& patterns)
+{
+    std::optional<YamlCursor> groups = entry.find("groups");
+    if (!groups) return entry.took_default("groups", std::string("all ") + default_group);
+    for (auto& [group, value] : groups->named_entries("groups by name, {foundation: \"abutment_*\"}")) {
+        if (!value.is_list()) {
+            patterns.push_back({group, value.as_text(), value});
+            continue;
+        }
+        for (const YamlCursor& item : value.items("patterns")) patterns.push_back({group, item.as_text(), item});
+    }
+}
+
+/// `unit: cm`: metres in one of the file's units.
+double read_unit(YamlCursor& entry)
+{
+    const std::optional<YamlCursor> value = entry.find("unit");
+    if (!value) {
+        entry.took_default("unit", "m");
+        return 1;
+    }
+    const std::string name = value->as_text();
+    const ParsedQuantity one = parse_quantity("1 " + name);
+    if (one.problem.empty() && one.has(dimension::length) && !one.bare) return one.value;
+    value->fault("\"" + name + "\" is no unit of length", "expected m, cm, mm, ft, in or km");
+    return 1;
+}
+
+std::string group_of(const std::string& stone, std::vector<GroupPattern>& patterns)
+{
+    for (GroupPattern& pattern : patterns)
+        if (matches_pattern(stone, pattern.pattern)) {
+            pattern.used = true;
+            return pattern.group;
+        }
+    return default_group;
+}
+
+/// The answer of the geometry helper about one file, as faults, warnings and blocks.
+void take_mesh(MeshEntry& entry, const ImportedMesh& mesh, BlockReading& reading)
+{
+    const std::string place = entry.file.place() + ": " + entry.name;
+    for (const std::string& repair : mesh.repairs) reading.findings.warnings.push_back(place + ": " + repair);
+    bool stone_refused = false;
+    for (const Stone& stone : mesh.stones) {
+        const std::string stone_place = place + ": " + stone.name;
+        for (const std::string& repair : stone.repairs)
+            reading.findings.warnings.push_back(stone_place + ": " + repair);
+        stone_refused = stone_refused || !stone.reason.empty();
+        if (!stone.reason.empty()) {
+            reading.findings.faults.push_back({stone_place, stone.reason, "mend the mesh"});
+        } else if (mesh.accepted) {
+            add_block(stone.name, stone_place, group_of(stone.name, entry.patterns), entry.material, stone.parts,
+                      reading);
+        }
+    }
+    if (!mesh.accepted && !stone_refused)
+        reading.findings.faults.push_back({place, mesh.reason, "give another mesh"});
+    if (!mesh.accepted) return;
+    for (const GroupPattern& pattern : entry.patterns)
+        if (!pattern.used && !pattern.pattern.empty())
+            pattern.written.fault("\"" + pattern.pattern + "\" matches no stone that an earlier pattern left",
+                                  "stones are named as the objects of the mesh");
+}
+
+}  // namespace
+
+void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
+{
+    MeshEntry mesh{file, file.as_text(), {}, 0, {}};
+    mesh.request.file = reading.folder / mesh.name;
+    mesh.material = read_material_name(entry, reading.model.materials);
+    read_patterns(entry, mesh.patterns);
+    mesh.request.metres_per_unit = read_unit(entry);
+    mesh.request.up = entry.choice_or<char>("up", {{"x", 'x'}, {"y", 'y'}, {"z", 'z'}}, 'z');
+    entry.reject_unknown_keys();
+    if (mesh.name.empty()) return;
+    if (!std::filesystem::is_regular_file(mesh.request.file))
+        file.fault("no mesh file " + mesh.request.file.string(), "paths are relative to the case file");
+    else
+        reading.meshes.push_back(std::move(mesh));
+}
+
+void import_meshes(BlockReading& reading)
+{
+    if (reading.meshes.empty()) return;
+    std::vector<MeshRequest> requests;
+    for (const MeshEntry& mesh : reading.meshes) requests.push_back(mesh.request);
+    const Geometry geometry = import_geometry(requests, {});
+    reading.model.origin = geometry.origin;
+    for (Block& box : reading.model.blocks) box.moments.centroid -= geometry.origin;
+    for (std::size_t i = 0; i < reading.meshes.size(); ++i)
+        take_mesh(reading.meshes[i], geometry.meshes.at(i), reading);
+    for (const Overlap& overlap : geometry.overlaps)
+        reading.findings.faults.push_back(
+            {reading.meshes.front().file.place() + ": " + overlap.stone_a + " and " + overlap.stone_b,
+             fmt::format("overlap by {:.3g} m3", overlap.volume), "stones may touch but not overlap"});
+}
+
+}  // namespace voussoir

@@ -1,0 +1,39 @@
+// One motion of a case: a record or a sine, along one axis.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/case/case_file.h"
+#include "app/case/yaml_cursor.h"
+#include "libdda/model/ground_motion.h"
+
+namespace voussoir
+{
+
+/// What every motion of a case needs to be read.
+struct MotionContext {
+    std::filesystem::path folder;    // of the case file
+    std::vector<MotionNote>& notes;  // one is added per motion
+};
+
+/// Reads `{record: path, unit: g, scale: 1.5, ...}` or `{sine: {acceleration: 0.5 g, frequency: 2.5 Hz}}`.
+/// @param whose "foundation x", for the note
+/// @param stage_duration of the stage it acts in [s], where a sine without duration ends
+/// @returns null, with faults, when it cannot be used
+std::shared_ptr<const GroundMotion> read_motion(YamlCursor& map, const std::string& whose,
+                                                std::optional<double> stage_duration, MotionContext& context);
+
+/// The axes of a motion map `{x: ..., y: ..., z: ...}` with their motions, null where unusable.
+struct AxisMotion {
+    int component = 0;  // 0, 1, 2: x, y, z
+    YamlCursor written;
+    std::shared_ptr<const GroundMotion> motion;
+};
+std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& whose,
+                                          std::optional<double> stage_duration, MotionContext& context);
+
+}  // namespace voussoir

@@ -1,0 +1,105 @@
+#include "app/case/overlaps.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace voussoir
+{
+namespace
+{
+
+struct Interval {
+    double lower = std::numeric_limits<double>::infinity(), upper = -std::numeric_limits<double>::infinity();
+};
+
+Interval extent(const ConvexPolyhedron& shape, const Eigen::Vector3d& axis)
+{
+    Interval interval;
+    for (const Eigen::Vector3d& vertex : shape.vertices) {
+        interval.lower = std::min(interval.lower, axis.dot(vertex));
+        interval.upper = std::max(interval.upper, axis.dot(vertex));
+    }
+    return interval;
+}
+
+/// Shift along +-axis that parts the two shapes.
+double depth_along(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const Eigen::Vector3d& offset,
+                   const Eigen::Vector3d& axis)
+{
+    const Interval of_a = extent(a, axis), of_b = extent(b, axis);
+    const double shift = axis.dot(offset);
+    return std::min(of_a.upper - (of_b.lower + shift), of_b.upper + shift - of_a.lower);
+}
+
+std::vector<Eigen::Vector3d> edge_directions(const ConvexPolyhedron& shape)
+{
+    std::vector<Eigen::Vector3d> directions;
+    for (const ConvexPolyhedron::Edge& edge : shape.edges) {
+        const Eigen::Vector3d direction = (shape.vertices[edge.to] - shape.vertices[edge.from]).normalized();
+        const bool known = std::any_of(directions.begin(), directions.end(), [&](const Eigen::Vector3d& other) {
+            return direction.cross(other).norm() < 1e-12;
+        });
+        if (!known) directions.push_back(direction);
+    }
+    return directions;
+}
+
+Eigen::AlignedBox3d bounds_of(const Block& block)
+{
+    Eigen::AlignedBox3d bounds;
+    for (const ConvexPolyhedron& part : block.parts)
+        for (const Eigen::Vector3d& vertex : part.vertices) bounds.extend(block.moments.centroid + vertex);
+    return bounds;
+}
+
+double overlap_depth(const Block& a, const Block& b)
+{
+    double depth = 0;
+    for (const ConvexPolyhedron& part_a : a.parts)
+        for (const ConvexPolyhedron& part_b : b.parts)
+            depth = std::max(depth, overlap_depth(part_a, part_b, b.moments.centroid - a.moments.centroid));
+    return depth;
+}
+
+}  // namespace
+
+double overlap_depth(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const Eigen::Vector3d& offset)
+{
+    double depth = std::numeric_limits<double>::infinity();
+    for (const ConvexPolyhedron* shape : {&a, &b})
+        for (int face = 0; face < static_cast<int>(shape->faces.size()) && depth > 0; ++face)
+            depth = std::min(depth, depth_along(a, b, offset, face_normal(*shape, face)));
+    if (depth <= 0) return depth;
+    const std::vector<Eigen::Vector3d> edges_b = edge_directions(b);
+    for (const Eigen::Vector3d& edge_a : edge_directions(a))
+        for (const Eigen::Vector3d& edge_b : edges_b) {
+            const Eigen::Vector3d axis = edge_a.cross(edge_b);
+            if (axis.norm() > 1e-9) depth = std::min(depth, depth_along(a, b, offset, axis.normalized()));
+        }
+    return depth;
+}
+
+std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, const std::vector<bool>& to_check)
+{
+    std::vector<Eigen::AlignedBox3d> bounds;
+    for (const Block& block : blocks) bounds.push_back(bounds_of(block));
+    std::vector<int> order(blocks.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return bounds[a].min().x() < bounds[b].min().x(); });
+
+    std::vector<BlockOverlap> overlaps;
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (std::size_t k = i + 1; k < order.size(); ++k) {
+            const auto [a, b] = std::minmax(order[i], order[k]);
+            if (bounds[order[k]].min().x() > bounds[order[i]].max().x()) break;
+            if ((!to_check[a] && !to_check[b]) || !bounds[a].intersects(bounds[b])) continue;
+            const double depth = overlap_depth(blocks[a], blocks[b]);
+            const double size = std::min(bounds[a].diagonal().norm(), bounds[b].diagonal().norm());
+            if (depth > 1e-6 * size) overlaps.push_back({a, b, depth});
+        }
+    return overlaps;
+}
+
+}  // namespace voussoir

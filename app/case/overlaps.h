@@ -1,0 +1,27 @@
+// Do stones that came from different places overlap? Mesh files certify their own stones; boxes are checked here.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "libdda/model/model.h"
+
+namespace voussoir
+{
+
+/// Depth by which two convex shapes overlap [m]: the shortest shift that parts them; <= 0 if they do not.
+/// Exact, by the separating axes: face normals of both and cross products of their edges.
+/// @param offset of b relative to a [m]
+/// Source: Gottschalk, Lin and Manocha 1996.
+double overlap_depth(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const Eigen::Vector3d& offset);
+
+struct BlockOverlap {
+    int block_a = 0, block_b = 0;
+    double depth = 0;  // m
+};
+
+/// Pairs of blocks, at least one of them marked in `to_check`, that overlap by more than 1e-6 of the smaller one's
+/// diagonal.
+std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, const std::vector<bool>& to_check);
+
+}  // namespace voussoir
