@@ -20,8 +20,10 @@ function(voussoir_library name)
   target_link_libraries(voussoir_${name} PUBLIC voussoir_flags)
 endfunction()
 
-# voussoir_program(NAME sources...): an executable in bin/.
+# voussoir_program(NAME sources...): an executable in bin/. The target `programs` builds all of them and no test.
+add_custom_target(programs)
 function(voussoir_program name)
   add_executable(${name} ${ARGN})
+  add_dependencies(programs ${name})
   target_link_libraries(${name} PRIVATE voussoir_flags)
 endfunction()
