@@ -1,0 +1,75 @@
+#include "app/results/atomic_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+/// Writes everything, however many calls it takes. @returns 0 or an errno
+int write_all(int descriptor, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+/// Makes the renaming itself durable; best effort, for some file systems cannot sync a folder.
+void sync_folder(const std::filesystem::path& folder)
+{
+    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
+
+}  // namespace
+
+void refuse_writing(const std::filesystem::path& path, int error_number)
+{
+    throw InputError(path.string(), "cannot be written: " + std::generic_category().message(error_number),
+                     "give a folder that can be written on a disk with room");
+}
+
+void write_atomically(const std::filesystem::path& path, std::string_view bytes)
+{
+    std::filesystem::path temporary = path;
+    temporary += ".part";
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) refuse_writing(path, errno);
+    int error = write_all(descriptor, bytes);
+    if (error == 0 && ::fsync(descriptor) != 0) error = errno;
+    if (::close(descriptor) != 0 && error == 0) error = errno;
+    if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+    if (error != 0) {
+        ::unlink(temporary.c_str());
+        refuse_writing(path, error);
+    }
+    sync_folder(path.parent_path());
+}
+
+std::string read_whole_file(const std::filesystem::path& path)
+{
+    std::ifstream stream(path, std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    if (!stream.good() && !stream.eof()) {
+        throw InputError(path.string(), "cannot be read", "give a file that exists and may be read");
+    }
+    return bytes;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,34 @@
+// What results.h5 holds once per frame.
+#pragma once
+
+#include "app/results/hdf5_file.h"
+#include "app/results/surface_mesh.h"
+#include "libdda/model/report.h"
+
+namespace voussoir
+{
+
+/// Growing datasets under /frames. The time of a frame is written last, so that a frame without its time is known
+/// to be unfinished.
+class FrameRecords
+{
+ public:
+    FrameRecords(const Model& model, Hdf5File& file);
+    void append(const Model& model, const SurfaceMesh& mesh, const State& state, const RunReport& report,
+                Hdf5File& file);
+
+ private:
+    struct Joints {
+        Hdf5Series rows, pair, force, moment, centre, pressure_centre, normal, normal_force, opening, slip, area,
+            closed_area;
+    };
+    void append_joints(const Model& model, const State& state, Hdf5File& file);
+    void append_stresses(const Model& model, const SurfaceMesh& mesh, const State& state, Hdf5File& file);
+
+    Hdf5Series time_, step_, stage_, coordinates_, velocities_, ground_, positions_, face_displacement_, energy_,
+        report_;
+    Hdf5Series stress_, face_least_stress_, face_greatest_stress_;  // deformable scenes only
+    Joints joints_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,211 @@
+#include "app/results/hdf5_file.h"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/results/hdf5_detail.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+using namespace hdf5_detail;
+
+Hdf5Id::~Hdf5Id()
+{
+    if (id_ >= 0) H5Idec_ref(id_);
+}
+
+Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept
+{
+    std::swap(id_, other.id_);
+    return *this;
+}
+
+namespace
+{
+
+constexpr std::uint64_t chunk_bytes = std::uint64_t{1} << 18;  // about; a chunk is allocated as a whole
+constexpr std::uint64_t max_rows_per_chunk = 64;
+
+std::vector<hsize_t> to_hsize(const Extents& extents)
+{
+    return {extents.begin(), extents.end()};
+}
+
+/// Files that hold no time of their making, so that two runs give the same bytes.
+Hdf5Id timeless(hid_t kind)
+{
+    Hdf5Id properties(H5Pcreate(kind));
+    H5Pset_obj_track_times(properties.get(), false);
+    return properties;
+}
+
+/// Fixed-length strings, all as long as the longest: no heap that a killed run could leave half-written.
+struct PackedTexts {
+    Hdf5Id type;
+    std::string bytes;
+};
+
+PackedTexts pack(const std::vector<std::string>& texts)
+{
+    std::size_t length = 1;
+    for (const std::string& text : texts) length = std::max(length, text.size());
+    PackedTexts packed{Hdf5Id(H5Tcopy(H5T_C_S1)), {}};
+    H5Tset_size(packed.type.get(), length);
+    H5Tset_cset(packed.type.get(), H5T_CSET_UTF8);
+    H5Tset_strpad(packed.type.get(), H5T_STR_NULLPAD);
+    for (const std::string& text : texts) packed.bytes += text + std::string(length - text.size(), '\0');
+    return packed;
+}
+
+}  // namespace
+
+std::int64_t Hdf5File::check(std::int64_t result, const std::string& what) const
+{
+    if (result < 0) refuse(path_, writing_, what);
+    return result;
+}
+
+Hdf5File Hdf5File::create(const std::filesystem::path& path)
+{
+    Hdf5File result;
+    result.path_ = path;
+    result.writing_ = true;
+    const Hdf5Id access = access_properties();
+    result.file_ = Hdf5Id(result.check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
+                                       "no file can be made there"));
+    return result;
+}
+
+Hdf5File Hdf5File::open(const std::filesystem::path& path)
+{
+    Hdf5File result;
+    result.path_ = path;
+    const Hdf5Id access = access_properties();
+    result.file_ =
+        Hdf5Id(result.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), "it is not a whole HDF5 file"));
+    return result;
+}
+
+void Hdf5File::make_group(const std::string& name)
+{
+    const Hdf5Id properties = timeless(H5P_GROUP_CREATE);
+    const Hdf5Id group(
+        check(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), name));
+}
+
+void Hdf5File::write_dataset(const std::string& name, std::int64_t type, const Hdf5Id& space, const void* values)
+{
+    const Hdf5Id properties = timeless(H5P_DATASET_CREATE);
+    const Hdf5Id dataset(
+        check(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+              name));
+    if (H5Sget_simple_extent_npoints(space.get()) == 0) return;
+    check(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+}
+
+void Hdf5File::write_values(const std::string& name, ElementType type, const void* values, const Extents& extents)
+{
+    write_dataset(name, native(type), simple_space(extents), values);
+}
+
+void Hdf5File::write_text(const std::string& name, const std::string& text)
+{
+    const PackedTexts packed = pack({text});
+    write_dataset(name, packed.type.get(), Hdf5Id(H5Screate(H5S_SCALAR)), packed.bytes.data());
+}
+
+void Hdf5File::write_texts(const std::string& name, const std::vector<std::string>& texts)
+{
+    const PackedTexts packed = pack(texts);
+    write_dataset(name, packed.type.get(), simple_space({texts.size()}), packed.bytes.data());
+}
+
+void Hdf5File::write_attribute(const std::string& object, const std::string& name, std::int64_t type,
+                               const Hdf5Id& space, const void* value)
+{
+    const Hdf5Id attribute(check(H5Acreate_by_name(file_.get(), object.c_str(), name.c_str(), type, space.get(),
+                                                   H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                                 name));
+    check(H5Awrite(attribute.get(), type, value), name);
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, const std::string& text)
+{
+    const PackedTexts packed = pack({text});
+    write_attribute(object, name, packed.type.get(), Hdf5Id(H5Screate(H5S_SCALAR)), packed.bytes.data());
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, const std::vector<std::string>& texts)
+{
+    const PackedTexts packed = pack(texts);
+    write_attribute(object, name, packed.type.get(), simple_space({texts.size()}), packed.bytes.data());
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, double value)
+{
+    write_attribute(object, name, H5T_NATIVE_DOUBLE, Hdf5Id(H5Screate(H5S_SCALAR)), &value);
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, std::int64_t value)
+{
+    write_attribute(object, name, H5T_NATIVE_INT64, Hdf5Id(H5Screate(H5S_SCALAR)), &value);
+}
+
+Hdf5Series Hdf5File::make_series(const std::string& name, ElementType type, const Extents& row)
+{
+    Extents extents{0}, chunk{0}, limit{H5S_UNLIMITED};
+    for (const std::uint64_t size : row) {
+        extents.push_back(size);
+        chunk.push_back(std::max<std::uint64_t>(size, 1));
+        limit.push_back(size);
+    }
+    chunk[0] =
+        std::clamp(chunk_bytes / (product(chunk, 1) * bytes_of(type)), std::uint64_t{1}, max_rows_per_chunk);
+    const std::vector<hsize_t> size = to_hsize(extents), chunk_size = to_hsize(chunk), max_size = to_hsize(limit);
+    const Hdf5Id space(H5Screate_simple(static_cast<int>(size.size()), size.data(), max_size.data()));
+    const Hdf5Id create = timeless(H5P_DATASET_CREATE);
+    H5Pset_chunk(create.get(), static_cast<int>(chunk_size.size()), chunk_size.data());
+    Hdf5Series series{name, {}, type, extents};
+    series.dataset = Hdf5Id(check(
+        H5Dcreate2(file_.get(), name.c_str(), native(type), space.get(), H5P_DEFAULT, create.get(), H5P_DEFAULT),
+        name));
+    return series;
+}
+
+void Hdf5File::append_values(Hdf5Series& series, ElementType type, const void* values, std::size_t count,
+                             std::uint64_t rows)
+{
+    DDA_ASSERT(type == series.type && count == rows * product(series.extents, 1));
+    static_cast<void>(count);
+    if (rows == 0) return;
+    std::vector<hsize_t> start(series.extents.size(), 0), size = to_hsize(series.extents);
+    start[0] = size[0];
+    size[0] += rows;
+    check(H5Dset_extent(series.dataset.get(), size.data()), series.name);
+    series.extents[0] += rows;
+    size[0] = rows;
+    if (product(series.extents, 1) == 0) return;
+    const Hdf5Id memory(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr));
+    const Hdf5Id space(H5Dget_space(series.dataset.get()));
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr);
+    check(H5Dwrite(series.dataset.get(), native(type), memory.get(), space.get(), H5P_DEFAULT, values),
+          series.name);
+}
+
+void Hdf5File::flush()
+{
+    check(H5Fflush(file_.get(), H5F_SCOPE_LOCAL), "what was written could not be stored");
+}
+
+void Hdf5File::close()
+{
+    if (file_.get() < 0) return;
+    flush();
+    file_ = Hdf5Id();
+}
+
+}  // namespace voussoir

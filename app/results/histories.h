@@ -1,0 +1,40 @@
+// histories.csv: one line for each accepted step.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "app/case/case_file.h"
+#include "libdda/model/state.h"
+
+namespace voussoir
+{
+
+/// Displacement and velocity of every history point, and the ground's displacement if there are foundations.
+/// Lines are held in memory until flush(). Without history points nothing is created.
+class Histories
+{
+ public:
+    /// @throws InputError when a point names an unknown block, or the file cannot be written
+    Histories(const Case& the_case, const std::filesystem::path& path);
+
+    void line(const State& state);
+    /// Writes the lines held so far to the file. @returns them (rows x columns.size())
+    std::vector<double> flush();
+
+    std::vector<std::string> columns;  // "time [s]", "crown ux [m]", ...; empty without history points
+
+ private:
+    struct Point {
+        int block = 0;
+        Eigen::Vector3d lever;  // m, reference place relative to the block's centroid
+    };
+    const Model& model_;
+    std::filesystem::path path_;
+    std::vector<Point> points_;
+    std::vector<double> pending_;
+    std::ofstream stream_;
+};
+
+}  // namespace voussoir

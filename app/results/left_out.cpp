@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <regex>
+
+#include "app/results/results_writer.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+template <typename Predicate>
+bool any_stage(const Case& the_case, Predicate predicate)
+{
+    return std::any_of(the_case.stages.begin(), the_case.stages.end(), predicate);
+}
+
+template <typename Predicate>
+bool any_joint(const Case& the_case, Predicate predicate)
+{
+    return std::any_of(the_case.model.joints.begin(), the_case.model.joints.end(), predicate);
+}
+
+/// No key `mesh` anywhere in the case file or its overrides: then surely no mesh was read.
+bool names_a_mesh(const Case& the_case)
+{
+    const std::regex key("\\bmesh\\b");
+    const auto has_key = [&](const std::string& text) { return std::regex_search(text, key); };
+    return has_key(the_case.text) || std::any_of(the_case.overrides.begin(), the_case.overrides.end(), has_key);
+}
+
+}  // namespace
+
+std::vector<std::string> left_out(const Case& the_case)
+{
+    std::vector<std::string> words;
+    const auto leave_out = [&](bool absent, const char* what) {
+        if (absent) words.emplace_back(what);
+    };
+    leave_out(!is_deformable(the_case.model.kinematics), "strains and stresses (the blocks are rigid)");
+    leave_out(!names_a_mesh(the_case), "mesh importers (no mesh is read)");
+    leave_out(the_case.model.foundations.empty(), "foundations (no block follows the ground)");
+    leave_out(!any_stage(the_case, [](const Stage& s) { return !s.motions.empty(); }),
+              "ground motion (no foundation is moved)");
+    leave_out(!any_stage(the_case, [](const Stage& s) { return !s.body_accelerations.empty(); }),
+              "body accelerations (no stage has one)");
+    leave_out(
+        !any_joint(the_case, [](const JointMaterial& j) { return j.cohesion > 0 || j.tensile_strength > 0; }),
+        "cohesion and tensile strength (all joints are dry)");
+    leave_out(!any_joint(the_case, [](const JointMaterial& j) { return j.dashpot > 0; }),
+              "contact dashpots (no joint has one)");
+    leave_out(
+        !any_stage(the_case, [](const Stage& s) { return s.damping.rate != 0 || s.damping.factor_per_step != 1; }),
+        "kinetic damping (no stage has any)");
+    leave_out(true, "viscous boundaries (not in this model)");
+    leave_out(the_case.output.histories.empty(), "histories (no point is measured)");
+    leave_out(!the_case.output.snapshots, "renderer (no snapshots are asked for)");
+    return words;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,234 @@
+#include "app/results/model_records.h"
+
+#include <cmath>
+
+#include "app/results/results_writer.h"
+#include "app/results/settings.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+template <typename Row>
+void append_three(std::vector<double>& values, const Row& row)
+{
+    values.insert(values.end(), row.data(), row.data() + 3);
+}
+
+void write_case(const Case& the_case, Hdf5File& file)
+{
+    const int unknowns = unknowns_per_block(the_case.model.kinematics);
+    file.attribute("/", "format", std::string("voussoir results 1"));
+    file.attribute("/", "voussoir_version", std::string(VOUSSOIR_VERSION));
+    file.attribute("/", "title", the_case.title);
+    file.attribute("/", "kinematics", std::string(name_of(the_case.model.kinematics)));
+    file.attribute("/", "unknowns_per_block", static_cast<std::int64_t>(unknowns));
+    file.make_group("/case");
+    file.write_text("/case/file", the_case.file.filename().string());
+    file.write_text("/case/text", the_case.text);
+    file.write_texts("/case/overrides", the_case.overrides);
+    file.write_texts("/case/defaults", the_case.defaults);
+    file.write_texts("/case/warnings", the_case.warnings);
+    file.write_texts("/case/left_out", left_out(the_case));
+    file.write_text("/case/settings", settings_json(the_case.stages));
+}
+
+void write_materials(const Model& model, Hdf5File& file)
+{
+    std::vector<std::string> names;
+    std::vector<double> density, young, poisson;
+    for (const BlockMaterial& material : model.materials) {
+        names.push_back(material.name);
+        density.push_back(material.density);
+        young.push_back(material.young);
+        poisson.push_back(material.poisson);
+    }
+    file.make_group("/model/materials");
+    file.write_texts("/model/materials/name", names);
+    file.write("/model/materials/density", density);
+    file.write("/model/materials/young", young);
+    file.write("/model/materials/poisson", poisson);
+}
+
+void write_joints(const Model& model, Hdf5File& file)
+{
+    std::vector<std::string> names, kinds;
+    std::vector<double> friction, cohesion, tension, stiffness, shear, dashpot;
+    for (const JointMaterial& joint : model.joints) {
+        names.push_back(joint.name);
+        friction.push_back(joint.friction_angle);
+        cohesion.push_back(joint.cohesion);
+        tension.push_back(joint.tensile_strength);
+        kinds.emplace_back(name_of(joint.stiffness.kind));
+        stiffness.push_back(joint.stiffness.value);
+        shear.push_back(joint.shear_to_normal_stiffness);
+        dashpot.push_back(joint.dashpot);
+    }
+    file.make_group("/model/joint_materials");
+    file.write_texts("/model/joint_materials/name", names);
+    file.write("/model/joint_materials/friction_angle", friction);
+    file.write("/model/joint_materials/cohesion", cohesion);
+    file.write("/model/joint_materials/tensile_strength", tension);
+    file.write_texts("/model/joint_materials/stiffness_kind", kinds);
+    file.write("/model/joint_materials/stiffness", stiffness);
+    file.write("/model/joint_materials/shear_to_normal_stiffness", shear);
+    file.write("/model/joint_materials/dashpot", dashpot);
+    std::vector<std::int32_t> of_groups(model.joint_of_groups.begin(), model.joint_of_groups.end());
+    file.write("/model/joint_of_groups", of_groups, {model.groups.size(), model.groups.size()});
+}
+
+void write_blocks(const Model& model, Hdf5File& file)
+{
+    std::vector<std::string> names;
+    std::vector<std::int32_t> group, material;
+    std::vector<double> volume, mass, centroid, second;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        const Block& block = model.blocks[b];
+        names.push_back(block.name);
+        group.push_back(block.group);
+        material.push_back(block.material);
+        volume.push_back(block.moments.volume);
+        mass.push_back(model.mass(static_cast<int>(b)));
+        append_three(centroid, block.moments.centroid);
+        second.insert(second.end(), block.moments.second.data(), block.moments.second.data() + 9);
+    }
+    const std::uint64_t count = names.size();
+    file.write_texts("/model/block_names", names);
+    file.write("/model/block_group", group);
+    file.write("/model/block_material", material);
+    file.write("/model/volume", volume);
+    file.write("/model/mass", mass);
+    file.write("/model/centroid", centroid, {count, 3});
+    file.write("/model/second_moments", second, {count, 3, 3});
+}
+
+void write_foundations(const Model& model, Hdf5File& file)
+{
+    if (model.foundations.empty()) return;
+    std::vector<std::int32_t> block, held;
+    for (const Foundation& foundation : model.foundations) {
+        block.push_back(foundation.block);
+        for (const bool axis : foundation.translation_held) held.push_back(axis ? 1 : 0);
+        held.push_back(foundation.rotation_held ? 1 : 0);
+    }
+    file.make_group("/model/foundations");
+    file.write("/model/foundations/block", block);
+    file.write("/model/foundations/held", held, {block.size(), 4});
+    file.attribute("/model/foundations/held", "columns", std::vector<std::string>{"x", "y", "z", "rotation"});
+}
+
+/// Polygons as XDMF wants mixed cells: kind 3 (polygon), number of corners, corners.
+std::vector<std::int32_t> xdmf_topology(const SurfaceMesh& mesh)
+{
+    std::vector<std::int32_t> cells;
+    for (std::size_t f = 0; f < mesh.face_block.size(); ++f) {
+        cells.push_back(3);
+        cells.push_back(mesh.face_first[f + 1] - mesh.face_first[f]);
+        for (int i = mesh.face_first[f]; i < mesh.face_first[f + 1]; ++i) cells.push_back(mesh.face_vertices[i]);
+    }
+    return cells;
+}
+
+void write_mesh(const SurfaceMesh& mesh, Hdf5File& file)
+{
+    file.make_group("/model/mesh");
+    file.write("/model/mesh/levers", mesh.levers, {mesh.vertex_block.size(), 3});
+    file.write("/model/mesh/block_first_vertex", mesh.block_first_vertex);
+    file.write("/model/mesh/face_first", mesh.face_first);
+    file.write("/model/mesh/face_vertices", mesh.face_vertices);
+    file.write("/model/mesh/face_block", mesh.face_block);
+    file.write("/model/mesh/face_part", mesh.face_part);
+    file.write("/model/mesh/xdmf_topology", xdmf_topology(mesh));
+}
+
+/// One motion of one stage, with all that follow it.
+struct MotionUse {
+    int stage = 0;
+    const GroundMotion* motion = nullptr;
+    std::vector<std::string> followers;  // "abutment_left x", "body acceleration of abutment_left x"
+};
+
+std::vector<MotionUse> motion_uses(const Case& the_case)
+{
+    const char* const axes[] = {"x", "y", "z"};
+    std::vector<MotionUse> uses;
+    const auto add = [&](int stage, const GroundMotion* motion, const std::string& follower) {
+        for (MotionUse& use : uses) {
+            if (use.stage != stage || use.motion != motion) continue;
+            use.followers.push_back(follower);
+            return;
+        }
+        uses.push_back({stage, motion, {follower}});
+    };
+    const Model& model = the_case.model;
+    for (std::size_t s = 0; s < the_case.stages.size(); ++s) {
+        for (const FoundationMotion& motion : the_case.stages[s].motions) {
+            const Block& block = model.blocks[model.foundations[motion.foundation].block];
+            add(static_cast<int>(s), motion.motion.get(), block.name + " " + axes[motion.component]);
+        }
+        for (const BodyAcceleration& body : the_case.stages[s].body_accelerations) {
+            add(static_cast<int>(s), body.motion.get(),
+                "body acceleration of " + model.blocks[body.block].name + " " + axes[body.component]);
+        }
+    }
+    return uses;
+}
+
+void write_motion(const Case& the_case, const MotionUse& use, const std::string& group, Hdf5File& file)
+{
+    const Stage& stage = the_case.stages[use.stage];
+    const double step = stage.control.time_step;
+    const auto count = static_cast<std::int64_t>(std::ceil(stage.duration / step - 1e-9)) + 1;
+    std::vector<double> values;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double time = static_cast<double>(i) * step;
+        values.insert(values.end(), {time, use.motion->acceleration(time), use.motion->velocity(time),
+                                     use.motion->displacement(time)});
+    }
+    file.make_group(group);
+    file.attribute(group, "source", use.motion->source());
+    file.attribute(group, "stage", stage.name);
+    file.attribute(group, "peak_acceleration_m_s2", use.motion->peak_acceleration());
+    file.attribute(group, "residual_velocity_m_s", use.motion->residual_velocity());
+    file.attribute(group, "residual_displacement_m", use.motion->residual_displacement());
+    file.write_texts(group + "/followers", use.followers);
+    file.write(group + "/samples", values, {static_cast<std::uint64_t>(count), 4});
+    file.attribute(group + "/samples", "columns",
+                   std::vector<std::string>{"time_s", "acceleration_m_s2", "velocity_m_s", "displacement_m"});
+}
+
+void write_motions(const Case& the_case, Hdf5File& file)
+{
+    const std::vector<MotionUse> uses = motion_uses(the_case);
+    if (uses.empty()) return;
+    file.make_group("/motions");
+    std::vector<std::string> notes;
+    for (const MotionNote& note : the_case.motions) notes.push_back(note.description);
+    file.write_texts("/motions/descriptions", notes);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        write_motion(the_case, uses[i], "/motions/motion_" + std::to_string(i + 1), file);
+    }
+}
+
+}  // namespace
+
+void write_model_records(const Case& the_case, const SurfaceMesh& mesh, Hdf5File& file)
+{
+    const Model& model = the_case.model;
+    write_case(the_case, file);
+    file.make_group("/model");
+    std::vector<double> origin;
+    append_three(origin, model.origin);
+    file.write("/model/origin", origin);
+    file.write_texts("/model/groups", model.groups);
+    write_blocks(model, file);
+    write_materials(model, file);
+    write_joints(model, file);
+    write_foundations(model, file);
+    write_mesh(mesh, file);
+    write_motions(the_case, file);
+}
+
+}  // namespace voussoir

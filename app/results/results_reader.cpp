@@ -1,0 +1,127 @@
+#include "app/results/results_reader.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+using Eigen::Vector3d;
+
+namespace
+{
+
+SurfaceMesh read_mesh(const Hdf5File& file)
+{
+    SurfaceMesh mesh;
+    mesh.levers = file.read<double>("/model/mesh/levers");
+    mesh.block_first_vertex = file.read<std::int32_t>("/model/mesh/block_first_vertex");
+    mesh.face_first = file.read<std::int32_t>("/model/mesh/face_first");
+    mesh.face_vertices = file.read<std::int32_t>("/model/mesh/face_vertices");
+    mesh.face_block = file.read<std::int32_t>("/model/mesh/face_block");
+    mesh.face_part = file.read<std::int32_t>("/model/mesh/face_part");
+    for (std::size_t b = 0; b + 1 < mesh.block_first_vertex.size(); ++b) {
+        mesh.vertex_block.resize(mesh.block_first_vertex[b + 1], static_cast<std::int32_t>(b));
+    }
+    return mesh;
+}
+
+RecordedModel read_model(const Hdf5File& file)
+{
+    RecordedModel model;
+    model.title = file.text_attribute("/", "title");
+    model.version = file.text_attribute("/", "voussoir_version");
+    const std::string kinematics = file.text_attribute("/", "kinematics");
+    model.kinematics = kinematics == name_of(Kinematics::spatial_rigid) ? Kinematics::spatial_rigid
+                                                                        : Kinematics::spatial_deformable;
+    model.block_names = file.read_texts("/model/block_names");
+    for (const auto& stage : nlohmann::json::parse(file.read_text("/case/settings"))) {
+        model.stage_names.push_back(stage.at("name").get<std::string>());
+    }
+    const std::vector<double> centroids = file.read<double>("/model/centroid");
+    for (std::size_t i = 0; i < centroids.size(); i += 3) model.centroids.emplace_back(centroids.data() + i);
+    if (file.has("/model/foundations")) model.foundations = file.read<std::int32_t>("/model/foundations/block");
+    model.mesh = read_mesh(file);
+    return model;
+}
+
+/// Every dataset of a frame but its joints; the count of whole frames is that of the shortest.
+std::uint64_t whole_frames(const Hdf5File& file, Kinematics kinematics)
+{
+    std::vector<std::string> names = {"time",        "step",       "stage",
+                                      "coordinates", "velocities", "ground_displacement",
+                                      "positions",   "energy",     "joints/rows"};
+    if (is_deformable(kinematics)) names.emplace_back("stress");
+    std::uint64_t count = file.extents("/frames/time")[0];
+    for (const std::string& name : names) count = std::min(count, file.extents("/frames/" + name)[0]);
+    const std::uint64_t joints = file.extents("/frames/joints/closed_area")[0];
+    while (count > 0) {
+        const auto rows = file.read_rows<std::int64_t>("/frames/joints/rows", count - 1, 1);
+        if (static_cast<std::uint64_t>(rows[0] + rows[1]) <= joints) break;
+        --count;
+    }
+    return count;
+}
+
+}  // namespace
+
+ResultsReader::ResultsReader(const std::filesystem::path& path) : file_(Hdf5File::open(path))
+{
+    if (file_.text_attribute("/", "format") != "voussoir results 1") {
+        throw InputError(path.string(), "results in the format \"" + file_.text_attribute("/", "format") + "\"",
+                         "give a results file of this version of voussoir");
+    }
+    model = read_model(file_);
+    times = file_.read_rows<double>("/frames/time", 0, whole_frames(file_, model.kinematics));
+}
+
+RecordedFrame ResultsReader::frame(std::size_t index) const
+{
+    RecordedFrame frame;
+    frame.time = file_.read_rows<double>("/frames/time", index, 1)[0];
+    frame.step = file_.read_rows<std::int64_t>("/frames/step", index, 1)[0];
+    frame.stage = file_.read_rows<std::int32_t>("/frames/stage", index, 1)[0];
+    frame.state.time = frame.time;
+    frame.state.step = frame.step;
+    frame.state.stage = frame.stage;
+    frame.state.coordinates = file_.read_rows<double>("/frames/coordinates", index, 1);
+    frame.state.velocities = file_.read_rows<double>("/frames/velocities", index, 1);
+    frame.ground = Vector3d(file_.read_rows<double>("/frames/ground_displacement", index, 1).data());
+    if (is_deformable(model.kinematics)) frame.stress = file_.read_rows<double>("/frames/stress", index, 1);
+    frame.joints = joints(index);
+    return frame;
+}
+
+std::vector<JointResultant> ResultsReader::joints(std::size_t frame) const
+{
+    const auto rows = file_.read_rows<std::int64_t>("/frames/joints/rows", frame, 1);
+    const auto read = [&](const char* name) {
+        return file_.read_rows<double>(std::string("/frames/joints/") + name, rows[0], rows[1]);
+    };
+    const auto pair = file_.read_rows<std::int32_t>("/frames/joints/pair", rows[0], rows[1]);
+    const std::vector<double> force = read("force"), moment = read("moment"), centre = read("centre"),
+                              pressure = read("pressure_centre"), normal = read("normal"),
+                              normal_force = read("normal_force"), opening = read("opening"), slip = read("slip"),
+                              area = read("area"), closed = read("closed_area");
+    std::vector<JointResultant> joints(static_cast<std::size_t>(rows[1]));
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        JointResultant& joint = joints[i];
+        joint.block_a = pair[2 * i];
+        joint.block_b = pair[2 * i + 1];
+        joint.force = Vector3d(force.data() + 3 * i);
+        joint.moment = Vector3d(moment.data() + 3 * i);
+        joint.centre = Vector3d(centre.data() + 3 * i);
+        joint.pressure_centre = Vector3d(pressure.data() + 3 * i);
+        joint.normal = Vector3d(normal.data() + 3 * i);
+        joint.normal_force = normal_force[i];
+        joint.max_opening = opening[i];
+        joint.slip = slip[i];
+        joint.area = area[i];
+        joint.closed_area = closed[i];
+    }
+    return joints;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,53 @@
+// Reads results.h5 back into plain structs: for pictures, reports and tests.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/results/hdf5_file.h"
+#include "app/results/surface_mesh.h"
+#include "libdda/analysis/joint_resultants.h"
+
+namespace voussoir
+{
+
+/// What is constant in a results file.
+struct RecordedModel {
+    std::string title, version;
+    Kinematics kinematics = Kinematics::spatial_deformable;
+    std::vector<std::string> block_names, stage_names;
+    std::vector<Eigen::Vector3d> centroids;  // m, at the start
+    std::vector<std::int32_t> foundations;   // blocks that follow the ground
+    SurfaceMesh mesh;
+};
+
+/// What one frame holds.
+struct RecordedFrame {
+    double time = 0;  // s
+    std::int64_t step = 0;
+    int stage = 0;
+    State state;                                       // places and velocities only; no contacts
+    Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement
+    std::vector<double> stress;                        // (blocks x 6) Pa: xx, yy, zz, xy, yz, xz; empty if rigid
+    std::vector<JointResultant> joints;
+};
+
+class ResultsReader
+{
+ public:
+    /// Opens a file, of a finished, running or killed run. @throws InputError when it is no results file
+    explicit ResultsReader(const std::filesystem::path& path);
+
+    RecordedFrame frame(std::size_t index) const;
+
+    RecordedModel model;
+    std::vector<double> times;  // s, of the whole frames; one that a killed run left unfinished is not counted
+
+ private:
+    std::vector<JointResultant> joints(std::size_t frame) const;
+    Hdf5File file_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,94 @@
+#include "app/results/settings.h"
+
+#include <nlohmann/json.hpp>
+
+namespace voussoir
+{
+
+std::string_view name_of(Integrator integrator)
+{
+    return integrator == Integrator::newmark ? "newmark" : "energy_decaying";
+}
+
+std::string_view name_of(OpenClose open_close)
+{
+    return open_close == OpenClose::newton ? "newton" : "published";
+}
+
+std::string_view name_of(LinearSolverKind solver)
+{
+    switch (solver) {
+        case LinearSolverKind::automatic:
+            return "automatic";
+        case LinearSolverKind::cholmod:
+            return "cholmod";
+        case LinearSolverKind::conjugate_gradients:
+            return "conjugate_gradients";
+    }
+    return "none";
+}
+
+std::string_view name_of(StageType type)
+{
+    return type == StageType::dynamic ? "dynamic" : "static";
+}
+
+std::string_view name_of(ContactStiffness::Kind kind)
+{
+    switch (kind) {
+        case ContactStiffness::Kind::from_modulus:
+            return "from_modulus";
+        case ContactStiffness::Kind::per_area:
+            return "per_area_Pa_m";
+        case ContactStiffness::Kind::per_point:
+            return "per_point_N_m";
+    }
+    return "none";
+}
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const StepControl& control)
+{
+    return {{"time_step_s", control.time_step},
+            {"min_time_step_s", control.min_time_step},
+            {"integrator", name_of(control.integrator)},
+            {"dissipation", control.dissipation},
+            {"open_close", name_of(control.open_close)},
+            {"max_open_close", control.max_open_close},
+            {"force_tolerance", control.force_tolerance},
+            {"linear_solver", name_of(control.linear_solver)},
+            {"linear_tolerance", control.linear_tolerance}};
+}
+
+Json to_json(const Stage& stage)
+{
+    Json json = {{"name", stage.name},
+                 {"type", name_of(stage.type)},
+                 {"gravity_m_s2", {stage.gravity.x(), stage.gravity.y(), stage.gravity.z()}},
+                 {"damping_rate_1_s", stage.damping.rate},
+                 {"damping_factor_per_step", stage.damping.factor_per_step}};
+    if (stage.type == StageType::dynamic) {
+        json["duration_s"] = stage.duration;
+    } else {
+        json["unbalanced_tolerance"] = stage.unbalanced_tolerance;
+        json["max_static_steps"] = stage.max_static_steps;
+        json["gravity_increments"] = stage.gravity_increments;
+    }
+    json["control"] = to_json(stage.control);
+    return json;
+}
+
+}  // namespace
+
+std::string settings_json(const std::vector<Stage>& stages)
+{
+    Json list = Json::array();
+    for (const Stage& stage : stages) list.push_back(to_json(stage));
+    return list.dump(2);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,21 @@
+// The stages of a case in words and numbers, for results.h5 and summary.json.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "libdda/model/model.h"
+
+namespace voussoir
+{
+
+std::string_view name_of(Integrator integrator);
+std::string_view name_of(OpenClose open_close);
+std::string_view name_of(LinearSolverKind solver);
+std::string_view name_of(StageType type);
+std::string_view name_of(ContactStiffness::Kind kind);
+
+/// All settings of all stages as JSON text, SI units, keys as in the Stage struct with units appended.
+std::string settings_json(const std::vector<Stage>& stages);
+
+}  // namespace voussoir

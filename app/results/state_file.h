@@ -1,0 +1,17 @@
+// A state in a file of its own, from which a run goes on bit for bit.
+#pragma once
+
+#include <filesystem>
+
+#include "libdda/model/state.h"
+
+namespace voussoir
+{
+
+/// Writes every bit of the state; the file is there whole or not at all. @throws InputError
+void save_state(const State& state, const std::filesystem::path& path);
+
+/// @throws InputError when the file cannot be read, is not a state file of this program, or was damaged
+State load_state(const std::filesystem::path& path);
+
+}  // namespace voussoir

@@ -1,0 +1,113 @@
+#include "app/results/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/results/energy_terms.h"
+#include "app/results/results_writer.h"
+#include "app/results/settings.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json energy(const EnergyLedger& ledger)
+{
+    Json json;
+    for (const auto& [name, value] : energy_terms(ledger)) json[name] = value;
+    json["residual"] = ledger.relative_residual();
+    return json;
+}
+
+Json time_by_part(const RunReport& report)
+{
+    Json json;
+    for (int part = 0; part < static_cast<int>(Part::count); ++part) {
+        json[std::string(name_of(static_cast<Part>(part)))] = report.seconds[part];
+    }
+    return json;
+}
+
+Json motions(const std::vector<MotionNote>& notes)
+{
+    Json json = Json::array();
+    for (const MotionNote& note : notes) {
+        json.push_back({{"description", note.description},
+                        {"peak_acceleration_m_s2", note.peak_acceleration},
+                        {"residual_velocity_m_s", note.residual_velocity},
+                        {"residual_displacement_m", note.residual_displacement}});
+    }
+    return json;
+}
+
+Json integrators(const std::vector<Stage>& stages)
+{
+    Json json = Json::array();
+    for (const Stage& stage : stages) {
+        Json entry = {{"stage", stage.name},
+                      {"type", name_of(stage.type)},
+                      {"integrator", name_of(stage.control.integrator)},
+                      {"time_step_s", stage.control.time_step}};
+        if (stage.control.integrator == Integrator::energy_decaying) {
+            entry["dissipation"] = stage.control.dissipation;
+        }
+        json.push_back(entry);
+    }
+    return json;
+}
+
+/// What the places and velocities of one block take; contacts come on top, as many as there are.
+double state_bytes_per_block(const State& state, std::size_t blocks)
+{
+    if (blocks == 0) return 0;
+    const std::size_t numbers = state.coordinates.size() + state.velocities.size();
+    return static_cast<double>(numbers * sizeof(double)) / static_cast<double>(blocks);
+}
+
+}  // namespace
+
+std::string summary_json(const Case& the_case, const State& state, const RunReport& report,
+                         const CommandTimes& times, const std::vector<std::string>& files)
+{
+    const Model& model = the_case.model;
+    std::vector<std::string> warnings = the_case.warnings;
+    warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+    Json json;
+    json["case"] = the_case.file.string();
+    json["title"] = the_case.title;
+    json["voussoir_version"] = VOUSSOIR_VERSION;
+    json["outcome"] = name_of(report.outcome);
+    json["message"] = report.message;
+    json["kinematics"] = name_of(model.kinematics);
+    json["blocks"] = model.blocks.size();
+    json["unknowns_per_block"] = unknowns_per_block(model.kinematics);
+    json["state_bytes_per_block"] = state_bytes_per_block(state, model.blocks.size());
+    json["factor_entries"] = report.factor_entries;
+    json["contacts"] = state.patches.size();
+    json["integrator"] = integrators(the_case.stages);
+    json["steps"] = report.steps;
+    json["step_cuts"] = report.step_cuts;
+    json["unconverged_steps"] = report.unconverged_steps;
+    json["open_close_iterations"] = report.open_close_iterations;
+    json["factorisations"] = report.factorisations;
+    json["linear_iterations"] = report.linear_iterations;
+    json["simulated_time_s"] = report.simulated_time;
+    json["wall_time_s"] = times.wall;
+    json["cpu_time_s"] = times.cpu;
+    json["time_by_part"] = time_by_part(report);
+    json["max_penetration_m"] = report.max_penetration;
+    json["static_unbalanced"] = report.static_unbalanced;
+    json["energy"] = energy(report.energy);
+    json["motions"] = motions(the_case.motions);
+    json["overrides"] = the_case.overrides;
+    json["defaults"] = the_case.defaults;
+    json["left_out"] = left_out(the_case);
+    json["warnings"] = warnings;
+    json["files"] = files;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace voussoir

@@ -1,0 +1,23 @@
+// summary.json: what a run was and how well it was computed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/case/case_file.h"
+#include "libdda/model/report.h"
+#include "libdda/model/state.h"
+
+namespace voussoir
+{
+
+struct CommandTimes {
+    double wall = 0, cpu = 0;  // s, of the whole command
+};
+
+/// @param files names of the files the run wrote, relative to its folder
+/// @returns JSON text; keys in docs/results_format.md
+std::string summary_json(const Case& the_case, const State& state, const RunReport& report,
+                         const CommandTimes& times, const std::vector<std::string>& files);
+
+}  // namespace voussoir

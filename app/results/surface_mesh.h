@@ -1,0 +1,33 @@
+// The faces of all blocks as one mesh: what results.h5 stores once and every picture draws.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "libdda/model/model.h"
+#include "libdda/model/state.h"
+
+namespace voussoir
+{
+
+/// Vertices of all convex parts of all blocks, block after block; faces as loops into them.
+struct SurfaceMesh {
+    std::vector<double> levers;                    // (vertices x 3) m, reference place relative to the centroid
+    std::vector<std::int32_t> vertex_block;        // (vertices)
+    std::vector<std::int32_t> block_first_vertex;  // (blocks + 1): vertices of block b are [b], ..., [b + 1] - 1
+    std::vector<std::int32_t> face_first;          // (faces + 1): loop of face f in face_vertices
+    std::vector<std::int32_t> face_vertices;       // counter-clockwise from outside
+    std::vector<std::int32_t> face_block;          // (faces)
+    std::vector<std::int32_t> face_part;           // (faces) which convex part of the block
+};
+
+SurfaceMesh surface_mesh_of(const Model& model);
+
+/// Places of all vertices in a state, x = c + A X. @returns (vertices x 3) m, relative to the model's origin
+std::vector<double> positions_of(const SurfaceMesh& mesh, Kinematics kinematics, const State& state);
+
+/// How far the ground has moved: along each axis the mean over the foundation blocks held along it; 0 with none.
+/// Where all foundations follow one motion, it is that motion's displacement. @returns (3) m
+Eigen::Vector3d ground_displacement(const Model& model, const State& state);
+
+}  // namespace voussoir
