@@ -75,14 +75,14 @@ std::vector<double> read_fortran_samples(const SourceFile& file, std::size_t fir
 void check_count(double announced, std::size_t found, const std::string& place, FaultList& faults)
 {
     const bool plausible = announced >= 2 && announced == std::floor(announced);
+    const bool printable = plausible && announced < 1e18;
+    const std::string count = printable ? std::to_string(static_cast<long long>(announced)) : to_text(announced);
     if (!plausible) {
-        faults.add(place, "the header announces " + to_text(announced) + " samples",
+        faults.add(place, "the header announces " + count + " samples",
                    "a record holds a whole number of samples, 2 or more");
     } else if (announced != static_cast<double>(found)) {
-        faults.add(
-            place,
-            "the header announces " + to_text(announced) + " samples but the file holds " + std::to_string(found),
-            "the file is cut short or damaged: fetch it again");
+        faults.add(place, "the header announces " + count + " samples but the file holds " + std::to_string(found),
+                   "the file is cut short or damaged: fetch it again");
     }
 }
 

@@ -33,7 +33,7 @@ FOREIGN_RULES = (
     ("yaml-cpp", r"yaml-cpp/", ("app/case/",), False),
     ("HDF5", r"(hdf5|H5)", ("app/results/",), False),
     ("OSMesa, OpenGL, Cairo, PNG", r"(GL/|EGL/|cairo|png\.h|ft2build|freetype)", ("app/render/",), False),
-    ("nlohmann-json", r"nlohmann/", ("app/",), False),
+    ("nlohmann-json", r"nlohmann/", ("app/", "tests/"), False),
     ("fmt", r"fmt/", ("app/",), False),
     ("CLI11", r"CLI/", ("app/",), False),
 )
