@@ -21,8 +21,8 @@ std::string_view name_of(Part part)
             return "assembly";
         case Part::linear_solve:
             return "linear_solve";
-        case Part::line_search:
-            return "line_search";
+        case Part::open_close:
+            return "open_close";
         case Part::update:
             return "update";
         case Part::output:

@@ -47,7 +47,8 @@ struct EnergyLedger {
 
 enum class StepOutcome { converged, gave_up };
 
-enum class Part { contact_search, assembly, linear_solve, line_search, update, output, count };
+/// `open_close` is the whole iteration; `linear_solve` and the matrix part of `assembly` lie inside it.
+enum class Part { contact_search, assembly, open_close, linear_solve, update, output, count };
 std::string_view name_of(Part part);
 
 struct StepReport {
@@ -57,6 +58,7 @@ struct StepReport {
     int cuts = 0;
     int factorisations = 0;
     int linear_iterations = 0;
+    std::int64_t factor_entries = 0;
     double unbalanced = 0;        // largest block residual / block load at acceptance
     int worst_block = -1;         // the block of `unbalanced`
     double max_penetration = 0;   // m

@@ -1,0 +1,160 @@
+#include "libdda/analysis/run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "libdda/analysis/energies.h"
+#include "libdda/step/advance.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr double regrowth = 2;  // of a cut time step after a good one
+
+/// What the loop over the stages carries along.
+struct Progress {
+    const Model& model;
+    const RunObserver& observer;
+    State& state;
+    Workspace work;
+    RunReport report;
+};
+
+void add_step(const StepReport& step, RunReport& report)
+{
+    ++report.steps;
+    report.step_cuts += step.cuts;
+    report.open_close_iterations += step.open_close_iterations;
+    report.factorisations += step.factorisations;
+    report.linear_iterations += step.linear_iterations;
+    if (step.factor_entries > 0) report.factor_entries = step.factor_entries;
+    report.max_penetration = std::max(report.max_penetration, step.max_penetration);
+    for (std::size_t i = 0; i < step.seconds.size(); ++i) report.seconds[i] += step.seconds[i];
+}
+
+void give_up(const Stage& stage, const StepReport& step, Progress& progress)
+{
+    std::ostringstream message;
+    message << "stage '" << stage.name << "' gave up at t = " << progress.state.time
+            << " s: the time step was cut " << step.cuts << " times to below " << stage.control.min_time_step
+            << " s";
+    if (step.worst_block >= 0)
+        message << "; block '" << progress.model.blocks[step.worst_block].name << "' keeps an unbalanced force of "
+                << step.unbalanced << " of its load";
+    message
+        << "; try a smaller time_step or a larger force_tolerance, and look for overlapping or extremely stiff "
+           "neighbours of that block";
+    progress.report.outcome = Outcome::gave_up;
+    progress.report.message = message.str();
+    progress.report.step_cuts += step.cuts;
+    ++progress.report.unconverged_steps;
+}
+
+/// One step; false ends the run (gave up, or asked to stop).
+bool step_once(const Stage& stage, double h, Progress& progress, StepReport& step)
+{
+    step = advance(progress.model, stage, h, progress.state, progress.report.energy, progress.work);
+    if (step.outcome != StepOutcome::converged) {
+        give_up(stage, step, progress);
+        return false;
+    }
+    add_step(step, progress.report);
+    if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
+    if (progress.observer.step) progress.observer.step(progress.state, step, progress.report);
+    if (progress.observer.stop && progress.observer.stop()) {
+        progress.report.outcome = Outcome::interrupted;
+        progress.report.message = "stopped on request";
+        return false;
+    }
+    return true;
+}
+
+/// Steps with the velocity set to zero after each, until the unbalanced force of every block is below the
+/// tolerance in two steps running without change of contact state. Time does not pass.
+bool run_static(const Stage& stage, Progress& progress)
+{
+    const double start_time = progress.state.time;
+    for (int increment = 1; increment <= stage.gravity_increments; ++increment) {
+        Stage loaded = stage;
+        loaded.gravity = stage.gravity * increment / stage.gravity_increments;
+        int quiet = 0;
+        for (int n = 0; quiet < 2; ++n) {
+            if (n == stage.max_static_steps) {
+                std::ostringstream message;
+                message << "stage '" << stage.name << "' found no equilibrium in " << n
+                        << " steps: the unbalanced force is still " << progress.report.static_unbalanced
+                        << " of a block's load; the structure may be a mechanism under its own weight";
+                progress.report.outcome = Outcome::gave_up;
+                progress.report.message = message.str();
+                ++progress.report.unconverged_steps;
+                return false;
+            }
+            StepReport step;
+            if (!step_once(loaded, stage.control.time_step, progress, step)) return false;
+            progress.state.time = start_time;
+            progress.report.static_unbalanced = step.inertia_ratio;
+            const bool balanced = step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
+            quiet = balanced ? quiet + 1 : 0;
+        }
+    }
+    return true;
+}
+
+/// Steps on the nominal grid: a cut step is followed by growing ones that end on the next grid time, so that
+/// output and ground motion are sampled at the same times whatever was cut.
+bool run_dynamic(const Stage& stage, Progress& progress)
+{
+    State& state = progress.state;
+    const auto grid_steps = static_cast<std::int64_t>(std::ceil(stage.duration / stage.control.time_step - 1e-9));
+    const auto grid_time = [&](std::int64_t n) {
+        return n == grid_steps ? stage.duration : static_cast<double>(n) * stage.control.time_step;
+    };
+    std::int64_t frames = progress.observer.every > 0
+                              ? static_cast<std::int64_t>(state.stage_time / progress.observer.every + 1e-9)
+                              : 0;
+    while (state.grid < grid_steps) {
+        const double next = grid_time(state.grid + 1);
+        const double left = next - state.stage_time;
+        const double h = state.next_time_step > 0 ? std::min(state.next_time_step, left) : left;
+        StepReport step;
+        if (!step_once(stage, h, progress, step)) return false;
+        const bool on_grid = step.time_step == left;
+        if (on_grid) {
+            state.stage_time = next;
+            ++state.grid;
+        }
+        state.next_time_step = step.cuts == 0 && on_grid ? 0 : regrowth * step.time_step;
+        if (!on_grid || !progress.observer.frame) continue;
+        const bool last = state.grid == grid_steps;
+        const double due = static_cast<double>(frames + 1) * progress.observer.every;
+        if (progress.observer.every > 0 && state.stage_time < due - 1e-9 * stage.control.time_step && !last)
+            continue;
+        if (progress.observer.every > 0)
+            frames = static_cast<std::int64_t>(state.stage_time / progress.observer.every + 1e-9);
+        progress.observer.frame(state, progress.report);
+    }
+    return true;
+}
+
+}  // namespace
+
+RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer)
+{
+    Progress progress{model, observer, state, Workspace(model), {}};
+    progress.report.energy = open_ledger(model, state);
+    if (observer.frame) observer.frame(state, progress.report);
+    for (int s = state.stage; s < static_cast<int>(stages.size()); ++s) {
+        if (s != state.stage || state.stage_time == 0) begin_stage(model, s, state);
+        const bool is_static = stages[s].type == StageType::static_equilibrium;
+        const bool done = is_static ? run_static(stages[s], progress) : run_dynamic(stages[s], progress);
+        if (observer.frame && (is_static || !done)) observer.frame(state, progress.report);
+        if (!done) break;
+    }
+    return std::move(progress.report);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,339 @@
+#include "libdda/step/advance.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <variant>
+
+#include "libdda/step/step_system.h"
+
+namespace voussoir
+{
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+struct Workspace::Implementation {
+    std::vector<PlacedPart> parts;
+    std::vector<double> reach;
+    ContactSet contacts;
+    std::variant<StepSystem<SpatialDeformable>, StepSystem<SpatialRigid>> system;
+};
+
+Workspace::Workspace(const Model& model) : implementation(std::make_unique<Implementation>())
+{
+    if (!is_deformable(model.kinematics)) implementation->system.emplace<StepSystem<SpatialRigid>>();
+}
+Workspace::~Workspace() = default;
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+
+namespace
+{
+
+constexpr double cut_factor = 0.3;
+constexpr double contact_distance = 1e-3;  // of a block's size: closer parts are candidates whatever their speed
+
+class Stopwatch
+{
+ public:
+    Stopwatch(StepReport& report, Part part) : seconds_(report.seconds[static_cast<int>(part)]) {}
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+    double& seconds_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double radius_of(const Block& block)
+{
+    double square = 0;
+    for (const ConvexPolyhedron& part : block.parts)
+        for (const Vector3d& x : part.vertices) square = std::max(square, x.squaredNorm());
+    return std::sqrt(square);
+}
+
+/// How far each block may move within the step: its velocity, its spin, gravity, and the ground under it.
+void find_reach(const Model& model, const Stage& stage, const State& state, double h, std::vector<double>& reach)
+{
+    const int n = unknowns_per_block(model.kinematics);
+    double dashpot = 0;
+    for (const JointMaterial& joint : model.joints) dashpot = std::max(dashpot, joint.dashpot);
+    reach.resize(model.blocks.size());
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        const double* v = state.velocities.data() + b * n;
+        double turning = 0;
+        for (int k = 3; k < n; ++k) turning += v[k] * v[k];
+        const double speed = Vector3d(v).norm() + std::sqrt(turning) * radius_of(model.blocks[b]);
+        reach[b] = (h + dashpot) * speed + h * h * stage.gravity.norm() * (stage.type == StageType::dynamic) +
+                   contact_distance * std::cbrt(model.blocks[b].moments.volume);
+    }
+    for (const FoundationMotion& motion : stage.motions) {
+        const double from = motion.motion->displacement(state.stage_time);
+        const double to = motion.motion->displacement(state.stage_time + h);
+        reach[model.foundations[motion.foundation].block] += std::abs(to - from);
+    }
+}
+
+/// The velocity that complete kinetic damping would leave: that of the ground.
+Vector3d ground_velocity(const Stage& stage, double time)
+{
+    Vector3d velocity = Vector3d::Zero();
+    std::array<bool, 3> found{};
+    for (const FoundationMotion& motion : stage.motions) {
+        if (found[motion.component]) continue;
+        velocity[motion.component] = motion.motion->velocity(time);
+        found[motion.component] = true;
+    }
+    return velocity;
+}
+
+template <class K>
+bool iterate_open_close(const Model& model, const Stage& stage, const ContactSet& contacts, StepSystem<K>& system,
+                        StepReport& report)
+{
+    const Stopwatch watch(report, Part::open_close);
+    if (stage.control.open_close == OpenClose::published) return iterate_published(stage, system, report);
+    return iterate_newton(model, stage, contacts, system, report);
+}
+
+/// Work of the ground on the structure: held blocks move against their contact forces, held components of other
+/// blocks against all forces on them [J].
+template <class K>
+double foundation_work(const StepSystem<K>& system, const ContactSet& contacts)
+{
+    const auto moved = [&](int block) {
+        const BlockStep<K>& b = system.blocks[block];
+        return Vector3d(b.predicted.centroid - b.start.centroid);
+    };
+    double work = 0;
+    for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
+        const PatchStep<K>& patch = system.contacts.patches[k];
+        if (patch.row_b < 0) work -= patch.force_b.template head<3>().dot(moved(contacts.patches[k].block_b));
+        if (patch.row_a < 0) work -= patch.force_a.template head<3>().dot(moved(contacts.patches[k].block_a));
+    }
+    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+        const Vector3d force = block.body_force + system.contact_force.template segment<3>(K::unknowns * row);
+        for (int k = 0; k < 3; ++k)
+            if (block.held[k]) work -= force[k] * moved(system.block_of_row[row])[k];
+    }
+    return work;
+}
+
+/// What the finite rotation adds to the kinetic energy: the momentum balance measures displacement by h v^ + D,
+/// the forces work on the true one. Each force times the difference of the two, plus the steps of the kinetic
+/// energy from the start to the prediction and from the linear to the exact update [J].
+template <class K>
+double rotation_gain(const BlockStep<K>& block, const InternalForce<K>& internal, const typename K::Unknowns& d,
+                     double h, double end_kinetic)
+{
+    const typename K::Unknowns path = h * block.velocity + d;
+    const double linear_end = block.predicted_kinetic + (block.inertia * d).dot(path);
+    double gain = block.predicted_kinetic - block.start_kinetic + end_kinetic - linear_end;
+    if constexpr (K::deformable) {
+        if (block.held[3]) return gain;
+        gain += (block.steady - internal.force).template tail<9>().dot(path.template tail<9>());
+        gain += internal.energy - block.elasticity.energy(block.start_strain) + internal.loss;
+    }
+    return gain;
+}
+
+/// Work and losses of the accepted step, each from its own forces and displacements: see EnergyLedger. The state
+/// is already the new one.
+template <class K>
+void book_step(const State& state, const StepSystem<K>& system, const ContactSet& contacts, EnergyLedger& energy)
+{
+    constexpr int n = K::unknowns;
+    const ContactEnergies contact = contact_energies(system.contacts);
+    energy.contact = contact.stored;
+    energy.friction += contact.friction;
+    energy.damping_contact += contact.dashpot;
+    energy.algorithmic += contact.loss;
+    energy.fracture += system.fracture;
+    energy.foundation_work += foundation_work(system, contacts);
+    energy.kinetic = energy.strain = 0;
+    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+        const int b = system.block_of_row[row];
+        const BlockStep<K>& block = system.blocks[b];
+        const InternalForce<K>& internal = system.internal[row];
+        const typename K::Unknowns d = system.d.template segment<n>(n * row);
+        const Vector3d moved = block.predicted.centroid + d.template head<3>() - block.start.centroid;
+        const double kinetic = kinetic_energy_of(block, state, b);
+        energy.gravity_work += block.gravity.dot(moved);
+        energy.load_work += (block.body_force - block.gravity).dot(moved);
+        energy.algorithmic += internal.loss;
+        energy.algorithmic_rotation -= rotation_gain(block, internal, d, system.h, kinetic);
+        energy.strain += internal.energy;
+        energy.kinetic += kinetic;
+    }
+    for (const PatchStep<K>& patch : system.contacts.patches)
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            const PointStep& p = system.contacts.points[i];
+            const Vector3d force = p.normal * patch.normal - p.shear;
+            energy.algorithmic_rotation -= force.dot(p.ballistic_a - p.ballistic_b);
+        }
+}
+
+/// Moves all blocks to the end of the step.
+template <class K>
+void update_blocks(const StepSystem<K>& system, State& state)
+{
+    constexpr int n = K::unknowns;
+    for (std::size_t b = 0; b < system.blocks.size(); ++b) {
+        const BlockStep<K>& block = system.blocks[b];
+        typename K::Unknowns d = K::Unknowns::Zero();
+        Vector3d moment = Vector3d::Zero();
+        if (block.row >= 0) {
+            d = system.d.template segment<n>(n * block.row);
+            moment = K::moment_of(system.contact_force.template segment<n>(n * block.row));
+        }
+        update_block(block, d, moment, system.h, static_cast<int>(b), state);
+    }
+}
+
+/// Stores the contacts with the forces, gaps and slips of the end of the step. Slips turn with the reference body.
+template <class K>
+void update_contacts(const StepSystem<K>& system, const ContactSet& contacts, State& state, StepReport& report)
+{
+    constexpr int n = K::unknowns;
+    state.patches = contacts.patches;
+    state.contact_points = contacts.points;
+    for (std::size_t k = 0; k < state.patches.size(); ++k) {
+        ContactPatch& kept = state.patches[k];
+        const PatchStep<K>& patch = system.contacts.patches[k];
+        const BlockStep<K>& reference = system.blocks[kept.block_b];
+        const BlockStep<K>& incident = system.blocks[kept.block_a];
+        typename K::Unknowns d_a = K::Unknowns::Zero(), d_b = K::Unknowns::Zero();
+        if (patch.row_a >= 0) d_a = system.d.template segment<n>(n * patch.row_a);
+        if (patch.row_b >= 0) d_b = system.d.template segment<n>(n * patch.row_b);
+        const Matrix3d turn = rotation_of_step(reference, d_b);
+        kept.intact = patch.intact;
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            const PointStep& p = system.contacts.points[i];
+            ContactPoint& point = state.contact_points[i];
+            const Vector3d slip = slip_at_end(p, patch.normal);
+            const Vector3d sliding =
+                p.displacement - patch.normal.dot(p.displacement) * patch.normal - (slip - p.slip_start);
+            if (p.status != ContactStatus::open) point.plastic_slip += sliding;
+            point.plastic_slip = turn * point.plastic_slip;
+            point.elastic_slip = turn * slip;
+            report.contact_state_changed = report.contact_state_changed || point.status != p.status;
+            point.status = p.status;
+            point.gap = p.gap;
+            point.normal_force = p.normal;
+            point.shear_force = p.shear;
+            point.position = incident.predicted.centroid + p.lever_a + K::displacement(d_a, p.lever_a);
+            report.max_penetration = std::max(report.max_penetration, -p.gap);
+            report.closed_points += p.status != ContactStatus::open;
+        }
+    }
+}
+
+/// Velocities after the step: zero in a static stage, else damped relative to the ground.
+template <class K>
+void damp_velocities(const Stage& stage, const StepSystem<K>& system, State& state, EnergyLedger& energy)
+{
+    const bool is_static = stage.type == StageType::static_equilibrium;
+    const double factor = is_static ? 0 : stage.damping.factor_per_step * std::exp(-stage.damping.rate * system.h);
+    if (factor == 1) return;
+    const Vector3d ground = is_static ? Vector3d::Zero() : ground_velocity(stage, state.stage_time);
+    double kinetic = 0;
+    for (std::size_t b = 0; b < system.blocks.size(); ++b) {
+        const BlockStep<K>& block = system.blocks[b];
+        double* v = state.velocities.data() + b * K::unknowns;
+        for (int k = 0; k < K::unknowns; ++k) {
+            const double base = k < 3 ? ground[k] : 0;
+            if (is_static || !block.held[k]) v[k] = base + factor * (v[k] - base);
+        }
+        if (block.row >= 0) kinetic += kinetic_energy_of(block, state, static_cast<int>(b));
+    }
+    (is_static ? energy.damping_static : energy.damping_kinetic) += energy.kinetic - kinetic;
+    energy.kinetic = kinetic;
+}
+
+/// Largest force that inertia still had to balance, as a share of the block's load: what a static stage must bring
+/// to nothing. With the velocity zeroed it is the unbalanced force itself.
+template <class K>
+double inertia_ratio(const StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns;
+    double worst = 0;
+    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+        const typename K::Unknowns force = block.inertia * system.d.template segment<n>(n * row);
+        const double size =
+            std::max(force.template head<3>().norm(), force.template tail<n - 3>().norm() / block.size);
+        if (size > 0) worst = std::max(worst, size / system.load[row]);
+    }
+    return worst;
+}
+
+template <class K>
+StepReport advance_with(const Model& model, const Stage& stage, double time_step, State& state,
+                        EnergyLedger& energy, Workspace::Implementation& work)
+{
+    StepSystem<K>& system = std::get<StepSystem<K>>(work.system);
+    StepReport report;
+    double h = time_step;
+    {
+        const Stopwatch watch(report, Part::contact_search);
+        find_reach(model, stage, state, h, work.reach);
+        find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts);
+    }
+    while (true) {
+        {
+            const Stopwatch watch(report, Part::assembly);
+            assemble_blocks(model, stage, state, work.contacts, h, system);
+        }
+        if (iterate_open_close(model, stage, work.contacts, system, report)) break;
+        ++report.cuts;
+        h *= cut_factor;
+        if (h < stage.control.min_time_step) {
+            report.outcome = StepOutcome::gave_up;
+            return report;
+        }
+    }
+    const Stopwatch watch(report, Part::update);
+    report.time_step = h;
+    energy.redetection += energy.contact - spring_energy(model, work.contacts.patches, work.contacts.points);
+    update_blocks(system, state);
+    book_step(state, system, work.contacts, energy);
+    update_contacts(system, work.contacts, state, report);
+    state.time += h;
+    state.stage_time += h;
+    ++state.step;
+    damp_velocities(stage, system, state, energy);
+    for (const BlockStep<K>& block : system.blocks)
+        if (block.row >= 0)
+            report.max_displacement =
+                std::max(report.max_displacement, system.d.template segment<3>(K::unknowns * block.row).norm());
+    if (stage.type == StageType::static_equilibrium) report.inertia_ratio = inertia_ratio(system);
+    return report;
+}
+
+}  // namespace
+
+StepReport advance(const Model& model, const Stage& stage, double time_step, State& state, EnergyLedger& energy,
+                   Workspace& work)
+{
+    if (is_deformable(model.kinematics))
+        return advance_with<SpatialDeformable>(model, stage, time_step, state, energy, *work.implementation);
+    return advance_with<SpatialRigid>(model, stage, time_step, state, energy, *work.implementation);
+}
+
+void find_initial_contacts(const Model& model, State& state)
+{
+    std::vector<double> reach(model.blocks.size());
+    for (std::size_t b = 0; b < model.blocks.size(); ++b)
+        reach[b] = contact_distance * std::cbrt(model.blocks[b].moments.volume);
+    std::vector<PlacedPart> parts;
+    ContactSet contacts;
+    find_contacts(model, state, reach, 1, parts, contacts);
+    state.patches = std::move(contacts.patches);
+    state.contact_points = std::move(contacts.points);
+}
+
+}  // namespace voussoir

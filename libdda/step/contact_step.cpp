@@ -1,0 +1,378 @@
+#include "libdda/step/contact_step.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir
+{
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace
+{
+
+Vector3d tangential(const Vector3d& v, const Vector3d& normal)
+{
+    return v - normal.dot(v) * normal;
+}
+
+/// Elastic normal force and its derivative by the gap, d <= 0. A blend of one is k <-g> at the end of the step;
+/// else the discrete gradient of k <-g>^2 / 2 between the gaps of start and end, which conserves energy, takes the
+/// share (1 - theta). Both fall with the gap: the step's potential stays convex.
+void elastic_normal(const PointStep& p, bool intact, double gap, double& force, double& slope)
+{
+    const double k = p.normal_stiffness, theta = p.normal_blend;
+    if (intact) {
+        force = -k * (0.5 * (1 - theta) * p.gap_start + 0.5 * (1 + theta) * gap);
+        slope = -k * 0.5 * (1 + theta);
+        return;
+    }
+    const double end = gap < 0 ? -k * gap : 0, end_slope = gap < 0 ? -k : 0;
+    double mean = end, mean_slope = end_slope;
+    if (theta < 1 && p.gap_start < 0) {
+        if (gap < 0) {
+            mean = -0.5 * k * (p.gap_start + gap);
+            mean_slope = -0.5 * k;
+        } else {
+            const double reach = gap - p.gap_start;
+            mean = 0.5 * k * p.gap_start * p.gap_start / reach;
+            mean_slope = -mean / reach;
+        }
+    }
+    force = (1 - theta) * mean + theta * end;
+    slope = (1 - theta) * mean_slope + theta * end_slope;
+}
+
+/// Adds the dashpot, -k eta dg/dt, which may reduce the force to zero but never pull.
+void normal_force(bool intact, double dashpot_over_h, double gap, PointStep& p)
+{
+    double slope = 0;
+    elastic_normal(p, intact, gap, p.elastic_normal, slope);
+    p.normal = p.elastic_normal;
+    if (dashpot_over_h > 0) {
+        const double c = p.normal_stiffness * dashpot_over_h;
+        p.normal += c * (p.gap_start - gap);
+        slope -= c;
+    }
+    if (!intact && p.normal <= 0) {
+        p.normal = 0;
+        slope = 0;
+    }
+    p.normal_tangent = -slope;
+}
+
+void shear_force(bool intact, double friction, FrictionBound rule, const Vector3d& normal, PointStep& p)
+{
+    const Vector3d slip = p.slip_start + 0.5 * (1 + p.shear_blend) * tangential(p.displacement, normal);
+    p.trial = p.shear_stiffness * slip;
+    if (intact) {
+        p.status = ContactStatus::locked;
+        p.shear = p.trial;
+        return;
+    }
+    if (rule == FrictionBound::exact) p.bound = friction * p.normal;
+    const double length = p.trial.norm();
+    if (length <= p.bound) {
+        p.status = p.normal > 0 ? ContactStatus::locked : ContactStatus::open;
+        p.shear = p.trial;
+    } else {
+        p.status = p.normal > 0 ? ContactStatus::sliding : ContactStatus::open;
+        p.shear = p.bound / length * p.trial;
+    }
+}
+
+template <class K>
+Vector3d displacement_of(const VectorXd& d, int row, const Vector3d& lever)
+{
+    if (row < 0) return Vector3d::Zero();
+    return K::displacement(d.segment<K::unknowns>(K::unknowns * row), lever);
+}
+
+template <class K>
+void move_point(const VectorXd& d, const PatchStep<K>& patch, PointStep& p)
+{
+    p.displacement = p.predicted + displacement_of<K>(d, patch.row_a, p.lever_a) -
+                     displacement_of<K>(d, patch.row_b, p.lever_b);
+    p.gap = p.gap_start + patch.normal.dot(p.displacement);
+}
+
+template <class K>
+void sum_forces(const std::vector<PointStep>& points, PatchStep<K>& patch)
+{
+    patch.force_a.setZero();
+    patch.force_b.setZero();
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const PointStep& p = points[i];
+        if (p.normal == 0 && p.shear.isZero(0)) continue;
+        const Vector3d force = p.normal * patch.normal - p.shear;
+        K::add_force(patch.force_a, p.lever_a, force);
+        K::add_force(patch.force_b, p.lever_b, -force);
+    }
+}
+
+/// C of one point: -dN/dg n n^T plus the shear tangent without the coupling to the normal force.
+Matrix3d point_stiffness(const PointStep& p, const Vector3d& n, bool published)
+{
+    const double k_t = 0.5 * (1 + p.shear_blend) * p.shear_stiffness;
+    if (published) {
+        if (p.status == ContactStatus::open) return Matrix3d::Zero();
+        Matrix3d c = p.normal_stiffness * n * n.transpose();
+        if (p.status == ContactStatus::locked) c += k_t * (Matrix3d::Identity() - n * n.transpose());
+        return c;
+    }
+    Matrix3d c = p.normal_tangent * n * n.transpose();
+    if (p.status == ContactStatus::locked) c += k_t * (Matrix3d::Identity() - n * n.transpose());
+    if (p.status == ContactStatus::sliding) {
+        const double length = p.trial.norm();
+        const Vector3d along = p.trial / length;
+        c += k_t * p.bound / length * (Matrix3d::Identity() - n * n.transpose() - along * along.transpose());
+    }
+    return c;
+}
+
+}  // namespace
+
+template <class K>
+void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSet& contacts,
+                    const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step)
+{
+    const bool newmark = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic;
+    const double blend = newmark ? 1 : stage.control.dissipation;
+    step.patches.resize(contacts.patches.size());
+    step.points.resize(contacts.points.size());
+    for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
+        const ContactPatch& found = contacts.patches[k];
+        const JointMaterial& joint = model.joint_between(found.block_a, found.block_b);
+        const BlockStep<K>& a = blocks[found.block_a];
+        const BlockStep<K>& b = blocks[found.block_b];
+        PatchStep<K>& patch = step.patches[k];
+        patch.row_a = a.row;
+        patch.row_b = b.row;
+        patch.first = found.first_point;
+        patch.count = found.point_count;
+        patch.normal = found.normal;
+        patch.friction = std::tan(joint.friction_angle);
+        patch.dashpot_over_h = joint.dashpot / h;
+        patch.intact = found.intact;
+        const Matrix3d back_a = a.start.map.inverse(), back_b = b.start.map.inverse();
+        for (int i = found.first_point; i < found.first_point + found.point_count; ++i) {
+            const ContactPoint& point = contacts.points[i];
+            PointStep& p = step.points[i];
+            const Vector3d from_a = point.position - a.start.centroid, from_b = point.position - b.start.centroid;
+            p.lever_a = a.predicted.map * (back_a * from_a);
+            p.lever_b = b.predicted.map * (back_b * from_b);
+            const Vector3d move_a = a.predicted.centroid - a.start.centroid + (p.lever_a - from_a);
+            const Vector3d move_b = b.predicted.centroid - b.start.centroid + (p.lever_b - from_b);
+            p.predicted = move_a - move_b;
+            p.ballistic_a =
+                a.held[3] ? Vector3d::Zero() : Vector3d(h * a.spin_velocity(p.lever_a) - (p.lever_a - from_a));
+            p.ballistic_b =
+                b.held[3] ? Vector3d::Zero() : Vector3d(h * b.spin_velocity(p.lever_b) - (p.lever_b - from_b));
+            p.slip_start = point.elastic_slip;
+            p.gap_start = point.gap;
+            p.normal_stiffness = found.stiffness * point.area;
+            p.shear_stiffness = joint.shear_to_normal_stiffness * p.normal_stiffness;
+            // A contact that was open or sliding keeps the end-of-step force: impacts and slips dissipate.
+            p.normal_blend = point.gap < 0 || found.intact ? blend : 1;
+            p.shear_blend = point.gap < 0 && point.status == ContactStatus::locked ? blend : 1;
+            p.status = point.gap > 0 && !found.intact
+                           ? ContactStatus::open
+                           : (point.status == ContactStatus::open ? ContactStatus::locked : point.status);
+            p.normal = p.bound = 0;
+            p.trial = p.shear_stiffness * p.slip_start;
+            p.shear = p.status == ContactStatus::sliding ? p.trial : Vector3d::Zero();
+        }
+    }
+}
+
+template <class K>
+void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, ContactStep<K>& step)
+{
+    const int count = static_cast<int>(step.patches.size());
+#pragma omp parallel for num_threads(threads) schedule(static) if (count > 256)
+    for (int k = 0; k < count; ++k) {
+        PatchStep<K>& patch = step.patches[k];
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            PointStep& p = step.points[i];
+            move_point(d, patch, p);
+            normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
+            shear_force(patch.intact, patch.friction, bound, patch.normal, p);
+        }
+        sum_forces(step.points, patch);
+    }
+}
+
+template <class K>
+void evaluate_published(const VectorXd& d, ContactStep<K>& step)
+{
+    for (PatchStep<K>& patch : step.patches) {
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            PointStep& p = step.points[i];
+            move_point(d, patch, p);
+            const bool closed = p.status != ContactStatus::open;
+            p.elastic_normal = p.normal = closed ? -p.normal_stiffness * p.gap : 0;
+            p.trial = p.shear_stiffness * (p.slip_start + tangential(p.displacement, patch.normal));
+            if (p.status == ContactStatus::locked) p.shear = p.trial;
+            if (p.status == ContactStatus::open) p.shear.setZero();
+        }
+        sum_forces(step.points, patch);
+    }
+}
+
+template <class K>
+bool switch_published(ContactStep<K>& step)
+{
+    bool changed = false;
+    for (PatchStep<K>& patch : step.patches)
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            PointStep& p = step.points[i];
+            const double length = p.trial.norm();
+            const double bound = patch.friction * std::max(p.normal, 0.0);
+            ContactStatus next = ContactStatus::open;
+            if (p.gap < 0) next = length <= bound ? ContactStatus::locked : ContactStatus::sliding;
+            if (p.status == ContactStatus::open && p.gap < 0) next = ContactStatus::locked;
+            if (next != p.status) {
+                p.shear = next == ContactStatus::sliding ? Vector3d(bound / length * p.trial) : Vector3d::Zero();
+                changed = true;
+            }
+            p.status = next;
+        }
+    return changed;
+}
+
+template <class K>
+void contact_stiffness(bool published, int threads, ContactStep<K>& step)
+{
+    const int count = static_cast<int>(step.patches.size());
+#pragma omp parallel for num_threads(threads) schedule(static) if (count > 64)
+    for (int k = 0; k < count; ++k) {
+        PatchStep<K>& patch = step.patches[k];
+        patch.aa.setZero();
+        patch.ab.setZero();
+        patch.bb.setZero();
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            const PointStep& p = step.points[i];
+            const Matrix3d c = point_stiffness(p, patch.normal, published);
+            if (c.isZero(0)) continue;
+            if (patch.row_a >= 0) K::add_stiffness(patch.aa, p.lever_a, p.lever_a, c);
+            if (patch.row_b >= 0) K::add_stiffness(patch.bb, p.lever_b, p.lever_b, c);
+            if (patch.row_a >= 0 && patch.row_b >= 0) K::add_stiffness(patch.ab, p.lever_a, p.lever_b, -c);
+        }
+    }
+}
+
+Vector3d slip_at_end(const PointStep& p, const Vector3d& normal)
+{
+    if (p.status == ContactStatus::locked) return p.slip_start + tangential(p.displacement, normal);
+    if (p.status == ContactStatus::open) return Vector3d::Zero();
+    const double theta = p.shear_blend;
+    return (p.shear / p.shear_stiffness - 0.5 * (1 - theta) * p.slip_start) * (2 / (1 + theta));
+}
+
+template <class K>
+ContactEnergies contact_energies(const ContactStep<K>& step)
+{
+    ContactEnergies sum;
+    for (const PatchStep<K>& patch : step.patches)
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            const PointStep& p = step.points[i];
+            const double depth_0 = patch.intact ? p.gap_start : std::min(p.gap_start, 0.0);
+            const double depth_1 = patch.intact ? p.gap : std::min(p.gap, 0.0);
+            const double normal_start = 0.5 * p.normal_stiffness * depth_0 * depth_0;
+            const double normal_end = 0.5 * p.normal_stiffness * depth_1 * depth_1;
+            const double closing = p.gap_start - p.gap;
+            const Vector3d slip = slip_at_end(p, patch.normal);
+            const Vector3d elastic = slip - p.slip_start;
+            const double shear_start = 0.5 * p.shear_stiffness * p.slip_start.squaredNorm();
+            const double shear_end = 0.5 * p.shear_stiffness * slip.squaredNorm();
+            sum.stored += normal_end + shear_end;
+            sum.dashpot += (p.normal - p.elastic_normal) * closing;
+            sum.friction += p.shear.dot(tangential(p.displacement, patch.normal) - elastic);
+            sum.loss += p.elastic_normal * closing - (normal_end - normal_start);
+            sum.loss += p.shear.dot(elastic) - (shear_end - shear_start);
+        }
+    return sum;
+}
+
+namespace
+{
+
+/// How far a patch is beyond its strength, as a ratio; <= 1 holds. The stress is linear over the patch,
+/// N/A + (bending), fitted to the corner forces; shear is the mean against c + mu sigma.
+template <class K>
+double overload(const JointMaterial& joint, const PatchStep<K>& patch, const std::vector<PointStep>& points,
+                const ContactSet& contacts)
+{
+    double area = 0, force = 0;
+    Vector3d centre = Vector3d::Zero(), shear = Vector3d::Zero();
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        area += contacts.points[i].area;
+        centre += contacts.points[i].area * contacts.points[i].position;
+    }
+    centre /= area;
+    // In-plane axes u, v and the corner-lumped second moments, which are three times those of the area: the field
+    // that carries the moment is therefore fitted with a third of them.
+    const Vector3d u = patch.normal.unitOrthogonal(), v = patch.normal.cross(u);
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d first = Eigen::Vector2d::Zero();
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const Eigen::Vector2d s(u.dot(contacts.points[i].position - centre),
+                                v.dot(contacts.points[i].position - centre));
+        force += points[i].normal;
+        shear += points[i].shear;
+        first += points[i].normal * s;
+        second += contacts.points[i].area / 3 * s * s.transpose();
+    }
+    const Eigen::Vector2d bending =
+        patch.count < 3 ? Eigen::Vector2d::Zero() : Eigen::Vector2d(second.inverse() * first);
+    double least = force / area;  // most tensile normal stress of a corner
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const Eigen::Vector2d s(u.dot(contacts.points[i].position - centre),
+                                v.dot(contacts.points[i].position - centre));
+        least = std::min(least, force / area + bending.dot(s));
+    }
+    // A dry share keeps the ratios finite: a joint without tensile strength breaks at the first tension.
+    const double tension = -least / std::max(joint.tensile_strength, 1e-12);
+    const double shear_strength = joint.cohesion + patch.friction * force / area;
+    const double sliding = shear.norm() / area / std::max(shear_strength, 1e-12);
+    return std::max(tension, sliding);
+}
+
+}  // namespace
+
+template <class K>
+int break_weakest_patch(const Model& model, const ContactSet& contacts, ContactStep<K>& step)
+{
+    int weakest = -1;
+    double most = 1;
+    for (int k = 0; k < static_cast<int>(step.patches.size()); ++k) {
+        if (!step.patches[k].intact) continue;
+        const ContactPatch& found = contacts.patches[k];
+        const double ratio =
+            overload(model.joint_between(found.block_a, found.block_b), step.patches[k], step.points, contacts);
+        if (ratio <= most) continue;
+        most = ratio;
+        weakest = k;
+    }
+    if (weakest >= 0) step.patches[weakest].intact = false;
+    return weakest;
+}
+
+#define VOUSSOIR_INSTANTIATE(K)                                                            \
+    template void begin_contacts(const Model&, const Stage&, double, const ContactSet&,    \
+                                 const std::vector<BlockStep<K>>&, ContactStep<K>&);       \
+    template void evaluate_contacts(const VectorXd&, FrictionBound, int, ContactStep<K>&); \
+    template void evaluate_published(const VectorXd&, ContactStep<K>&);                    \
+    template bool switch_published(ContactStep<K>&);                                       \
+    template void contact_stiffness(bool, int, ContactStep<K>&);                           \
+    template ContactEnergies contact_energies(const ContactStep<K>&);                      \
+    template int break_weakest_patch(const Model&, const ContactSet&, ContactStep<K>&)
+VOUSSOIR_INSTANTIATE(SpatialDeformable);
+VOUSSOIR_INSTANTIATE(SpatialRigid);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir

@@ -1,0 +1,94 @@
+// Contact forces within one step: normal and shear springs with Coulomb friction, their stiffness and their
+// energies.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "libdda/contact/find_contacts.h"
+#include "libdda/step/block_step.h"
+
+namespace voussoir
+{
+
+/// A contact point within a step. Displacements are of a relative to b.
+struct PointStep {
+    Eigen::Vector3d lever_a, lever_b;                  // m, predicted configuration
+    Eigen::Vector3d predicted;                         // m, relative displacement of the step if D = 0
+    Eigen::Vector3d ballistic_a, ballistic_b;          // m, h v^ minus the predicted displacement, of the rotation
+    Eigen::Vector3d slip_start;                        // m, elastic slip
+    double gap_start = 0;                              // m
+    double normal_stiffness = 0, shear_stiffness = 0;  // N/m
+    double normal_blend = 1, shear_blend = 1;          // theta of the integrator
+    // At the current iterate:
+    ContactStatus status = ContactStatus::open;
+    double gap = 0, normal = 0, elastic_normal = 0, normal_tangent = 0;  // m, N, N, N/m
+    double bound = 0;                                                    // N, friction bound
+    Eigen::Vector3d displacement;                                        // m, relative, of the step
+    Eigen::Vector3d trial;                                               // N, shear force if it all stuck
+    Eigen::Vector3d shear;                                               // N, resisting
+};
+
+template <class K>
+struct PatchStep {
+    int row_a = -1, row_b = -1;
+    int first = 0, count = 0;
+    Eigen::Vector3d normal;
+    double friction = 0;        // -, tan of the friction angle
+    double dashpot_over_h = 0;  // -
+    bool intact = false;
+    typename K::Unknowns force_a, force_b;  // generalised forces on the two blocks
+    typename K::Square aa, ab, bb;          // stiffness
+};
+
+/// How the friction bound follows the normal force.
+enum class FrictionBound {
+    exact,   // mu N of the same iterate
+    frozen,  // as it was at the last exact evaluation: the step is then a convex minimisation
+};
+
+/// All contacts of a step.
+template <class K>
+struct ContactStep {
+    std::vector<PatchStep<K>> patches;
+    std::vector<PointStep> points;
+};
+
+/// @param contacts with the gaps and slips at the start of the step
+template <class K>
+void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSet& contacts,
+                    const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step);
+
+/// Forces at the iterate D (rows x unknowns), point by point and summed per patch.
+template <class K>
+void evaluate_contacts(const Eigen::VectorXd& d, FrictionBound bound, int threads, ContactStep<K>& step);
+
+/// The same by the published open-close rules: every point keeps its status; a sliding point carries the friction
+/// of the pass before as a load.
+template <class K>
+void evaluate_published(const Eigen::VectorXd& d, ContactStep<K>& step);
+
+/// New states of all points by the published rules. @returns whether any changed
+template <class K>
+bool switch_published(ContactStep<K>& step);
+
+/// Symmetric stiffness of every patch at the last evaluation. @param published spring states instead of tangents
+template <class K>
+void contact_stiffness(bool published, int threads, ContactStep<K>& step);
+
+/// Contact terms of the energy audit of an accepted step.
+struct ContactEnergies {
+    double stored = 0, friction = 0, dashpot = 0, loss = 0;
+};
+template <class K>
+ContactEnergies contact_energies(const ContactStep<K>& step);
+
+/// Elastic slip at the end of the step [m]: of a blend theta, t = (1-theta)/2 k s0 + (1+theta)/2 k s1.
+Eigen::Vector3d slip_at_end(const PointStep& point, const Eigen::Vector3d& normal);
+
+/// Breaks the intact patch that most exceeds its strength on its linear stress field, if any.
+/// @returns its index, or -1
+template <class K>
+int break_weakest_patch(const Model& model, const ContactSet& contacts, ContactStep<K>& step);
+
+}  // namespace voussoir

@@ -1,0 +1,138 @@
+// The open-close iteration as Newton's method: it cannot chatter, for with the friction bound frozen at mu N of
+// the current iterate the step minimises a convex function, and every Newton step goes down it. Source: numerics
+// note, section 3.
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+
+#include "libdda/step/step_system.h"
+
+namespace voussoir
+{
+
+using Eigen::VectorXd;
+
+namespace
+{
+
+struct Unbalance {
+    double worst = 0;  // largest residual / tolerance of a block
+    double ratio = 0;  // residual / load of that block
+    int block = -1;
+};
+
+/// Largest |R_i| / tol_i over the blocks, moments divided by the block's size. The tolerance of a block is a share
+/// of its own load, never less than what rounding leaves of its stiffness.
+template <class K>
+Unbalance unbalance(const StepSystem<K>& system, double tolerance)
+{
+    constexpr int n = K::unknowns;
+    constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
+    Unbalance most;
+    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+        const int b = system.block_of_row[row];
+        const BlockStep<K>& block = system.blocks[b];
+        const auto r = system.residual.template segment<n>(n * row);
+        const double force = std::max(r.template head<3>().norm(), r.template tail<n - 3>().norm() / block.size);
+        const double moved = system.d.template segment<3>(n * row).norm();
+        const double stiffness =
+            K::deformable ? (block.elasticity.lambda + 2 * block.elasticity.mu) * block.size : 0;
+        const double floor =
+            rounding * (stiffness * block.size + block.base.diagonal().template head<3>().norm() * moved);
+        const double allowed = tolerance * system.load[row] + floor + std::numeric_limits<double>::min();
+        if (force / allowed <= most.worst) continue;
+        most = {force / allowed, system.load[row] > 0 ? force / system.load[row] : 0, b};
+    }
+    return most;
+}
+
+/// What the open points of a joint that breaks had stored at the start of the step [J].
+template <class K>
+double tension_energy(const ContactStep<K>& contacts, int patch)
+{
+    const PatchStep<K>& broken = contacts.patches[patch];
+    double energy = 0;
+    for (int i = broken.first; i < broken.first + broken.count; ++i) {
+        const double opening = std::max(contacts.points[i].gap_start, 0.0);
+        energy += 0.5 * contacts.points[i].normal_stiffness * opening * opening;
+    }
+    return energy;
+}
+
+/// Derivative of the frozen potential along the direction at d + s direction.
+template <class K>
+double slope_at(double s, int threads, StepSystem<K>& system)
+{
+    system.trial = system.d + s * system.direction;
+    evaluate_contacts(system.trial, FrictionBound::frozen, threads, system.contacts);
+    if (!evaluate_residual(system.trial, system)) return std::numeric_limits<double>::infinity();
+    return system.residual.dot(system.direction);
+}
+
+/// Finds s in (0, 1] with slope(s) <= 0.5 |slope(0)|: regula falsi with bisection where it stalls, at most twelve
+/// evaluations, then the end where the potential still falls.
+template <class K>
+double line_search(double slope_0, bool strict, int threads, StepSystem<K>& system)
+{
+    const double enough = strict ? 0 : 0.5 * std::abs(slope_0);
+    double high = 1, slope_high = slope_at(high, threads, system);
+    if (slope_high <= enough) return high;
+    double low = 0, slope_low = slope_0;
+    for (int evaluation = 1; evaluation < 12; ++evaluation) {
+        double s =
+            std::isfinite(slope_high) ? low - slope_low * (high - low) / (slope_high - slope_low) : 0.5 * high;
+        if (s - low < 0.1 * (high - low) || high - s < 0.1 * (high - low)) s = 0.5 * (low + high);
+        const double slope = slope_at(s, threads, system);
+        if (slope <= enough && slope >= -std::abs(0.5 * slope_0)) return s;
+        if (slope > 0) {
+            high = s;
+            slope_high = slope;
+        } else {
+            low = s;
+            slope_low = slope;
+        }
+    }
+    return low > 0 ? low : high;
+}
+
+}  // namespace
+
+template <class K>
+bool iterate_newton(const Model& model, const Stage& stage, const ContactSet& contacts, StepSystem<K>& system,
+                    StepReport& report)
+{
+    const StepControl& control = stage.control;
+    double last = std::numeric_limits<double>::infinity();
+    int stalled = 0;
+    for (int iteration = 0;; ++iteration) {
+        evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
+        if (!evaluate_residual(system.d, system) || !system.residual.allFinite()) return false;
+        const Unbalance now = unbalance(system, control.force_tolerance);
+        report.unbalanced = now.ratio;
+        report.worst_block = now.block;
+        if (now.worst <= 1) {
+            const int broken = break_weakest_patch(model, contacts, system.contacts);
+            if (broken < 0) return true;
+            system.fracture += tension_energy(system.contacts, broken);
+            last = std::numeric_limits<double>::infinity();
+            continue;
+        }
+        if (iteration >= control.max_open_close) return false;
+        stalled = now.worst > 0.7 * last ? stalled + 1 : 0;
+        last = now.worst;
+
+        if (!solve_direction(control, false, system, report)) return false;
+        ++report.open_close_iterations;
+        const double slope = system.residual.dot(system.direction);
+        if (!(slope < 0)) return false;
+        const double s = line_search(slope, stalled >= 3, control.threads, system);
+        system.d += s * system.direction;
+    }
+}
+
+template bool iterate_newton(const Model&, const Stage&, const ContactSet&, StepSystem<SpatialDeformable>&,
+                             StepReport&);
+template bool iterate_newton(const Model&, const Stage&, const ContactSet&, StepSystem<SpatialRigid>&,
+                             StepReport&);
+
+}  // namespace voussoir

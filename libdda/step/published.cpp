@@ -1,0 +1,39 @@
+// The open-close iteration as published: springs are added and removed, friction of sliding points is a load of
+// the pass before, and when six passes do not settle the step is cut. Kept for comparison with the papers' tables.
+// Source: Shi 1988, chapter 4; an emulation on our contact polygons, not Shi's code.
+#include <Eigen/Core>
+
+#include "libdda/step/step_system.h"
+
+namespace voussoir
+{
+
+namespace
+{
+constexpr int passes = 6;
+}
+
+template <class K>
+bool iterate_published(const Stage& stage, StepSystem<K>& system, StepReport& report)
+{
+    for (int pass = 0; pass < passes; ++pass) {
+        // With the springs given the equations are linear but for finite strains: one solve.
+        evaluate_published(system.d, system.contacts);
+        if (!evaluate_residual(system.d, system)) return false;
+        if (!solve_direction(stage.control, true, system, report)) return false;
+        ++report.open_close_iterations;
+        system.d += system.direction;
+        evaluate_published(system.d, system.contacts);
+        if (!evaluate_residual(system.d, system) || !system.d.allFinite()) return false;
+        if (!switch_published(system.contacts)) {
+            // The forces that were solved with are the accepted ones: a sliding point keeps the load of this pass.
+            return true;
+        }
+    }
+    return false;
+}
+
+template bool iterate_published(const Stage&, StepSystem<SpatialDeformable>&, StepReport&);
+template bool iterate_published(const Stage&, StepSystem<SpatialRigid>&, StepReport&);
+
+}  // namespace voussoir

@@ -1,0 +1,189 @@
+#include "libdda/step/step_system.h"
+
+#include <chrono>
+
+namespace voussoir
+{
+
+using Eigen::VectorXd;
+
+template <class K>
+void assemble_blocks(const Model& model, const Stage& stage, const State& state, const ContactSet& contacts,
+                     double h, StepSystem<K>& system)
+{
+    const int count = static_cast<int>(model.blocks.size());
+    const double end_time = state.stage_time + h;
+    system.h = h;
+    system.fracture = 0;
+    system.blocks.resize(count);
+    system.block_of_row.clear();
+    for (int b = 0; b < count; ++b) {
+        BlockStep<K>& block = system.blocks[b];
+        begin_block(model, stage, state, b, h, end_time, block);
+        bool all_held = true;
+        for (const bool held : block.held) all_held = all_held && held;
+        block.row = all_held ? -1 : static_cast<int>(system.block_of_row.size());
+        if (!all_held) system.block_of_row.push_back(b);
+    }
+    begin_contacts(model, stage, h, contacts, system.blocks, system.contacts);
+
+    const int rows = static_cast<int>(system.block_of_row.size());
+    system.pairs.clear();
+    for (const PatchStep<K>& patch : system.contacts.patches)
+        if (patch.row_a >= 0 && patch.row_b >= 0)
+            system.pairs.emplace_back(std::max(patch.row_a, patch.row_b), std::min(patch.row_a, patch.row_b));
+    set_pattern(system.matrix, K::unknowns, rows, system.pairs);
+    system.d.setZero(rows * K::unknowns);
+    system.residual.setZero(rows * K::unknowns);
+    system.contact_force.setZero(rows * K::unknowns);
+    system.internal.resize(rows);
+    system.load.assign(rows, 0.0);
+    if (!system.solver || system.solver_kind != stage.control.linear_solver ||
+        system.solver_tolerance != stage.control.linear_tolerance) {
+        system.solver = make_linear_solver(stage.control.linear_solver, stage.control.linear_tolerance);
+        system.solver_kind = stage.control.linear_solver;
+        system.solver_tolerance = stage.control.linear_tolerance;
+    }
+}
+
+namespace
+{
+
+/// Force scale of a block: what it weighs, what its contacts press, what its own deformation and spin carry.
+template <class K>
+double load_of(const BlockStep<K>& block, const InternalForce<K>& internal, double pressing)
+{
+    double load = block.body_force.norm() + pressing + block.steady.tail(K::unknowns - 3).norm() / block.size;
+    if constexpr (K::deformable) load += internal.force.norm() / block.size;
+    return load;
+}
+
+template <class K>
+void gather_contact_forces(StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns;
+    system.contact_force.setZero();
+    system.load.assign(system.load.size(), 0.0);
+    for (const PatchStep<K>& patch : system.contacts.patches) {
+        double pressing = 0;
+        for (int i = patch.first; i < patch.first + patch.count; ++i)
+            pressing += std::abs(system.contacts.points[i].normal);
+        if (pressing == 0 && patch.force_a.isZero(0)) continue;
+        if (patch.row_a >= 0) {
+            system.contact_force.template segment<n>(n * patch.row_a) += patch.force_a;
+            system.load[patch.row_a] += pressing;
+        }
+        if (patch.row_b >= 0) {
+            system.contact_force.template segment<n>(n * patch.row_b) += patch.force_b;
+            system.load[patch.row_b] += pressing;
+        }
+    }
+}
+
+}  // namespace
+
+template <class K>
+bool evaluate_residual(const VectorXd& d, StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns;
+    gather_contact_forces(system);
+    bool admissible = true;
+    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+        const typename K::Unknowns unknowns = d.segment<n>(n * row);
+        InternalForce<K>& internal = system.internal[row];
+        internal = internal_force(block, unknowns);
+        admissible = admissible && internal.admissible;
+        auto residual = system.residual.template segment<n>(n * row);
+        residual =
+            block.inertia * unknowns + internal.force - block.steady - system.contact_force.template segment<n>(n * row);
+        for (int k = 0; k < n; ++k)
+            if (block.held[k]) residual[k] = 0;
+        system.load[row] = load_of(block, internal, system.load[row]);
+    }
+    return admissible;
+}
+
+namespace
+{
+
+/// Held components keep their prescribed value: their rows and columns become those of the identity.
+template <class K>
+void hold_components(StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns;
+    using Block = Eigen::Map<typename K::Square>;
+    BlockMatrix& matrix = system.matrix;
+    for (int row = 0; row < matrix.rows(); ++row) {
+        const auto& held = system.blocks[system.block_of_row[row]].held;
+        for (int p = matrix.row_start[row]; p < matrix.row_start[row + 1]; ++p) {
+            const int column = matrix.columns[p];
+            const auto& held_column = system.blocks[system.block_of_row[column]].held;
+            Block block(matrix.block(p));
+            for (int k = 0; k < n; ++k) {
+                if (held[k]) block.row(k).setZero();
+                if (held_column[k]) block.col(k).setZero();
+                if (row == column && held[k]) block(k, k) = 1;
+            }
+        }
+    }
+}
+
+template <class K>
+void assemble_matrix(bool published, int threads, StepSystem<K>& system)
+{
+    using Block = Eigen::Map<typename K::Square>;
+    BlockMatrix& matrix = system.matrix;
+    contact_stiffness(published, threads, system.contacts);
+    std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
+    bool any_held = false;
+    for (int row = 0; row < matrix.rows(); ++row) {
+        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+        Block(matrix.block(matrix.diagonal(row))) = block.base;
+        for (const bool held : block.held) any_held = any_held || held;
+    }
+    for (const PatchStep<K>& patch : system.contacts.patches) {
+        if (patch.row_a >= 0) Block(matrix.block(matrix.diagonal(patch.row_a))) += patch.aa;
+        if (patch.row_b >= 0) Block(matrix.block(matrix.diagonal(patch.row_b))) += patch.bb;
+        if (patch.row_a < 0 || patch.row_b < 0) continue;
+        if (patch.row_a > patch.row_b)
+            Block(matrix.block(matrix.position(patch.row_a, patch.row_b))) += patch.ab;
+        else
+            Block(matrix.block(matrix.position(patch.row_b, patch.row_a))) += patch.ab.transpose();
+    }
+    if (any_held) hold_components(system);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+template <class K>
+bool solve_direction(const StepControl& control, bool published, StepSystem<K>& system, StepReport& report)
+{
+    const auto start = std::chrono::steady_clock::now();
+    assemble_matrix(published, control.threads, system);
+    const auto assembled = std::chrono::steady_clock::now();
+    report.seconds[static_cast<int>(Part::assembly)] += std::chrono::duration<double>(assembled - start).count();
+    const LinearReport linear = system.solver->solve(system.matrix, system.residual, system.direction);
+    system.direction = -system.direction;
+    report.factorisations += linear.factorisations;
+    report.linear_iterations += linear.iterations;
+    report.factor_entries = linear.factor_entries;
+    report.seconds[static_cast<int>(Part::linear_solve)] += seconds_since(assembled);
+    return linear.solved && system.direction.allFinite();
+}
+
+template void assemble_blocks(const Model&, const Stage&, const State&, const ContactSet&, double,
+                              StepSystem<SpatialDeformable>&);
+template void assemble_blocks(const Model&, const Stage&, const State&, const ContactSet&, double,
+                              StepSystem<SpatialRigid>&);
+template bool evaluate_residual(const VectorXd&, StepSystem<SpatialDeformable>&);
+template bool evaluate_residual(const VectorXd&, StepSystem<SpatialRigid>&);
+template bool solve_direction(const StepControl&, bool, StepSystem<SpatialDeformable>&, StepReport&);
+template bool solve_direction(const StepControl&, bool, StepSystem<SpatialRigid>&, StepReport&);
+
+}  // namespace voussoir

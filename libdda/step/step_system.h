@@ -1,0 +1,63 @@
+// The equations of one step and their solution by open-close iteration.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "libdda/contact/find_contacts.h"
+#include "libdda/solve/linear_solver.h"
+#include "libdda/step/block_step.h"
+#include "libdda/step/contact_step.h"
+
+namespace voussoir
+{
+
+/// Everything a step works on; memory is reused from step to step.
+template <class K>
+struct StepSystem {
+    double h = 0;                      // s
+    std::vector<BlockStep<K>> blocks;  // of the scene
+    std::vector<int> block_of_row;     // blocks that have unknowns
+    ContactStep<K> contacts;
+    double fracture = 0;                     // J, tension energy lost by joints that broke in this step
+    Eigen::VectorXd d;                       // unknowns, the accepted ones after the iteration
+    Eigen::VectorXd residual;                // inertia + internal - external
+    Eigen::VectorXd contact_force;           // generalised contact forces on the blocks
+    std::vector<InternalForce<K>> internal;  // per row
+    std::vector<double> load;                // N per row: weight plus contact forces, the scale of its residual
+    BlockMatrix matrix;
+    std::vector<std::pair<int, int>> pairs;  // scratch of the pattern
+    Eigen::VectorXd direction, trial;        // scratch
+    std::unique_ptr<LinearSolver> solver;
+    LinearSolverKind solver_kind = LinearSolverKind::automatic;
+    double solver_tolerance = 0;
+};
+
+/// Sets up blocks, contacts and pattern for a step of length h ending at stage time `end_time`.
+template <class K>
+void assemble_blocks(const Model& model, const Stage& stage, const State& state, const ContactSet& contacts,
+                     double h, StepSystem<K>& system);
+
+/// Newton iteration on the step's potential with a line search on its derivative; joints that exceed their
+/// strength break one by one. Fills the report. @returns whether every block is in equilibrium within the
+/// tolerance
+template <class K>
+bool iterate_newton(const Model& model, const Stage& stage, const ContactSet& contacts, StepSystem<K>& system,
+                    StepReport& report);
+
+/// Shi's open-close iteration: solve, switch springs, repeat until no spring switches, six times at most.
+template <class K>
+bool iterate_published(const Stage& stage, StepSystem<K>& system, StepReport& report);
+
+// Shared by both iterations.
+
+/// Residual and loads at the iterate `d` from the contact forces last evaluated. @returns false if a block inverts
+template <class K>
+bool evaluate_residual(const Eigen::VectorXd& d, StepSystem<K>& system);
+
+/// Solves K direction = -residual with the stiffness at the last evaluation.
+template <class K>
+bool solve_direction(const StepControl& control, bool published, StepSystem<K>& system, StepReport& report);
+
+}  // namespace voussoir

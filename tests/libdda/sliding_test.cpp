@@ -1,0 +1,82 @@
+// Blocks that slide and blocks that must not.
+#include <gtest/gtest.h>
+
+#include "tests/libdda/scenes.h"
+
+namespace voussoir::testing
+{
+
+class Sliding : public ::testing::TestWithParam<Kinematics>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Kinematics, Sliding,
+                         ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid),
+                         [](const auto& info) {
+                             return info.param == Kinematics::spatial_rigid ? "rigid" : "deformable";
+                         });
+
+// s = g (sin a - cos a tan phi) t^2 / 2 from rest.
+TEST_P(Sliding, incline_follows_the_closed_form)
+{
+    const Model model = block_on_plane(GetParam(), 20);
+    State state = initial_state(model);
+    const double x0 = centroid(model, state, 1).x();
+    const RunReport report = run_quietly(model, {dynamic_stage(1, 1e-3, inclined_gravity(45))}, state);
+    const double exact =
+        0.5 * gravity * (std::sin(45 * degrees) - std::cos(45 * degrees) * std::tan(20 * degrees));
+    const double error = std::abs(centroid(model, state, 1).x() - x0 - exact) / exact;
+    std::printf(
+        "incline 45/20, 1 ms, 1 s: relative error %.2e (%s), %lld iterations, %lld cuts, energy residual %.1e\n",
+        error, std::string(name_of(GetParam())).c_str(), static_cast<long long>(report.open_close_iterations),
+        static_cast<long long>(report.step_cuts), report.energy.relative_residual());
+    EXPECT_EQ(report.outcome, Outcome::completed);
+    EXPECT_LT(error, 1e-5);
+    EXPECT_NEAR(centroid(model, state, 1).y(), 0, 1e-9);
+    EXPECT_LT(report.energy.relative_residual(), 1e-6);
+}
+
+TEST_P(Sliding, block_that_must_stick_does_not_creep)
+{
+    const Model model = block_on_plane(GetParam(), 50);
+    State state = initial_state(model);
+    Stage first = dynamic_stage(1, 1e-3, inclined_gravity(45)), rest = first;
+    rest.duration = 9;
+    run_quietly(model, {first}, state);
+    const Eigen::Vector3d before = centroid(model, state, 1);
+    State later = state;
+    begin_stage(model, 0, later);
+    run_quietly(model, {rest}, later);
+    const double creep = (centroid(model, later, 1) - before).norm();
+    std::printf("sticking block: %.2e m from 1 s to 10 s\n", creep);
+    EXPECT_LT(creep, 1e-6);
+    EXPECT_LT((centroid(model, later, 1) - Eigen::Vector3d(0, 0, 0.15)).norm(), 1e-6);
+}
+
+// x = v t - mu g t^2 / 2 over two floor blocks whose tops are flush.
+TEST_P(Sliding, box_passes_the_joint_of_a_flush_floor)
+{
+    for (const double h : {1e-3, 5e-3}) {
+        Model model = make_model(GetParam(), stone(), dry(std::atan(0.3) / degrees));
+        hold(model, add_box(model, "floor 1", {-1, -1, -1}, {1, 1, 0}));
+        hold(model, add_box(model, "floor 2", {1, -1, -1}, {3, 1, 0}));
+        const int box = add_box(model, "box", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
+        State state = initial_state(model);
+        ASSERT_EQ(run_quietly(model, {static_stage(0.1)}, state).outcome, Outcome::completed);
+        set_velocity(model, state, box, {2, 0, 0});
+        state.stage = 0;
+        begin_stage(model, 0, state);
+        double lift = 0;
+        RunObserver observer;
+        observer.step = [&](const State& now, const StepReport&, const RunReport&) {
+            lift = std::max(lift, std::abs(velocity_of(model.kinematics, now, box).z()));
+        };
+        run(model, {dynamic_stage(0.6, h)}, state, observer);
+        const double exact = 2 * 0.6 - 0.5 * 0.3 * gravity * 0.36;
+        const double error = std::abs(centroid(model, state, box).x() - exact);
+        std::printf("flush floor, h = %g s: error %.2e m, largest vertical speed %.1e m/s\n", h, error, lift);
+        EXPECT_LT(error, 1e-4);
+        EXPECT_LT(lift, 1e-3);
+    }
+}
+
+}  // namespace voussoir::testing
