@@ -1,0 +1,23 @@
+// A helper program: text in, text out, under a time limit.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace voussoir
+{
+
+struct ChildAnswer {
+    std::string output;   // what the child wrote to its standard output
+    std::string failure;  // why it gave no answer, in words; empty when it ended with exit code 0
+};
+
+/// Starts `program`, writes `input` to it, reads until it ends; kills it after `seconds` of wall time, or when it
+/// writes more than `most_output` bytes. Never throws for what the child does.
+ChildAnswer ask_child(const std::filesystem::path& program, const std::string& input, double seconds,
+                      std::size_t most_output);
+
+/// The folder of the running program, where its helpers are; environment VOUSSOIR_BIN_DIR overrides it.
+std::filesystem::path helper_folder();
+
+}  // namespace voussoir

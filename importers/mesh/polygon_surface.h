@@ -1,0 +1,25 @@
+// Polygon surfaces as mesh files hold them: nothing is promised about them yet.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace voussoir
+{
+
+/// One named surface, one stone to be. Faces are loops of vertex indices in the order of the file.
+struct PolygonSurface {
+    std::string name;
+    std::vector<Eigen::Vector3d> vertices;  // in the unit and axes of whoever holds it
+    std::vector<std::vector<int>> faces;    // every index names a vertex; nothing else is known
+};
+
+/// What a mesh file holds, in its own unit and axes.
+struct MeshFile {
+    std::vector<PolygonSurface> surfaces;  // with unique names
+    double rounding = 0;                   // file units: largest rounding on reading; 0: every digit was kept
+    std::vector<std::string> repairs;      // what was changed or left out on reading, in words
+};
+
+}  // namespace voussoir
