@@ -35,8 +35,7 @@ struct BlockReading {
     const std::filesystem::path& folder;  // of the case file
     Model& model;
     Findings& findings;
-    std::vector<MeshEntry> meshes;              // not yet imported
-    std::vector<bool> is_box;                   // beside model.blocks
+    std::vector<MeshEntry> meshes;              // imported after the last entry: boxes come first in the model
     std::map<std::string, std::string> places;  // of each block name
 };
 

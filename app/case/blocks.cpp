@@ -21,10 +21,10 @@ int group_index(Model& model, const std::string& name)
     return static_cast<int>(index);
 }
 
-void refuse_overlaps(BlockReading& reading)
+void refuse_overlaps(BlockReading& reading, std::size_t boxes)
 {
     const std::vector<Block>& blocks = reading.model.blocks;
-    for (const BlockOverlap& overlap : find_overlaps(blocks, reading.is_box)) {
+    for (const BlockOverlap& overlap : find_overlaps(blocks, boxes)) {
         const std::string& name_b = blocks[overlap.block_b].name;
         reading.findings.faults.push_back(
             {reading.places.at(name_b) + ": " + blocks[overlap.block_a].name + " and " + name_b,
@@ -89,11 +89,12 @@ bool matches_pattern(std::string_view name, std::string_view pattern)
     return p == pattern.size();
 }
 
-void read_blocks(YamlCursor& top, const std::filesystem::path& folder, Model& model, Findings& findings)
+std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::path& folder, Model& model,
+                                     Findings& findings)
 {
     const std::optional<YamlCursor> section = top.require("blocks", "the stones, [{mesh: stones.obj}]");
-    if (!section) return;
-    BlockReading reading{folder, model, findings, {}, {}, {}};
+    if (!section) return {};
+    BlockReading reading{folder, model, findings, {}, {}};
     std::vector<YamlCursor> entries = section->items("a list of meshes and boxes");
     if (entries.empty() && section->is_list()) section->fault("no block", "give at least one mesh or box");
     for (YamlCursor& entry : entries) {
@@ -107,8 +108,12 @@ void read_blocks(YamlCursor& top, const std::filesystem::path& folder, Model& mo
         else
             entry.fault(mesh ? "both a mesh and a box" : "neither a mesh nor a box", "give one of the two");
     }
+    const std::size_t boxes = model.blocks.size();
     import_meshes(reading);
-    refuse_overlaps(reading);
+    refuse_overlaps(reading, boxes);
+    std::vector<std::string> files;
+    for (const MeshEntry& mesh : reading.meshes) files.push_back(mesh.name);
+    return files;
 }
 
 }  // namespace voussoir

@@ -43,7 +43,7 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
         Kinematics::spatial_deformable);
     model.materials = read_materials(top);
     model.joints = read_joints(top);
-    read_blocks(top, result.file.parent_path(), model, findings);
+    result.mesh_files = read_blocks(top, result.file.parent_path(), model, findings);
     model.joint_of_groups = read_joint_rules(top, model.joints, model.groups);
     foundations = read_foundations(top, model);
 }

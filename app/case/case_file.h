@@ -46,8 +46,9 @@ struct MotionNote {
 struct Case {
     std::filesystem::path file;
     std::string title;
-    std::string text;                    // the case file as read, with --set applied noted in `overrides`
-    std::vector<std::string> overrides;  // "stages[1].time_step=1 ms"
+    std::string text;                     // the case file as read, with --set applied noted in `overrides`
+    std::vector<std::string> overrides;   // "stages[1].time_step=1 ms"
+    std::vector<std::string> mesh_files;  // as the case names them; empty: no geometry helper was started
     Model model;
     std::vector<Stage> stages;
     OutputOptions output;

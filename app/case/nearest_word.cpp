@@ -38,7 +38,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     constexpr std::size_t longest = 64;  // nobody mistypes longer words, and the distance is quadratic
     if (word.size() > longest) return {};
     std::string nearest;
-    int nearest_distance = static_cast<int>(std::max<std::size_t>(1, (word.size() + 1) / 3)) + 1;
+    // Nothing is near a word of one or two letters but the other letter case.
+    int nearest_distance = word.size() <= 2 ? 1 : static_cast<int>((word.size() + 1) / 3) + 1;
     for (const std::string& candidate : known) {
         if (candidate.size() > longest) continue;
         const int distance = edit_distance(lower_case(word), lower_case(candidate));

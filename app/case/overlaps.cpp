@@ -81,7 +81,7 @@ double overlap_depth(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const
     return depth;
 }
 
-std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, const std::vector<bool>& to_check)
+std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, std::size_t count)
 {
     std::vector<Eigen::AlignedBox3d> bounds;
     for (const Block& block : blocks) bounds.push_back(bounds_of(block));
@@ -94,7 +94,7 @@ std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, const 
         for (std::size_t k = i + 1; k < order.size(); ++k) {
             const auto [a, b] = std::minmax(order[i], order[k]);
             if (bounds[order[k]].min().x() > bounds[order[i]].max().x()) break;
-            if ((!to_check[a] && !to_check[b]) || !bounds[a].intersects(bounds[b])) continue;
+            if (static_cast<std::size_t>(a) >= count || !bounds[a].intersects(bounds[b])) continue;
             const double depth = overlap_depth(blocks[a], blocks[b]);
             const double size = std::min(bounds[a].diagonal().norm(), bounds[b].diagonal().norm());
             if (depth > 1e-6 * size) overlaps.push_back({a, b, depth});

@@ -20,8 +20,8 @@ struct BlockOverlap {
     double depth = 0;  // m
 };
 
-/// Pairs of blocks, at least one of them marked in `to_check`, that overlap by more than 1e-6 of the smaller one's
-/// diagonal.
-std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, const std::vector<bool>& to_check);
+/// Pairs of blocks, at least one of them among the first `count`, that overlap by more than 1e-6 of the smaller
+/// one's diagonal.
+std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, std::size_t count);
 
 }  // namespace voussoir

@@ -18,6 +18,7 @@ struct StageEntry {
     YamlCursor written;
     std::optional<double> duration;
     std::optional<YamlCursor> motion, body_acceleration;
+    bool expects_motion = false;
 };
 
 bool is_dynamic(const Stage& stage)
@@ -43,6 +44,7 @@ void read_dynamic(YamlCursor& map, StageEntry& entry)
     entry.duration = map.find_quantity("duration", dimension::time, Range::positive());
     entry.motion = map.find("motion");
     entry.body_acceleration = map.find("body_acceleration");
+    entry.expects_motion = entry.motion || entry.body_acceleration;
     if (std::optional<YamlCursor> damping = map.find("damping"))
         read_damping(*damping, entry.stage.damping);
     else
@@ -62,7 +64,7 @@ void read_static(YamlCursor& map, Stage& stage)
 
 StageEntry read_stage(YamlCursor& map, const Eigen::Vector3d& gravity, std::size_t index)
 {
-    StageEntry entry{{}, map, {}, {}, {}};
+    StageEntry entry{{}, map, {}, {}, {}, false};
     Stage& stage = entry.stage;
     stage.gravity = gravity;
     const std::optional<std::string> name = map.find_text("name");
@@ -130,19 +132,17 @@ void settle_duration(StageEntry& entry)
 {
     Stage& stage = entry.stage;
     if (!is_dynamic(stage)) return;
-    bool any_unread = false;
     double longest = 0;
     const auto consider = [&](const std::shared_ptr<const GroundMotion>& motion) {
-        any_unread = any_unread || !motion;
         if (motion) longest = std::max(longest, motion->duration());
     };
     for (const FoundationMotion& motion : stage.motions) consider(motion.motion);
     for (const BodyAcceleration& load : stage.body_accelerations) consider(load.motion);
     stage.duration = entry.duration.value_or(longest);
-    if (entry.duration || any_unread) return;
+    if (entry.duration) return;
     if (longest > 0)
         entry.written.took_default("duration", fmt::format("{:g} s, of its longest motion", longest));
-    else
+    else if (!entry.expects_motion)  // else its motion could not be read, and that is said already
         entry.written.require("duration", "a time such as 20 s; there is no motion to take it from");
 }
 
@@ -197,8 +197,10 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
     std::vector<StageEntry> entries = read_entries(*section, gravity);
     for (FoundationEntry& foundation : foundations) {
         if (!foundation.motion) continue;
-        if (StageEntry* entry = stage_of_motion(foundation, entries))
-            read_foundation_motions(*foundation.motion, {foundation}, entry->duration, context, entry->stage);
+        StageEntry* entry = stage_of_motion(foundation, entries);
+        if (entry == nullptr) continue;
+        entry->expects_motion = true;
+        read_foundation_motions(*foundation.motion, {foundation}, entry->duration, context, entry->stage);
     }
     for (StageEntry& entry : entries) {
         if (entry.motion)

@@ -10,6 +10,13 @@
 
 namespace voussoir
 {
+namespace
+{
+bool contains(const std::vector<std::string>& words, const std::string& word)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+}  // namespace
 
 std::string YamlCursor::place() const
 {
@@ -99,8 +106,7 @@ double YamlCursor::as_quantity(const Dimension& dimension, const Range& range) c
     }
     const ParsedQuantity quantity = parse_quantity(node_->text);
     if (!quantity.problem.empty()) {
-        fault(found() + " is " + (quantity.problem.starts_with("unknown") ? "in an " : "") + quantity.problem,
-              expected);
+        fault(found() + ": " + quantity.problem, expected);
     } else if (!quantity.bare && !quantity.has(dimension)) {
         fault(found() + " has the wrong dimension", expected);
     } else if (!range.contains(quantity.value)) {
@@ -144,6 +150,7 @@ void YamlCursor::forbid(const std::string& key, const std::string& why)
 {
     if (const std::optional<YamlCursor> value = find(key)) value->fault("has no meaning here", why);
     asked_.pop_back();  // not a word to suggest
+    forbidden_.push_back(key);
 }
 
 void YamlCursor::reject_unknown_keys() const
@@ -153,7 +160,7 @@ void YamlCursor::reject_unknown_keys() const
         const auto first = std::find(node_->keys.begin(), node_->keys.end(), key) - node_->keys.begin();
         if (static_cast<std::size_t>(first) != i) {
             report_duplicate(first, i);
-        } else if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) {
+        } else if (!contains(asked_, key) && !contains(forbidden_, key)) {
             child(node_->items[i], key.empty() ? "\"\"" : key).fault("unknown key", suggestion(key, asked_));
         }
     }

@@ -82,7 +82,7 @@ class YamlCursor
     const YamlNode* node_;
     std::string path_;
     Findings* findings_;
-    std::vector<std::string> asked_;
+    std::vector<std::string> asked_, forbidden_;
 };
 
 template <class Choice>

@@ -1,5 +1,6 @@
 #include "app/case/yaml_tree.h"
 
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
@@ -60,6 +61,20 @@ void refuse_tabs(const std::string& text, const Placer& placer)
         if (start == std::string::npos || line[start] == '#') continue;
         if (line.find('\t') < start)
             throw InputError(placer.at(number), "a tab in the indentation", "indent with spaces");
+    }
+}
+
+/// yaml-cpp takes a second for each megabyte of open brackets before it gives up.
+void refuse_open_brackets(const std::string& text, const Placer& placer)
+{
+    constexpr int deepest = 1000;  // brackets in quotes and comments count too, so this is generous
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '[' || text[i] == '{') ++depth;
+        if (text[i] == ']' || text[i] == '}') --depth;
+        if (depth > deepest)
+            throw InputError(placer.at(line_of(text, i)), "more than 1000 brackets that are not closed",
+                             "a case nests a few levels");
     }
 }
 
@@ -169,6 +184,7 @@ YamlNode parse_yaml(const std::string& text, const std::string& name, bool with_
 {
     const Placer placer{name, with_lines};
     refuse_noise(text, placer);
+    refuse_open_brackets(text, placer);
     refuse_tabs(text, placer);
     TreeBuilder builder(placer);
     try {
@@ -178,6 +194,9 @@ YamlNode parse_yaml(const std::string& text, const std::string& name, bool with_
         TreeBuilder rest(placer);
         if (parser.HandleNextDocument(rest) && rest.root.kind != YamlNode::Kind::null)
             throw InputError(placer.at(rest.root.line), "a second YAML document", "one case per file");
+    } catch (const YAML::DeepRecursion& error) {
+        throw InputError(placer.at(error.mark.line + 1), "lists or maps nested too deep",
+                         "a case nests a few levels");
     } catch (const YAML::Exception& error) {
         throw InputError(placer.at(error.mark.is_null() ? 1 : error.mark.line + 1), "not valid YAML: " + error.msg,
                          "check the indentation, brackets and quotes here and on the line before");
