@@ -11,7 +11,7 @@ namespace voussoir
 Unit resolve_unit(const std::string& in_header, const ReadOptions& options, const std::string& place,
                   FaultList& faults)
 {
-    const Unit none{"m/s2", Quantity::acceleration, 1};
+    Unit none{"m/s2", Quantity::acceleration, 1};
     const std::optional<Unit> from_header = find_unit(in_header);
     if (!options.unit) {
         if (from_header) return *from_header;

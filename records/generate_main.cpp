@@ -16,7 +16,6 @@
 #include "records/write_at2.h"
 
 using voussoir::Channel;
-using voussoir::Fault;
 using voussoir::InputError;
 using voussoir::SyntheticMotion;
 

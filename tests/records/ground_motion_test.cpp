@@ -57,7 +57,8 @@ Integrated integrate(const std::vector<double>& samples, double h, double time)
 double peak_displacement(const GroundMotion& motion, double step)
 {
     double peak = 0;
-    for (double t = 0; t <= motion.duration(); t += step) peak = std::max(peak, std::abs(motion.displacement(t)));
+    for (int i = 0; i * step <= motion.duration(); ++i)
+        peak = std::max(peak, std::abs(motion.displacement(i * step)));
     return peak;
 }
 
@@ -76,7 +77,8 @@ void expect_derivatives(const GroundMotion& motion, double time)
 void expect_no_jump(const GroundMotion& motion, double h, bool velocity_too)
 {
     const double e = 1e-9;
-    for (double t = 0; t <= motion.duration() + h / 2; t += h) {
+    for (int i = 0; i * h <= motion.duration() + h / 2; ++i) {
+        const double t = i * h;
         EXPECT_NEAR(motion.displacement(t - e), motion.displacement(t + e), 1e-7) << "at " << t;
         if (velocity_too) {
             EXPECT_NEAR(motion.velocity(t - e), motion.velocity(t + e),
@@ -186,7 +188,8 @@ TEST(GroundMotion, SmoothDisplacementGivesItsVelocityToThirdOrder)
         for (int i = 0; i * h <= 2 + h / 2; ++i) samples.push_back(1 - std::cos(2 * pi * i * h));
         const GroundMotion motion = GroundMotion::from_displacement(samples, h, "cosine");
         double error = 0;
-        for (double t = 0; t < 2; t += 0.0013) {
+        for (int i = 0; i < 1500; ++i) {
+            const double t = 0.0013 * i;
             error = std::max(error, std::abs(motion.displacement(t) - (1 - std::cos(2 * pi * t))));
         }
         return error;

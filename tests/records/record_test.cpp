@@ -79,9 +79,15 @@ TEST(PeerAt2, ReadsEveryStyleOfItsCountLineAndOfItsLineEnds)
 {
     for (const std::string count : {"NPTS=  2, DT= .01000 SEC", "2    0.0100    NPTS, DT", "NPTS=2,DT=.01",
                                     "npts= 2, dt= 1e-2 sec,", "  2  .01  NPTS, DT, SEC"}) {
-        for (const std::string end : {"\n", "\r\n", "\r\r\n"}) {
-            const Record record = read("A" + end + "B, X" + end + "IN UNITS OF G. FILTER POINTS: HP=0.2 Hz" + end +
-                                       count + end + " .1 .2" + end);
+        for (const char* end : {"\n", "\r\n", "\r\r\n"}) {
+            std::string content;
+            for (const std::string& line :
+                 {std::string("A"), std::string("B, X"), std::string("IN UNITS OF G. FILTER POINTS: HP=0.2 Hz"),
+                  count, std::string(" .1 .2")}) {
+                content += line;
+                content += end;
+            }
+            const Record record = read(content);
             EXPECT_DOUBLE_EQ(record.channels.front().time_step, 0.01) << count;
             EXPECT_DOUBLE_EQ(record.channels.front().samples[1], 0.2 * g) << count;
         }
