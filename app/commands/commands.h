@@ -1,0 +1,71 @@
+// What the program can do: one function per command, called by main with the parsed command line.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voussoir
+{
+
+/// What the program tells the shell.
+enum ExitCode { exit_done = 0, exit_failure = 1, exit_bad_input = 2, exit_gave_up = 3, exit_interrupted = 4 };
+
+struct RunArguments {
+    std::filesystem::path case_file;
+    std::filesystem::path folder;  // empty: results/<case name>
+    std::vector<std::string> overrides;
+    int threads = 1;
+    bool quiet = false;
+};
+
+/// Reads the case, runs its stages, writes the results and draws the pictures it asks for. Nothing is created
+/// before the case is known to be good.
+/// @throws InputError with all faults of the case
+int run_command(const RunArguments& arguments);
+
+struct CheckArguments {
+    std::filesystem::path case_file;
+    std::vector<std::string> overrides;
+};
+
+/// Reads and certifies a case, finds its contacts, and tells what is there; runs nothing, writes nothing.
+int check_command(const CheckArguments& arguments);
+
+struct ImportArguments {
+    std::vector<std::filesystem::path> files;
+    std::optional<std::string> unit;  // of the files; metres if not given
+    char up = 'z';
+    std::optional<std::filesystem::path> json;
+};
+
+/// The geometry certificate of mesh files, each on its own.
+/// @returns exit_bad_input when any file was refused; the others are listed all the same
+int import_command(const ImportArguments& arguments);
+
+struct RecordArguments {
+    std::vector<std::filesystem::path> files;
+    std::optional<std::string> unit;
+    std::optional<double> time_step;  // s
+    std::optional<int> column;
+    std::optional<std::filesystem::path> json;
+};
+
+/// What accelerograms hold. @returns exit_bad_input when any file was refused
+int record_command(const RecordArguments& arguments);
+
+struct RenderArguments {
+    std::filesystem::path results;
+    std::filesystem::path folder;  // empty: snapshots/ beside the results
+    std::string color = "displacement";
+    std::vector<double> times;  // s
+    int count = 4;
+    std::vector<int> size{1600, 900};
+    std::optional<double> deformation_scale;
+};
+
+/// Pictures from a results file, without a run.
+int render_command(const RenderArguments& arguments);
+
+}  // namespace voussoir

@@ -1,0 +1,90 @@
+#include "app/commands/describe_case.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "app/results/results_writer.h"
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr std::size_t line_width = 110;
+
+/// Prints a list as lines "heading: a, b, ...", broken between words and indented below the first.
+void print_wrapped(const std::string& text, const std::string& indent)
+{
+    std::string line;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find(' ', start), text.size());
+        const std::string word = text.substr(start, end - start);
+        if (line.size() > indent.size() && line.size() + 1 + word.size() > line_width) {
+            fmt::print("{}\n", line);
+            line = indent + "  ";
+        }
+        if (line.empty()) line = indent;
+        line += (line.find_first_not_of(' ') == std::string::npos ? "" : " ") + word;
+        start = end + 1;
+    }
+    fmt::print("{}\n", line);
+}
+
+void print_list(const std::string& heading, const std::vector<std::string>& lines)
+{
+    if (lines.empty()) return;
+    fmt::print("{}:\n", heading);
+    for (const std::string& line : lines) print_wrapped(line, "  ");
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::string in_words(const ContactStiffness& stiffness)
+{
+    if (stiffness.kind == ContactStiffness::Kind::per_area) return fmt::format("{:g} Pa/m", stiffness.value);
+    if (stiffness.kind == ContactStiffness::Kind::per_point)
+        return fmt::format("{:g} N/m per contact point", stiffness.value);
+    return "from the blocks' modulus and depth";
+}
+
+}  // namespace
+
+void print_materials(const Model& model)
+{
+    for (const BlockMaterial& material : model.materials)
+        fmt::print("material {}: density {:g} kg/m3, Young's modulus {:g} Pa, Poisson's ratio {:g}\n",
+                   material.name, material.density, material.young, material.poisson);
+    for (const JointMaterial& joint : model.joints)
+        fmt::print(
+            "joint {}: friction {:g} deg, cohesion {:g} Pa, tensile strength {:g} Pa, contact stiffness {}, "
+            "shear to normal {:g}, dashpot {:g} s\n",
+            joint.name, joint.friction_angle * 180 / std::numbers::pi, joint.cohesion, joint.tensile_strength,
+            in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.dashpot);
+}
+
+void print_case(const Case& the_case)
+{
+    const Model& model = the_case.model;
+    double mass = 0;
+    for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i) mass += model.mass(i);
+    fmt::print("{}\n{} blocks, {:g} t, {}: {} unknowns per block; {} of them follow the ground\n", the_case.title,
+               model.blocks.size(), mass / 1000, name_of(model.kinematics), unknowns_per_block(model.kinematics),
+               model.foundations.size());
+    print_wrapped("left out: " + joined(left_out(the_case)), "");
+    std::vector<std::string> motions;
+    for (const MotionNote& note : the_case.motions)
+        motions.push_back(fmt::format("{}; peak {:.3g} m/s2, at the end {:.3g} m/s and {:.3g} m", note.description,
+                                      note.peak_acceleration, note.residual_velocity, note.residual_displacement));
+    print_list("motions", motions);
+    print_list("defaults taken", the_case.defaults);
+    print_list("warnings", the_case.warnings);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,153 @@
+// voussoir: what an earthquake does to stone structures, block by block. The command line and the exit codes.
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <new>
+#include <thread>
+
+#include "app/commands/commands.h"
+#include "libdda/errors.h"
+
+namespace
+{
+
+using namespace voussoir;
+
+int default_threads()
+{
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 2);
+}
+
+/// A repeatable option that takes one value each time, so that what follows it is not swallowed.
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides)
+{
+    command
+        .add_option("--set", overrides, "Change a value: --set stages[1].time_step=\"1 ms\"; null takes it away")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+void add_run(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<RunArguments>();
+    arguments->threads = default_threads();
+    CLI::App* command = app.add_subcommand("run", "Run a case and write its results");
+    command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
+    command->add_option("-o,--output", arguments->folder, "Folder for the results (results/<case name>)")
+        ->type_name("DIR");
+    add_overrides(*command, arguments->overrides);
+    command->add_option("--threads", arguments->threads, "Threads; the results do not depend on it")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return run_command(*arguments); }; });
+}
+
+void add_check(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* command = app.add_subcommand("check", "Read and certify a case, list what is there; run nothing");
+    command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
+    add_overrides(*command, arguments->overrides);
+    command->callback([arguments, &chosen] { chosen = [arguments] { return check_command(*arguments); }; });
+}
+
+void add_import(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<ImportArguments>();
+    CLI::App* command = app.add_subcommand("import", "Certify mesh files: closed, convex, volumes");
+    command->add_option("mesh", arguments->files, "Mesh files")->required()->type_name("MESH");
+    command->add_option("--unit", arguments->unit, "Unit of the files: m, cm, mm, ft, in (m)")->type_name("UNIT");
+    command->add_option("--up", arguments->up, "Axis of the files that points up")
+        ->transform(CLI::IsMember({"x", "y", "z"}))
+        ->capture_default_str();
+    command->add_option("--json", arguments->json, "Write the certificates to a file (- is standard output)")
+        ->type_name("FILE");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return import_command(*arguments); }; });
+}
+
+void add_record(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<RecordArguments>();
+    CLI::App* command = app.add_subcommand("record", "Tell what accelerograms hold");
+    command->add_option("file", arguments->files, "Accelerograms")->required()->type_name("FILE");
+    command->add_option("--unit", arguments->unit, "Unit, if the file does not say: g, m/s2, cm/s2, cm/s, mm, ...")
+        ->type_name("UNIT");
+    command->add_option("--time-step", arguments->time_step, "Time step in s, if the file does not say")
+        ->check(CLI::PositiveNumber)
+        ->type_name("SECONDS");
+    command->add_option("--column", arguments->column, "Column of a text table, from 1")
+        ->check(CLI::Range(1, 10000));
+    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+        ->type_name("FILE");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return record_command(*arguments); }; });
+}
+
+void add_render(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* command = app.add_subcommand("render", "Draw pictures from results, without a run");
+    command->add_option("results", arguments->results, "The results.h5 of a run")
+        ->required()
+        ->type_name("RESULTS");
+    command
+        ->add_option("-o,--output", arguments->folder, "Folder for the pictures (snapshots/ beside the results)")
+        ->type_name("DIR");
+    command->add_option("--color", arguments->color, "What the colours show")
+        ->check(CLI::IsMember({"displacement", "principal_stress"}))
+        ->capture_default_str();
+    command->add_option("--times", arguments->times, "Times to draw, in s")->check(CLI::NonNegativeNumber);
+    command->add_option("--count", arguments->count, "How many, if no times are given")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    command->add_option("--size", arguments->size, "Width and height in pixels")
+        ->expected(2)
+        ->check(CLI::Range(64, 8192))
+        ->capture_default_str();
+    command->add_option("--deformation-scale", arguments->deformation_scale, "Displacements are drawn times this")
+        ->check(CLI::PositiveNumber);
+    command->callback([arguments, &chosen] { chosen = [arguments] { return render_command(*arguments); }; });
+}
+
+/// Runs the chosen command; what it throws becomes a message and an exit code.
+int guarded(const std::function<int()>& command)
+{
+    try {
+        return command();
+    } catch (const InputError& error) {
+        for (const Fault& fault : error.faults) std::fprintf(stderr, "%s\n", to_sentence(fault).c_str());
+        return exit_bad_input;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "voussoir: out of memory\n");
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "voussoir: %s\n", error.what());
+    }
+    return exit_failure;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments)
+{
+    CLI::App app{
+        "What an earthquake does to stone structures, block by block (3D discontinuous deformation analysis)",
+        "voussoir"};
+    app.set_version_flag("--version", std::string("voussoir ") + VOUSSOIR_VERSION);
+    app.require_subcommand(1);
+    app.footer("Exit codes: 0 done, 1 failure, 2 bad input, 3 the numerics gave up, 4 interrupted.");
+    std::function<int()> chosen;
+    add_run(app, chosen);
+    add_check(app, chosen);
+    add_import(app, chosen);
+    add_record(app, chosen);
+    add_render(app, chosen);
+    try {
+        app.parse(argument_count, arguments);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_done : exit_bad_input;
+    }
+    return guarded(chosen);
+}
