@@ -1,0 +1,174 @@
+#include "importers/exact/certify.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "libdda/geometry/moments.h"
+#include "tests/importers/shapes.h"
+
+namespace voussoir
+{
+namespace
+{
+
+void expect_refused(const Certificate& certificate, const std::string& words)
+{
+    EXPECT_NE(certificate.reason.find(words), std::string::npos) << "reason: " << certificate.reason;
+    EXPECT_TRUE(certificate.parts.empty());
+    EXPECT_FALSE(certificate.convex);
+}
+
+PolygonSurface l_shape()
+{
+    return prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 0, 1);
+}
+
+TEST(Certify, AcceptsACubeWithoutRepairAndMergesItsTriangles)
+{
+    const Certificate certificate = certify(triangulated(unit_cube()));
+    EXPECT_EQ(certificate.reason, "");
+    EXPECT_TRUE(certificate.closed && certificate.convex);
+    EXPECT_TRUE(certificate.repairs.empty());
+    ASSERT_EQ(certificate.parts.size(), 1U);
+    EXPECT_EQ(certificate.parts[0].faces.size(), 6U);
+    EXPECT_EQ(certificate.parts[0].vertices.size(), 8U);
+    EXPECT_NEAR(moments_of(certificate.parts[0]).volume, 1, 1e-15);
+}
+
+TEST(Certify, RefusesAnOpenSurfaceAndSaysWhere)
+{
+    PolygonSurface cube = unit_cube();
+    cube.faces.pop_back();
+    const Certificate certificate = certify(cube, {.origin = {100, 0, 0}});
+    expect_refused(certificate, "not closed: 4 edges");
+    EXPECT_FALSE(certificate.closed);
+    EXPECT_NE(certificate.reason.find("(100, 0, 1)"), std::string::npos) << "places are in the user's coordinates";
+}
+
+TEST(Certify, TurnsASurfaceThatIsInsideOutAndReportsIt)
+{
+    PolygonSurface cube = unit_cube();
+    for (std::vector<int>& face : cube.faces) std::reverse(face.begin(), face.end());
+    const Certificate certificate = certify(cube);
+    ASSERT_EQ(certificate.parts.size(), 1U) << certificate.reason;
+    EXPECT_NEAR(moments_of(certificate.parts[0]).volume, 1, 1e-15);
+    ASSERT_EQ(certificate.repairs.size(), 1U);
+    EXPECT_NE(certificate.repairs[0].find("all 6 faces"), std::string::npos);
+}
+
+TEST(Certify, TurnsSingleFacesAndReportsHowMany)
+{
+    for (const std::size_t turned : {1U, 2U, 5U}) {
+        PolygonSurface cube = unit_cube();
+        for (std::size_t f = 0; f < turned; ++f) std::reverse(cube.faces[f].begin(), cube.faces[f].end());
+        const Certificate certificate = certify(cube);
+        ASSERT_EQ(certificate.parts.size(), 1U) << certificate.reason;
+        EXPECT_NEAR(moments_of(certificate.parts[0]).volume, 1, 1e-15);
+        ASSERT_EQ(certificate.repairs.size(), 1U);
+        EXPECT_EQ(certificate.repairs[0].find(std::to_string(turned) + " of 6 faces"), 0U)
+            << certificate.repairs[0];
+    }
+}
+
+TEST(Certify, WeldsIdenticalVerticesSilentlyAndNearOnesWithAReport)
+{
+    PolygonSurface soup{"soup", {}, {}};
+    for (const std::vector<int>& face : unit_cube().faces) {
+        soup.faces.emplace_back();
+        for (const int v : face) {
+            soup.faces.back().push_back(static_cast<int>(soup.vertices.size()));
+            soup.vertices.push_back(unit_cube().vertices[v]);
+        }
+    }
+    EXPECT_TRUE(certify(soup).repairs.empty());
+    EXPECT_EQ(certify(soup).reason, "");
+    soup.vertices.back().x() += 1e-7;
+    const Certificate near = certify(soup);
+    EXPECT_EQ(near.reason, "");
+    ASSERT_EQ(near.repairs.size(), 1U);
+    EXPECT_NE(near.repairs[0].find("1 vertices up to 1e-07 m"), std::string::npos) << near.repairs[0];
+    soup.vertices.back().x() += 1e-3;
+    expect_refused(certify(soup), "not closed");
+}
+
+TEST(Certify, RefusesAConcaveStoneAndSaysByHowMuch)
+{
+    const Certificate certificate = certify(l_shape());
+    expect_refused(certificate, "lies 1 m outside face");
+    EXPECT_TRUE(certificate.closed);
+    EXPECT_NE(certificate.reason.find("splitting into convex parts is not there yet"), std::string::npos);
+}
+
+TEST(Certify, JudgesConvexityByItsStatedTolerance)
+{
+    PolygonSurface cube = triangulated(unit_cube());
+    cube.vertices.emplace_back(0.5, 0.5, 1 - 1e-4);  // a dent in the roof: the first vertex of a fan of four
+    std::erase_if(cube.faces, [](const auto& face) {
+        return std::all_of(face.begin(), face.end(), [](int v) { return v >= 4; });
+    });
+    for (int i = 0; i < 4; ++i) cube.faces.push_back({8, 4 + i, 4 + (i + 1) % 4});
+    expect_refused(certify(cube), "not convex");
+    const Certificate flattened = certify(cube, {.planarity_tolerance = 1e-3});
+    EXPECT_EQ(flattened.reason, "");
+    ASSERT_EQ(flattened.repairs.size(), 1U);
+    EXPECT_NE(flattened.repairs[0].find("volume changed by 3.33e-05 m3"), std::string::npos)
+        << flattened.repairs[0];
+}
+
+TEST(Certify, RefusesASurfaceThatCrossesItself)
+{
+    PolygonSurface cube = triangulated(unit_cube());
+    cube.vertices[6] = {-0.5, -0.5, -0.5};  // the corner (1, 1, 1) pulled through the opposite one
+    expect_refused(certify(cube), "it crosses itself");
+}
+
+TEST(Certify, RefusesOneSidedBranchingAndSplitSurfaces)
+{
+    PolygonSurface one_sided{"projective plane", {}, {}};  // the hemi-icosahedron: closed, but with one side only
+    for (int i = 0; i < 6; ++i)
+        one_sided.vertices.emplace_back(std::cos(i), std::sin(i * i), std::cos(3. * i * i));
+    one_sided.faces = {{0, 1, 2}, {0, 1, 3}, {0, 2, 4}, {0, 3, 5}, {0, 4, 5},
+                       {1, 2, 5}, {1, 3, 4}, {1, 4, 5}, {2, 3, 4}, {2, 3, 5}};
+    expect_refused(certify(one_sided), "no choice of directions");
+
+    PolygonSurface branching = unit_cube();
+    branching.vertices.emplace_back(0.5, -1, 0);
+    branching.faces.push_back({0, 1, 8});
+    expect_refused(certify(branching), "more than two faces meet in 1 edges");
+
+    PolygonSurface two = unit_cube();
+    const PolygonSurface second = box({3, 0, 0}, {4, 1, 1});
+    two.vertices.insert(two.vertices.end(), second.vertices.begin(), second.vertices.end());
+    for (std::vector<int> face : second.faces) {
+        for (int& v : face) v += 8;
+        two.faces.push_back(face);
+    }
+    expect_refused(certify(two), "2 separate shells");
+}
+
+TEST(Certify, RefusesWhatHasNoVolume)
+{
+    expect_refused(certify(box({0, 0, 0}, {1, 2e-5, 2e-5})), "no volume");
+    EXPECT_NE(certify(box({0, 0, 0}, {1, 1, 0})).reason, "");
+    expect_refused(certify({"nothing", {}, {}}), "no faces");
+    expect_refused(certify({"point", std::vector<Eigen::Vector3d>(3, {1, 2, 3}), {{0, 1, 2}}}), "one point");
+    expect_refused(certify(box({0, 0, 0}, {1e200, 1, 1})), "check the unit");
+}
+
+TEST(Certify, CutsABentFaceAndJudgesItsTriangles)
+{
+    for (const double height : {0.8, 1.2}) {  // of one corner of the roof, which is not flat any more
+        PolygonSurface bent = unit_cube();
+        bent.vertices[6].z() = height;
+        const Certificate certificate = certify(bent);
+        ASSERT_EQ(certificate.repairs.size(), 1U);
+        EXPECT_EQ(certificate.repairs[0].find("1 faces are not flat and were cut into triangles"), 0U);
+        std::cerr << height << " " << certificate.reason << "\n";
+    }
+}
+
+}  // namespace
+}  // namespace voussoir

@@ -1,0 +1,131 @@
+#include "importers/mesh/read_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "importers/mesh/write_obj.h"
+#include "libdda/errors.h"
+#include "tests/importers/shapes.h"
+
+namespace voussoir
+{
+namespace
+{
+
+/// The sentence of the refusal; empty when the file is read.
+std::string refusal(const std::filesystem::path& file)
+{
+    try {
+        read_mesh(file);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(ReadMesh, KeepsEveryDigitOfAnObjFileAtNationalGridCoordinates)
+{
+    const ScratchFolder folder;
+    PolygonSurface cube = unit_cube();
+    for (Eigen::Vector3d& x : cube.vertices) x += Eigen::Vector3d(500000.123456789, 4600000.987654321, 1. / 3);
+    const MeshFile read = read_mesh(folder.write("far.obj", to_obj({cube}, {})));
+    ASSERT_EQ(read.surfaces.size(), 1U);
+    EXPECT_EQ(read.rounding, 0);
+    ASSERT_EQ(read.surfaces[0].faces.size(), cube.faces.size());
+    for (std::size_t f = 0; f < cube.faces.size(); ++f)
+        for (std::size_t i = 0; i < cube.faces[f].size(); ++i)
+            EXPECT_EQ(read.surfaces[0].vertices[read.surfaces[0].faces[f][i]], cube.vertices[cube.faces[f][i]]);
+}
+
+TEST(ReadMesh, KeepsObjectNamesWithSpacesAndRenamesEqualOnes)
+{
+    const ScratchFolder folder;
+    std::vector<PolygonSurface> cubes(4, unit_cube());
+    cubes[0].name = "Mesh 0";
+    cubes[1].name = "Mesh 1";
+    cubes[2].name = "Mesh 1";
+    cubes[3].name = "clé de voûte";
+    const MeshFile read = read_mesh(folder.write("names.obj", to_obj(cubes, {})));
+    ASSERT_EQ(read.surfaces.size(), 4U);
+    EXPECT_EQ(read.surfaces[0].name, "Mesh 0");
+    EXPECT_EQ(read.surfaces[1].name, "Mesh 1");
+    EXPECT_EQ(read.surfaces[2].name, "Mesh 1 (2)");
+    EXPECT_EQ(read.surfaces[3].name, "clé de voûte");
+    EXPECT_EQ(read.repairs.size(), 1U);
+}
+
+TEST(ReadMesh, TakesGroupsForStonesWhenThereAreNoObjects)
+{
+    const ScratchFolder folder;
+    const std::string text =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng a\nf 1 2 3\ng b\nf 1 2 4\ng a\nusemtl red\nf 2 3 4\n";
+    const MeshFile read = read_mesh(folder.write("groups.obj", text));
+    ASSERT_EQ(read.surfaces.size(), 2U);
+    EXPECT_EQ(read.surfaces[0].faces.size(), 2U) << "a group that comes back is the same stone";
+    EXPECT_EQ(read.surfaces[1].name, "b");
+}
+
+TEST(ReadMesh, ReadsContinuedLinesTexturesAndRelativeIndices)
+{
+    const ScratchFolder folder;
+    const std::string text =
+        "\xEF\xBB\xBFv 0 0 0\r\nv +1 0 0 # a corner\r\nv 0 1e0 \\\r\n 0\r\nv 0 0 1\r\nvt 0 0\r\nf -4/1 2/1 "
+        "-2/1\r\nf 1// 2// 4//\r\n";
+    const MeshFile read = read_mesh(folder.write("odd.obj", text));
+    ASSERT_EQ(read.surfaces.size(), 1U);
+    EXPECT_EQ(read.surfaces[0].name, "odd");
+    ASSERT_EQ(read.surfaces[0].faces.size(), 2U);
+    EXPECT_EQ(read.surfaces[0].vertices[read.surfaces[0].faces[0][2]], Eigen::Vector3d(0, 1, 0));
+}
+
+TEST(ReadMesh, ReadsStlPlyAndOffAndStatesTheirRounding)
+{
+    const ScratchFolder folder;
+    const std::string stl =
+        "solid t\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+        "0\nendloop\nendfacet\nendsolid t\n";
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    for (const auto& file : {folder.write("t.stl", stl), folder.write("t.ply", ply),
+                             folder.write("t.OFF", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")}) {
+        const MeshFile read = read_mesh(file);
+        ASSERT_EQ(read.surfaces.size(), 1U) << file;
+        EXPECT_EQ(read.surfaces[0].faces.size(), 1U) << file;
+        EXPECT_NEAR(read.rounding, 6e-8, 1e-12) << file;
+    }
+}
+
+TEST(ReadMesh, RefusesWhatIsNoMeshWithASentence)
+{
+    const ScratchFolder folder;
+    std::string noise;
+    for (unsigned i = 0, x = 12345; i < 20000; ++i)
+        noise.push_back(static_cast<char>((x = x * 1664525U + 1013904223U) >> 24));
+    EXPECT_NE(refusal(folder.path() / "none.obj").find("there is no such file"), std::string::npos);
+    EXPECT_NE(refusal(folder.path()).find("this is not a file"), std::string::npos);
+    EXPECT_NE(refusal(folder.write("empty.obj", "")).find("the file is empty"), std::string::npos);
+    EXPECT_NE(refusal(folder.write("points.obj", "v 0 0 0\nv 1 0 0\n")).find("no faces"), std::string::npos);
+    EXPECT_NE(refusal(folder.write("a.step", "ISO-10303-21;")).find("not read yet"), std::string::npos);
+    EXPECT_NE(refusal(folder.write("wide.obj", std::string("\xFE\xFF\0v\0 ", 6))).find("UTF-16"),
+              std::string::npos);
+    for (const char* name : {"noise.obj", "noise.stl", "noise.ply", "noise.off"})
+        EXPECT_NE(refusal(folder.write(name, noise)), "") << name;
+}
+
+TEST(ReadMesh, ListsAllFaultsOfAnObjFileWithTheirLines)
+{
+    const ScratchFolder folder;
+    const auto file =
+        folder.write("bad.obj", "v 0 0 0\nv 1 nan 0\nv 0 1\nv 0 0 1\nf 1 2\nf 1 2 0\nf 1 2 9\nf 1 2 -7\n");
+    try {
+        read_mesh(file);
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.faults.size(), 6U) << error.what();
+        for (const char* line : {":2", ":3", ":5", ":6", ":7", ":8"})
+            EXPECT_NE(std::string(error.what()).find(file.string() + line), std::string::npos) << line;
+    }
+}
+
+}  // namespace
+}  // namespace voussoir

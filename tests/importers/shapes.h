@@ -1,0 +1,85 @@
+// Surfaces and files for the tests of this room.
+#pragma once
+
+#include <unistd.h>
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "importers/mesh/polygon_surface.h"
+
+namespace voussoir
+{
+
+/// A folder that goes away with the test.
+class ScratchFolder
+{
+ public:
+    ScratchFolder()
+    {
+        std::string pattern = (std::filesystem::temp_directory_path() / "voussoir_XXXXXX").string();
+        path_ = mkdtemp(pattern.data());
+    }
+    ~ScratchFolder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    std::filesystem::path write(const std::string& name, const std::string& text) const
+    {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return path_ / name;
+    }
+    const std::filesystem::path& path() const { return path_; }
+
+ private:
+    std::filesystem::path path_;
+};
+
+/// A vertical prism. @param outline (n,2) counter-clockwise seen from above
+inline PolygonSurface prism(const std::vector<Eigen::Vector2d>& outline, double bottom, double top)
+{
+    PolygonSurface surface{"stone", {}, {}};
+    const int n = static_cast<int>(outline.size());
+    for (const double z : {bottom, top})
+        for (const Eigen::Vector2d& p : outline) surface.vertices.emplace_back(p.x(), p.y(), z);
+    std::vector<int> floor, roof;
+    for (int i = 0; i < n; ++i) {
+        floor.push_back(n - 1 - i);
+        roof.push_back(n + i);
+        const int next = (i + 1) % n;
+        surface.faces.push_back({i, next, n + next, n + i});
+    }
+    surface.faces.push_back(floor);
+    surface.faces.push_back(roof);
+    return surface;
+}
+
+inline PolygonSurface box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper)
+{
+    return prism({lower.head<2>(), {upper.x(), lower.y()}, upper.head<2>(), {lower.x(), upper.y()}}, lower.z(),
+                 upper.z());
+}
+
+inline PolygonSurface unit_cube()
+{
+    return box({0, 0, 0}, {1, 1, 1});
+}
+
+/// Every face as a fan of triangles.
+inline PolygonSurface triangulated(PolygonSurface surface)
+{
+    std::vector<std::vector<int>> triangles;
+    for (const std::vector<int>& face : surface.faces)
+        for (std::size_t i = 1; i + 1 < face.size(); ++i) triangles.push_back({face[0], face[i], face[i + 1]});
+    surface.faces = triangles;
+    return surface;
+}
+
+}  // namespace voussoir
