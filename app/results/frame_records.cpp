@@ -73,6 +73,7 @@ FrameRecords::FrameRecords(const Model& model, Hdf5File& file)
     const std::uint64_t vertices = mesh.vertex_block.size(), faces = mesh.face_block.size();
     const auto real = ElementType::float64;
     file.make_group("/frames");
+    file.write("/frames/count", std::vector<std::int64_t>{0});
     time_ = file.make_series("/frames/time", real, {});
     step_ = file.make_series("/frames/step", ElementType::int64, {});
     stage_ = file.make_series("/frames/stage", ElementType::int32, {});
@@ -183,6 +184,9 @@ void FrameRecords::append(const Model& model, const SurfaceMesh& mesh, const Sta
     file.append(stage_, std::vector<std::int32_t>{state.stage});
     file.append(step_, std::vector<std::int64_t>{state.step});
     file.append(time_, std::vector<double>{state.time});
+    file.flush();
+    file.overwrite("/frames/count", static_cast<std::int64_t>(time_.extents[0]));
+    file.flush();
 }
 
 }  // namespace voussoir

@@ -8,12 +8,13 @@
 namespace voussoir
 {
 
-/// Growing datasets under /frames. The time of a frame is written last, so that a frame without its time is known
-/// to be unfinished.
+/// Growing datasets under /frames. The number of frames is written when all of a frame is safe in the file: what
+/// lies beyond it is unfinished.
 class FrameRecords
 {
  public:
     FrameRecords(const Model& model, Hdf5File& file);
+    /// Appends a frame, flushes it, then counts it.
     void append(const Model& model, const SurfaceMesh& mesh, const State& state, const RunReport& report,
                 Hdf5File& file);
 

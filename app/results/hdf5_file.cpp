@@ -27,8 +27,17 @@ Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept
 namespace
 {
 
-constexpr std::uint64_t chunk_bytes = std::uint64_t{1} << 18;  // about; a chunk is allocated as a whole
-constexpr std::uint64_t max_rows_per_chunk = 64;
+// A flush writes metadata in the order of addresses, so that a process killed in the middle of one could leave a
+// pointer to what was not written yet. Therefore: every chunk and tree exists before anything refers to it
+// (allocated early, trees with one node of up to 2 x chunk_tree_half entries), and rows go straight to the file.
+constexpr unsigned chunk_tree_half = 256;
+
+/// Chunks of about 256 kB, for few of them must do; at least 8 rows unless these are huge.
+std::uint64_t rows_per_chunk(std::uint64_t row_bytes)
+{
+    const std::uint64_t usual = std::clamp<std::uint64_t>((1U << 18) / row_bytes, 8, 1024);
+    return std::clamp<std::uint64_t>((1U << 24) / row_bytes, 1, usual);
+}
 
 std::vector<hsize_t> to_hsize(const Extents& extents)
 {
@@ -74,8 +83,9 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path)
     Hdf5File result;
     result.path_ = path;
     result.writing_ = true;
-    const Hdf5Id access = access_properties();
-    result.file_ = Hdf5Id(result.check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
+    const Hdf5Id access = access_properties(), layout(H5Pcreate(H5P_FILE_CREATE));
+    H5Pset_istore_k(layout.get(), chunk_tree_half);
+    result.file_ = Hdf5Id(result.check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, layout.get(), access.get()),
                                        "no file can be made there"));
     return result;
 }
@@ -157,18 +167,20 @@ void Hdf5File::attribute(const std::string& object, const std::string& name, std
 
 Hdf5Series Hdf5File::make_series(const std::string& name, ElementType type, const Extents& row)
 {
-    Extents extents{0}, chunk{0}, limit{H5S_UNLIMITED};
+    Extents extents{0}, chunk{1}, limit{H5S_UNLIMITED};
     for (const std::uint64_t size : row) {
         extents.push_back(size);
         chunk.push_back(std::max<std::uint64_t>(size, 1));
         limit.push_back(size);
     }
-    chunk[0] =
-        std::clamp(chunk_bytes / (product(chunk, 1) * bytes_of(type)), std::uint64_t{1}, max_rows_per_chunk);
+    chunk[0] = rows_per_chunk(product(chunk, 1) * bytes_of(type));
     const std::vector<hsize_t> size = to_hsize(extents), chunk_size = to_hsize(chunk), max_size = to_hsize(limit);
     const Hdf5Id space(H5Screate_simple(static_cast<int>(size.size()), size.data(), max_size.data()));
     const Hdf5Id create = timeless(H5P_DATASET_CREATE);
     H5Pset_chunk(create.get(), static_cast<int>(chunk_size.size()), chunk_size.data());
+    H5Pset_alloc_time(create.get(), H5D_ALLOC_TIME_EARLY);
+    const Hdf5Id access(H5Pcreate(H5P_DATASET_ACCESS));
+    H5Pset_chunk_cache(access.get(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 0, H5D_CHUNK_CACHE_W0_DEFAULT);
     Hdf5Series series{name, {}, type, extents};
     series.dataset = Hdf5Id(check(
         H5Dcreate2(file_.get(), name.c_str(), native(type), space.get(), H5P_DEFAULT, create.get(), H5P_DEFAULT),
@@ -194,6 +206,12 @@ void Hdf5File::append_values(Hdf5Series& series, ElementType type, const void* v
     H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr);
     check(H5Dwrite(series.dataset.get(), native(type), memory.get(), space.get(), H5P_DEFAULT, values),
           series.name);
+}
+
+void Hdf5File::overwrite(const std::string& name, std::int64_t value)
+{
+    const Hdf5Id dataset = open_dataset(name);
+    check(H5Dwrite(dataset.get(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), name);
 }
 
 void Hdf5File::flush()

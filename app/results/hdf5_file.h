@@ -95,6 +95,8 @@ class Hdf5File
     {
         append_values(series, element_type_of<T>(), values.data(), values.size(), rows);
     }
+    /// Replaces the one number of a dataset, in its place.
+    void overwrite(const std::string& name, std::int64_t value);
     /// All that was written reaches the operating system: it survives the death of this process.
     void flush();
     /// Flushes and closes, so that a failure is heard; without it the destructor closes silently.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <regex>
 
 #include "app/results/results_writer.h"
 
@@ -21,14 +20,6 @@ bool any_joint(const Case& the_case, Predicate predicate)
     return std::any_of(the_case.model.joints.begin(), the_case.model.joints.end(), predicate);
 }
 
-/// No key `mesh` anywhere in the case file or its overrides: then surely no mesh was read.
-bool names_a_mesh(const Case& the_case)
-{
-    const std::regex key("\\bmesh\\b");
-    const auto has_key = [&](const std::string& text) { return std::regex_search(text, key); };
-    return has_key(the_case.text) || std::any_of(the_case.overrides.begin(), the_case.overrides.end(), has_key);
-}
-
 }  // namespace
 
 std::vector<std::string> left_out(const Case& the_case)
@@ -38,7 +29,7 @@ std::vector<std::string> left_out(const Case& the_case)
         if (absent) words.emplace_back(what);
     };
     leave_out(!is_deformable(the_case.model.kinematics), "strains and stresses (the blocks are rigid)");
-    leave_out(!names_a_mesh(the_case), "mesh importers (no mesh is read)");
+    leave_out(the_case.mesh_files.empty(), "mesh importers (no mesh is read)");
     leave_out(the_case.model.foundations.empty(), "foundations (no block follows the ground)");
     leave_out(!any_stage(the_case, [](const Stage& s) { return !s.motions.empty(); }),
               "ground motion (no foundation is moved)");

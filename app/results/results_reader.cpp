@@ -47,24 +47,6 @@ RecordedModel read_model(const Hdf5File& file)
     return model;
 }
 
-/// Every dataset of a frame but its joints; the count of whole frames is that of the shortest.
-std::uint64_t whole_frames(const Hdf5File& file, Kinematics kinematics)
-{
-    std::vector<std::string> names = {"time",        "step",       "stage",
-                                      "coordinates", "velocities", "ground_displacement",
-                                      "positions",   "energy",     "joints/rows"};
-    if (is_deformable(kinematics)) names.emplace_back("stress");
-    std::uint64_t count = file.extents("/frames/time")[0];
-    for (const std::string& name : names) count = std::min(count, file.extents("/frames/" + name)[0]);
-    const std::uint64_t joints = file.extents("/frames/joints/closed_area")[0];
-    while (count > 0) {
-        const auto rows = file.read_rows<std::int64_t>("/frames/joints/rows", count - 1, 1);
-        if (static_cast<std::uint64_t>(rows[0] + rows[1]) <= joints) break;
-        --count;
-    }
-    return count;
-}
-
 }  // namespace
 
 ResultsReader::ResultsReader(const std::filesystem::path& path) : file_(Hdf5File::open(path))
@@ -74,7 +56,7 @@ ResultsReader::ResultsReader(const std::filesystem::path& path) : file_(Hdf5File
                          "give a results file of this version of voussoir");
     }
     model = read_model(file_);
-    times = file_.read_rows<double>("/frames/time", 0, whole_frames(file_, model.kinematics));
+    times = file_.read_rows<double>("/frames/time", 0, file_.read<std::int64_t>("/frames/count").at(0));
 }
 
 RecordedFrame ResultsReader::frame(std::size_t index) const

@@ -19,6 +19,19 @@ namespace
 
 namespace fs = std::filesystem;
 
+/// The pictures of a run, relative to its folder, in order.
+std::vector<std::string> pictures_in(const fs::path& folder)
+{
+    std::vector<std::string> pictures;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "snapshots", none)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("snapshot_") && name.ends_with(".png")) pictures.push_back("snapshots/" + name);
+    }
+    std::sort(pictures.begin(), pictures.end());
+    return pictures;
+}
+
 /// Makes the folder and removes what an earlier run left in it, so that no file speaks of another run.
 fs::path prepare(const fs::path& folder)
 {
@@ -29,6 +42,7 @@ fs::path prepare(const fs::path& folder)
         fs::remove(folder / name, error);
         if (error) refuse_writing(folder / name, error.value());
     }
+    for (const std::string& picture : pictures_in(folder)) fs::remove(folder / picture, error);
     return folder;
 }
 
@@ -37,13 +51,7 @@ std::vector<std::string> files_in(const fs::path& folder)
     std::vector<std::string> files = {"results.h5", "results.xdmf"};
     if (fs::exists(folder / "histories.csv")) files.emplace_back("histories.csv");
     files.emplace_back("summary.json");
-    std::vector<std::string> pictures;
-    std::error_code none;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "snapshots", none)) {
-        if (entry.path().extension() == ".png")
-            pictures.push_back("snapshots/" + entry.path().filename().string());
-    }
-    std::sort(pictures.begin(), pictures.end());
+    const std::vector<std::string> pictures = pictures_in(folder);
     files.insert(files.end(), pictures.begin(), pictures.end());
     return files;
 }
@@ -103,7 +111,6 @@ void ResultsWriter::frame(const State& state, const RunReport& report)
     Implementation& the = *implementation_;
     the.flush_histories();
     the.frames->append(the.the_case.model, the.mesh, state, report, the.file);
-    the.file.flush();
 }
 
 void ResultsWriter::history(const State& state, const StepReport&, const RunReport&)

@@ -1,0 +1,160 @@
+// kill -9 at any moment leaves a results file that opens, with all frames but at most the last.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <random>
+
+#include "app/results/results_reader.h"
+#include "app/results/results_writer.h"
+#include "tests/app_results/synthetic.h"
+
+namespace
+{
+// How many more writes of HDF5 go through before the process dies; negative: it lives.
+long writes_left = -1;
+
+void maybe_die()
+{
+    if (writes_left == 0) raise(SIGKILL);
+    if (writes_left > 0) --writes_left;
+}
+}  // namespace
+
+// In front of the C library's: HDF5 writes its files through these two.
+extern "C" ssize_t pwrite(int descriptor, const void* bytes, size_t count, off_t offset)
+{
+    static const auto original = reinterpret_cast<decltype(&pwrite)>(dlsym(RTLD_NEXT, "pwrite"));
+    maybe_die();
+    return original(descriptor, bytes, count, offset);
+}
+
+extern "C" int ftruncate(int descriptor, off_t size) noexcept
+{
+    static const auto original = reinterpret_cast<int (*)(int, off_t)>(dlsym(RTLD_NEXT, "ftruncate"));
+    maybe_die();
+    return original(descriptor, size);
+}
+
+namespace voussoir
+{
+namespace
+{
+
+using synthetic::TemporaryFolder;
+
+constexpr double step = 1e-3;  // s between frames
+
+/// Runs `action` in a child that ends by SIGKILL or, silently, by itself.
+template <typename Action>
+pid_t in_child(Action action)
+{
+    const pid_t child = fork();
+    if (child == 0) {
+        action();
+        _exit(0);
+    }
+    return child;
+}
+
+/// A byte through the pipe for each frame that frame() returned from.
+void write_frames(const Case& the_case, const std::filesystem::path& folder, int count, int pipe_end,
+                  long die_after, int live_frames)
+{
+    ResultsWriter writer(the_case, folder);
+    for (int i = 0; i < count; ++i) {
+        if (i == live_frames) writes_left = die_after;
+        writer.frame(synthetic::swaying(the_case, step * i), {});
+        if (write(pipe_end, "f", 1) != 1) _exit(1);
+    }
+    writes_left = -1;
+}
+
+/// Opens the file and compares every frame with what was written.
+void check_file(const Case& the_case, const std::filesystem::path& folder, std::size_t at_least)
+{
+    const ResultsReader reader(folder / "results.h5");
+    ASSERT_GE(reader.times.size(), at_least);
+    ASSERT_LE(reader.times.size(), at_least + 1);
+    for (std::size_t i = 0; i < at_least; ++i) {
+        const RecordedFrame frame = reader.frame(i);
+        const State state = synthetic::swaying(the_case, step * static_cast<double>(i));
+        ASSERT_EQ(frame.time, state.time);
+        ASSERT_EQ(frame.state.coordinates, state.coordinates) << i;
+        ASSERT_EQ(frame.state.velocities, state.velocities) << i;
+        ASSERT_EQ(frame.joints.size(), the_case.model.blocks.size() - 1);
+        ASSERT_EQ(frame.joints.back().centre, joint_resultants(the_case.model, state).back().centre);
+    }
+}
+
+std::size_t bytes_in(int pipe_end)
+{
+    std::size_t count = 0;
+    char buffer[4096];
+    for (ssize_t n = 0; (n = read(pipe_end, buffer, sizeof buffer)) > 0;) count += static_cast<std::size_t>(n);
+    return count;
+}
+
+TEST(KilledWriter, AtRandomMoments)
+{
+    const Case the_case = synthetic::arch(Kinematics::spatial_deformable, 30);
+    std::mt19937 random(20240406);
+    std::size_t total = 0;
+    for (int trial = 0; trial < 20; ++trial) {
+        const TemporaryFolder folder;
+        int ends[2];
+        ASSERT_EQ(pipe(ends), 0);
+        const pid_t child = in_child([&] { write_frames(the_case, folder.path, 1'000'000, ends[1], -1, 0); });
+        close(ends[1]);
+        char first = 0;
+        ASSERT_EQ(read(ends[0], &first, 1), 1);  // the file is there
+        usleep(std::uniform_int_distribution<useconds_t>(0, 120'000)(random));
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        const std::size_t frames = 1 + bytes_in(ends[0]);
+        close(ends[0]);
+        check_file(the_case, folder.path, frames);
+        total += frames;
+    }
+    EXPECT_GT(total, 100U) << "the kills came before anything was written";
+}
+
+/// Dies before the first, second, third, ... write of one frame, until the frame gets through.
+void kill_at_every_write(const Case& the_case, int live_frames)
+{
+    for (long die_after = 0;; ++die_after) {
+        const TemporaryFolder folder;
+        int ends[2];
+        ASSERT_EQ(pipe(ends), 0);
+        const pid_t child = in_child(
+            [&] { write_frames(the_case, folder.path, live_frames + 1, ends[1], die_after, live_frames); });
+        close(ends[1]);
+        int status = 0;
+        waitpid(child, &status, 0);
+        const std::size_t frames = bytes_in(ends[0]);
+        close(ends[0]);
+        ASSERT_NO_FATAL_FAILURE(check_file(the_case, folder.path, frames))
+            << "after " << live_frames << " frames and " << die_after << " writes";
+        if (!WIFSIGNALED(status)) {
+            EXPECT_GT(die_after, 0) << "no write was seen: the trap does not work";
+            return;
+        }
+    }
+}
+
+TEST(KilledWriter, AtEveryWriteOfTheFirstFrames)
+{
+    const Case the_case = synthetic::arch(Kinematics::spatial_deformable, 5);
+    for (const int frames : {0, 1, 2}) ASSERT_NO_FATAL_FAILURE(kill_at_every_write(the_case, frames));
+}
+
+TEST(KilledWriter, AtEveryWriteWhereChunksAreAdded)
+{
+    const Case the_case = synthetic::arch(Kinematics::spatial_deformable, 350);  // 8 rows to a chunk of places
+    for (const int frames : {7, 8, 9}) ASSERT_NO_FATAL_FAILURE(kill_at_every_write(the_case, frames));
+}
+
+}  // namespace
+}  // namespace voussoir

@@ -1,0 +1,31 @@
+// Small made-up cases and states whose every number is known: what goes into a file must come out.
+#pragma once
+
+#include <filesystem>
+
+#include "app/case/case_file.h"
+#include "libdda/model/state.h"
+
+namespace voussoir::synthetic
+{
+
+/// A half-round arch of `voussoirs` stones (4 m inner radius, 1 m thick, 2 m wide) on two foundation blocks.
+/// Two stages, a history point at the crown, no motion.
+Case arch(Kinematics kinematics, int voussoirs = 15);
+
+/// A tower of boxes on one foundation block, no stages with damping, no histories.
+Case tower(Kinematics kinematics, int boxes = 8);
+
+/// A state that sways, strains (deformable) and opens and slides some joints, more so with time [s].
+State swaying(const Case& the_case, double time);
+
+/// An empty folder of its own, removed at the end.
+struct TemporaryFolder {
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    std::filesystem::path path;
+};
+
+}  // namespace voussoir::synthetic
