@@ -78,8 +78,10 @@ bool step_once(const Stage& stage, double h, Progress& progress, StepReport& ste
 bool run_static(const Stage& stage, Progress& progress)
 {
     const double start_time = progress.state.time;
+    Stage loaded = stage;
+    // The step's own tolerance must not hide an unbalanced force that the stage still has to remove.
+    loaded.control.force_tolerance = std::min(stage.control.force_tolerance, 0.1 * stage.unbalanced_tolerance);
     for (int increment = 1; increment <= stage.gravity_increments; ++increment) {
-        Stage loaded = stage;
         loaded.gravity = stage.gravity * increment / stage.gravity_increments;
         int quiet = 0;
         for (int n = 0; quiet < 2; ++n) {
@@ -94,7 +96,10 @@ bool run_static(const Stage& stage, Progress& progress)
                 return false;
             }
             StepReport step;
-            if (!step_once(loaded, stage.control.time_step, progress, step)) return false;
+            const double grown = progress.state.next_time_step;
+            const double h = grown > 0 ? std::min(grown, stage.control.time_step) : stage.control.time_step;
+            if (!step_once(loaded, h, progress, step)) return false;
+            progress.state.next_time_step = regrowth * step.time_step;
             progress.state.time = start_time;
             progress.report.static_unbalanced = step.inertia_ratio;
             const bool balanced = step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;

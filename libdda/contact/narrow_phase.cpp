@@ -258,8 +258,8 @@ std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const Pla
     if (face) face->second_is_reference = second_is_reference;
     if (face && chosen.separation > -shallow * size) return face;
 
-    // An edge pair must separate clearly better than any face. Where it only ties with a face (a box that slides over
-    // the joint of a flush floor meets the next block's side) the parts pass each other and do not touch.
+    // An edge pair must separate clearly better than any face. Where it only ties with a face (a box that slides
+    // over the joint of a flush floor meets the next block's side) the parts pass each other and do not touch.
     const EdgeAxis edges = best_edge_pair(first, second);
     if (edges.first < 0 || edges.separation < chosen.separation + face_preference * size) return face;
     if (edges.separation > margin) return std::nullopt;

@@ -95,6 +95,26 @@ double line_search(double slope_0, bool strict, int threads, StepSystem<K>& syst
     return low > 0 ? low : high;
 }
 
+/// First guess: the solution of the linear problem in which every contact keeps the state it had at the end of the
+/// last step. Right when no state changes; kept only if it leaves less unbalanced force than the free flight D =
+/// 0.
+template <class K>
+bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report)
+{
+    evaluate_published(system.d, system.contacts);
+    if (!evaluate_residual(system.d, system)) return false;
+    if (!solve_direction(control, true, system, report)) return false;
+    ++report.open_close_iterations;
+    evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
+    if (!evaluate_residual(system.d, system)) return false;
+    const double flight = unbalance(system, control.force_tolerance).worst;
+    system.trial = system.direction;
+    evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
+    if (evaluate_residual(system.trial, system) && unbalance(system, control.force_tolerance).worst < flight)
+        system.d = system.trial;
+    return true;
+}
+
 }  // namespace
 
 template <class K>
@@ -104,6 +124,7 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSet& co
     const StepControl& control = stage.control;
     double last = std::numeric_limits<double>::infinity();
     int stalled = 0;
+    if (!system.contacts.patches.empty() && !guess(control, system, report)) return false;
     for (int iteration = 0;; ++iteration) {
         evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
         if (!evaluate_residual(system.d, system) || !system.residual.allFinite()) return false;

@@ -95,8 +95,8 @@ bool evaluate_residual(const VectorXd& d, StepSystem<K>& system)
         internal = internal_force(block, unknowns);
         admissible = admissible && internal.admissible;
         auto residual = system.residual.template segment<n>(n * row);
-        residual =
-            block.inertia * unknowns + internal.force - block.steady - system.contact_force.template segment<n>(n * row);
+        residual = block.inertia * unknowns + internal.force - block.steady -
+                   system.contact_force.template segment<n>(n * row);
         for (int k = 0; k < n; ++k)
             if (block.held[k]) residual[k] = 0;
         system.load[row] = load_of(block, internal, system.load[row]);

@@ -9,6 +9,16 @@ add_library(voussoir_flags INTERFACE)
 target_compile_options(voussoir_flags INTERFACE -Wall -Wextra -Werror -ffp-contract=off
                        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 target_include_directories(voussoir_flags INTERFACE ${CMAKE_SOURCE_DIR})
+# Dense 12 x 12 kernels gain half their time from 256-bit vectors. All targets share the flag: it changes alignments.
+option(VOUSSOIR_AVX2 "Use AVX2 and FMA instructions when this machine has them" ON)
+if(VOUSSOIR_AVX2)
+  include(CheckCXXSourceRuns)
+  check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }"
+                        VOUSSOIR_HAVE_AVX2)
+  if(VOUSSOIR_HAVE_AVX2)
+    target_compile_options(voussoir_flags INTERFACE -march=x86-64-v3)
+  endif()
+endif()
 if(VOUSSOIR_SANITIZE)
   target_compile_options(voussoir_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                          -fno-omit-frame-pointer)
