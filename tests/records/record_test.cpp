@@ -9,7 +9,7 @@
 
 #include "libdda/errors.h"
 #include "records/units.h"
-#include "tests/records/test_files.h"
+#include "tests/records/reading.h"
 
 namespace voussoir
 {
@@ -23,40 +23,6 @@ const std::string peer_header =
     "PEER NGA STRONG MOTION DATABASE RECORD\n"
     "Somewhere, 1/2/2003, Station, 067\n"
     "ACCELERATION TIME SERIES IN UNITS OF G\n";
-
-Record read(const std::string& content, const ReadOptions& options = {})
-{
-    const TemporaryFile file(content);
-    return read_record(file.path(), options);
-}
-
-/// The faults of a file that must be refused, one line each.
-std::string refusal(const std::string& content, const ReadOptions& options = {})
-{
-    const TemporaryFile file(content);
-    try {
-        read_record(file.path(), options);
-    } catch (const InputError& error) {
-        EXPECT_NE(error.faults.front().place.find(file.path().string()), std::string::npos);
-        return error.what();
-    }
-    ADD_FAILURE() << "accepted: " << content;
-    return "";
-}
-
-void expect_in(const std::string& text, const std::string& part)
-{
-    EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in \"" << text << "\"";
-}
-
-ReadOptions in_g()
-{
-    return {.unit = "g", .time_step = {}, .column = {}};
-}
-ReadOptions in_g(double time_step)
-{
-    return {.unit = "g", .time_step = time_step, .column = {}};
-}
 
 TEST(PeerAt2, ReadsSamplesStepUnitAndComponent)
 {
@@ -150,135 +116,6 @@ TEST(PeerAt2, NamesEveryFaultAtOnce)
          {":3: no unit", ":4: time step = 0", ":4: the header announces 9", ":6: not a line"}) {
         expect_in(text, part);
     }
-}
-
-TEST(TextTable, ReadsTwoColumns)
-{
-    const Record record =
-        read("A heading\nTime[s] Accel[g]\n# a remark\n0.00\t0.1\n0.02\t-0.3\n0.04\t0.2\n", in_g());
-    EXPECT_EQ(record.format, "two-column text");
-    ASSERT_EQ(record.channels.size(), 1);
-    EXPECT_EQ(record.channels.front().component, "column 2");
-    EXPECT_DOUBLE_EQ(record.channels.front().time_step, 0.02);
-    EXPECT_DOUBLE_EQ(record.channels.front().samples[1], -0.3 * g);
-}
-
-TEST(TextTable, ReadsCommasSemicolonsAndByteOrderMarks)
-{
-    for (const std::string content :
-         {"0,1\n1,2\n2,-3\n", "0; 1\n1; 2\n2; -3\n", "\xEF\xBB\xBF t v\n0 1\n1 2\n2 -3"}) {
-        const Record record = read(content, in_g());
-        EXPECT_EQ(record.channels.front().samples.size(), 3) << content;
-        EXPECT_DOUBLE_EQ(record.channels.front().samples[2], -3 * g) << content;
-    }
-}
-
-TEST(TextTable, ReadsEveryColumnAfterTimeOrTheOneAskedFor)
-{
-    const std::string content = "0 1 10 100\n.5 2 20 200\n1 3 30 300\n1.5 4 40 400\n";
-    const Record all = read(content, in_g());
-    ASSERT_EQ(all.channels.size(), 3);
-    EXPECT_EQ(all.channels[2].component, "column 4");
-    EXPECT_DOUBLE_EQ(all.channels[2].samples[3], 400 * g);
-    const Record one = read(content, {.unit = "m/s2", .time_step = {}, .column = 3});
-    ASSERT_EQ(one.channels.size(), 1);
-    EXPECT_DOUBLE_EQ(one.channels.front().samples[1], 20);
-    EXPECT_DOUBLE_EQ(one.channels.front().time_step, 0.5);
-    expect_in(refusal(content, {.unit = "g", .time_step = {}, .column = 5}), "columns 1 to 4");
-    expect_in(refusal(content, {.unit = "g", .time_step = {}, .column = 0}), "columns 1 to 4");
-}
-
-TEST(TextTable, ReadsValuesOnlyRowByRow)
-{
-    for (const std::string content : {"1\n2\n3\n4\n5\n", "1 2 3\n4 5\n*** End Data ***\n"}) {
-        const Record record = read(content, in_g(0.02));
-        EXPECT_EQ(record.format, "values-only text");
-        ASSERT_EQ(record.channels.front().samples.size(), 5) << content;
-        EXPECT_DOUBLE_EQ(record.channels.front().samples[4], 5 * g);
-        EXPECT_DOUBLE_EQ(record.channels.front().time_step, 0.02);
-    }
-}
-
-TEST(TextTable, NeverGuessesUnitOrTimeStep)
-{
-    const std::string both = refusal("1\n2\n3\n");
-    expect_in(both, "no unit");
-    expect_in(both, "no time step");
-    expect_in(refusal("0 1\n1 2\n2 3\n"), "no unit");
-    expect_in(refusal("0 1\n1 2\n2 3\n", {.unit = "stone", .time_step = {}, .column = {}}), "unit \"stone\"");
-    expect_in(refusal("1\n2\n3\n", in_g(0)), "time step = 0 s");
-    expect_in(refusal("0 1\n1 2\n2 3\n", in_g(0.5)), "0.5 s was asked for");
-}
-
-TEST(TextTable, RefusesUnevenTimesAtTheLineWhereTheyChange)
-{
-    expect_in(refusal("t a\n0 1\n.01 2\n.02 3\n.04 4\n.05 5\n", in_g()), ":5: time 0.04 s after 0.02 s");
-    expect_in(refusal("0 1\n.01 2\n.01 3\n.02 4\n", in_g()), ":3: time 0.01 s after 0.01 s");
-    expect_in(refusal("0 1\n.01 2\n-.02 3\n.03 4\n", in_g()), ":3:");
-    // A step that creeps, each time by less than can be seen between neighbours.
-    std::string creeping;
-    double time = 0;
-    for (int i = 0; i < 500; ++i) {
-        time += 0.01 * (1 + 0.015 * std::sin(i * 0.01));
-        creeping += std::to_string(time) + " 1\n";
-    }
-    expect_in(refusal(creeping, in_g()), "even step");
-}
-
-TEST(TextTable, AcceptsTimesRoundedInPrint)
-{
-    std::string content;
-    for (int i = 0; i < 1000; ++i) {
-        char line[40];
-        std::snprintf(line, sizeof line, "%.4f %d\n", i / 128.0, i);
-        content += line;
-    }
-    EXPECT_NEAR(read(content, in_g()).channels.front().time_step, 1 / 128.0, 1e-7);
-}
-
-TEST(TextTable, ColumnAndStepTogetherOverruleTheTimes)
-{
-    const Record record = read("0 1\n.01 2\n.01 3\n.02 4\n", {.unit = "g", .time_step = 0.005, .column = 2});
-    EXPECT_DOUBLE_EQ(record.channels.front().time_step, 0.005);
-    EXPECT_EQ(record.channels.front().samples.size(), 4);
-}
-
-TEST(TextTable, RefusesDamagedRowsWithLine)
-{
-    expect_in(refusal("0 1\n1 2\n2\n3 4\n", in_g()), ":3: 1 number where the first row has 2");
-    expect_in(refusal("0 1\n1 2\n2 3\n3\n", in_g()), ":4: 1 number where");
-    expect_in(refusal("0 1\n1 2x\n2 3\n", in_g()), ":2: not a line of numbers");
-    expect_in(refusal("0 1x\n1 2\n2 3\n", in_g()), ":1: not a line of numbers");
-    expect_in(refusal("0 1\n1 nan\n2 3\n", in_g()), ":2: nan in column 2");
-    expect_in(refusal("0 1\n1 -inf\n2 3\n", in_g()), ":2: -inf in column 2");
-    expect_in(refusal("0 1\n1 1e999\n2 3\n", in_g()), ":2: inf in column 2");
-    expect_in(refusal("0 1\n***\n1 2\n2 3\n", in_g()), ":2: not a line of numbers");
-    expect_in(refusal("0 1\n", in_g()), "1 sample");
-}
-
-TEST(TextTable, RefusesDecimalCommas)
-{
-    expect_in(refusal("0,00 0,1\n0,01 0,2\n0,02 0,3\n", in_g()), "not a record in a format we read");
-    expect_in(refusal("0,00;0,1\n0,01;0,2\n0,02;0,3\n", in_g()), "not a record in a format we read");
-    expect_in(refusal("0,12\n0,15\n0,11\n", in_g()), ":2: time 0 s after 0 s");
-}
-
-TEST(TextTable, OneDamagedTimeDoesNotTurnTimesIntoSamples)
-{
-    std::string content;
-    for (int i = 0; i < 40; ++i) {
-        content += std::to_string(i == 20 ? 3 : 0.01 * i) + " 1 2\n";
-    }
-    expect_in(refusal(content, in_g(0.01)), ":22: time");
-}
-
-TEST(TextTable, NamesTheFirstFaultsAndCountsTheRest)
-{
-    std::string content = "0 1\n";
-    for (int i = 0; i < 5000; ++i) content += "bad\n";
-    const std::string text = refusal(content, in_g());
-    expect_in(text, "more faults");
-    EXPECT_LT(text.size(), 5000);
 }
 
 TEST(CorrectedAcc, ReadsAndChecksItsHeader)
