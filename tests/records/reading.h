@@ -37,7 +37,7 @@ inline void expect_in(const std::string& text, const std::string& part)
     EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in \"" << text << "\"";
 }
 
-ReadOptions in_g()
+inline ReadOptions in_g()
 {
     return {.unit = "g", .time_step = {}, .column = {}};
 }
