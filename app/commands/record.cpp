@@ -76,7 +76,7 @@ int record_command(const RecordArguments& arguments)
     bool any_refused = false;
     for (const std::filesystem::path& file : arguments.files) {
         descriptions.push_back(describe(file, options, !to_stdout));
-        any_refused = any_refused || descriptions.back()["reason"] != "";
+        any_refused = any_refused || !descriptions.back()["reason"].get_ref<const std::string&>().empty();
     }
     if (arguments.json) write_json_text(*arguments.json, descriptions.dump(2));
     return any_refused ? exit_bad_input : exit_done;

@@ -1,0 +1,294 @@
+// The built program as its user meets it: bad input gives exit code 2, one sentence with its place, and no folder.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "tests/app/test_files.h"
+
+namespace voussoir
+{
+namespace
+{
+
+struct Ended {
+    int exit_code = -1;  // -1: killed by a signal
+    std::string output, errors;
+};
+
+std::string contents(const std::filesystem::path& file)
+{
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+/// Starts the program with its output in files of `folder`. @returns its process id
+pid_t start(const TemporaryFolder& folder, const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> words = arguments;
+    words.insert(words.begin(), VOUSSOIR_PROGRAM);
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    const std::string output = folder / "stdout", errors = folder / "stderr";
+    const pid_t child = fork();
+    if (child != 0) return child;
+    dup2(open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
+    dup2(open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+    execv(pointers[0], pointers.data());
+    _exit(127);
+}
+
+Ended finish(const TemporaryFolder& folder, pid_t child)
+{
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "stdout"),
+            contents(folder / "stderr")};
+}
+
+Ended voussoir(const TemporaryFolder& folder, const std::vector<std::string>& arguments)
+{
+    return finish(folder, start(folder, arguments));
+}
+
+/// A case whose only block entry is a mesh.
+std::string mesh_case(const std::string& mesh)
+{
+    const std::size_t first = two_boxes.find("  - {box"), last = two_boxes.find("foundation: {");
+    std::string text = two_boxes;
+    text.replace(first, last - first, "  - {mesh: " + mesh + ", groups: {foundation: floor}}\n");
+    return text;
+}
+
+/// An OBJ cube of side 1 at z, with some faces left out and one corner moved.
+std::string obj_cube(const std::string& name, double z, int first_vertex, int faces = 6, double corner = 0)
+{
+    std::ostringstream text;
+    text << "o " << name << "\n";
+    for (int k = 0; k < 8; ++k)
+        text << "v " << (k & 1) - (k == 7 ? corner : 0) << " " << ((k >> 1) & 1) - (k == 7 ? corner : 0) << " "
+             << z + (k >> 2) - (k == 7 ? corner : 0) << "\n";
+    const int loops[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (int i = 0; i < faces; ++i) {  // triangles, for a moved corner bends its quadrilaterals
+        const int* v = loops[i];
+        const int n = first_vertex;
+        // the diagonal through corner 7 keeps the dent a dent
+        const int turn = v[0] == 7 || v[2] == 7 ? 0 : 1;
+        text << "f " << v[turn] + n << " " << v[turn + 1] + n << " " << v[turn + 2] + n << "\n";
+        text << "f " << v[turn] + n << " " << v[turn + 2] + n << " " << v[(turn + 3) % 4] + n << "\n";
+    }
+    return text.str();
+}
+
+/// Runs a bad case: it must end with 2, say each of `parts` in stderr, and leave no folder.
+void expect_refusal(const TemporaryFolder& folder, const std::string& text, const std::vector<std::string>& parts)
+{
+    const std::filesystem::path file = folder.write("case.yaml", text);
+    const Ended ended = voussoir(folder, {"run", file.string(), "-o", (folder / "results").string()});
+    EXPECT_EQ(ended.exit_code, 2) << ended.errors;
+    for (const std::string& part : parts)
+        EXPECT_NE(ended.errors.find(part), std::string::npos) << part << " is not in:\n" << ended.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "results"));
+}
+
+TEST(BadInput, missing_mesh)
+{
+    const TemporaryFolder folder;
+    expect_refusal(folder, mesh_case("nowhere.obj"), {"case.yaml:7: blocks[0].mesh: no mesh file", "nowhere.obj"});
+}
+
+TEST(BadInput, open_mesh)
+{
+    const TemporaryFolder folder;
+    folder.write("open.obj", obj_cube("floor", 0, 1) + obj_cube("stone", 1, 9, 5));
+    expect_refusal(folder, mesh_case("open.obj"), {"case.yaml:7: blocks[0].mesh: open.obj", "stone"});
+}
+
+TEST(BadInput, non_convex_stone)
+{
+    const TemporaryFolder folder;
+    folder.write("dented.obj", obj_cube("floor", 0, 1) + obj_cube("stone", 1, 9, 6, 0.8));
+    expect_refusal(folder, mesh_case("dented.obj"),
+                   {"case.yaml:7: blocks[0].mesh: dented.obj", "stone", "convex"});
+}
+
+TEST(BadInput, overlapping_stones)
+{
+    const TemporaryFolder folder;
+    folder.write("overlap.obj", obj_cube("floor", 0, 1) + obj_cube("stone", 0.5, 9));
+    expect_refusal(folder, mesh_case("overlap.obj"), {"case.yaml:7", "floor", "stone", "overlap by 0.5 m3"});
+}
+
+TEST(BadInput, negative_time_step)
+{
+    const TemporaryFolder folder;
+    expect_refusal(folder, with(two_boxes, "time_step: 2 ms", "time_step: -2 ms"),
+                   {"case.yaml:12: stages[1].time_step: -2 ms; must be > 0"});
+}
+
+TEST(BadInput, unknown_key)
+{
+    const TemporaryFolder folder;
+    expect_refusal(folder, with(two_boxes, "time_step: 2 ms", "timestep: 2 ms"),
+                   {"case.yaml:12: stages[1].timestep: unknown key; did you mean time_step?"});
+}
+
+std::string case_with_record(const std::string& record)
+{
+    return with(two_boxes, "{blocks: foundation}", "{blocks: foundation, motion: {x: {record: " + record + "}}}");
+}
+
+TEST(BadInput, record_without_units)
+{
+    const TemporaryFolder folder;
+    folder.write("record.txt", "0.00 0.0\n0.01 1.0\n0.02 0.0\n");
+    expect_refusal(folder, case_with_record("record.txt"),
+                   {"case.yaml:9: foundation.motion.x.record: ", "record.txt", "unit"});
+}
+
+TEST(BadInput, record_with_nan)
+{
+    const TemporaryFolder folder;
+    folder.write("record.txt", "0.00 0.0\n0.01 nan\n0.02 0.0\n");
+    expect_refusal(folder, case_with_record("record.txt, unit: g"),
+                   {"case.yaml:9: foundation.motion.x.record: ", "record.txt:2", "nan"});
+}
+
+TEST(BadInput, empty_file)
+{
+    const TemporaryFolder folder;
+    expect_refusal(folder, "", {"case.yaml: the file is empty"});
+}
+
+TEST(BadInput, random_bytes)
+{
+    const TemporaryFolder folder;
+    std::mt19937 random(7);
+    for (int i = 0; i < 20; ++i) {
+        std::string noise(1 + random() % 3000, ' ');
+        for (char& byte : noise) byte = static_cast<char>(random());
+        expect_refusal(folder, noise, {"case.yaml"});
+    }
+}
+
+TEST(BadInput, damaged_cases_never_crash)
+{
+    const TemporaryFolder folder;
+    std::mt19937 random(11);
+    for (int i = 0; i < 60; ++i) {
+        std::string text = two_boxes;
+        for (int k = 0; k < 3; ++k) text[random() % text.size()] = "{}[]:,- \n\"'#&*?x0"[random() % 17];
+        const Ended ended = voussoir(folder, {"check", folder.write("case.yaml", text).string()});
+        EXPECT_TRUE(ended.exit_code == 0 || ended.exit_code == 2) << ended.exit_code << "\n" << text;
+        EXPECT_EQ(ended.exit_code == 2, !ended.errors.empty()) << text;
+    }
+}
+
+TEST(Program, bad_command_lines_are_bad_input)
+{
+    const TemporaryFolder folder;
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                      {"rnu"},
+                                                      {"run"},
+                                                      {"run", "--threads", "0", "x.yaml"},
+                                                      {"run", "x.yaml", "--set"},
+                                                      {"import", "--up", "w", "x.obj"},
+                                                      {"record"}})
+        EXPECT_EQ(voussoir(folder, arguments).exit_code, 2);
+}
+
+TEST(Program, helps_and_tells_its_version)
+{
+    const TemporaryFolder folder;
+    EXPECT_NE(voussoir(folder, {"--version"}).output.find("voussoir 0."), std::string::npos);
+    for (const char* command : {"run", "check", "import", "record", "render"}) {
+        const Ended ended = voussoir(folder, {command, "--help"});
+        EXPECT_EQ(ended.exit_code, 0);
+        EXPECT_NE(ended.output.find("--help"), std::string::npos) << command;
+    }
+}
+
+TEST(Program, check_lists_blocks_and_contacts_and_writes_nothing)
+{
+    const TemporaryFolder folder;
+    const Ended ended = voussoir(folder, {"check", folder.write("case.yaml", two_boxes).string()});
+    EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+    EXPECT_NE(ended.output.find("1 pairs of blocks, 4 points, 1 m2"), std::string::npos) << ended.output;
+    EXPECT_NE(ended.output.find("left out: "), std::string::npos);
+}
+
+TEST(Program, runs_and_keeps_its_figures)
+{
+    const TemporaryFolder folder;
+    const Ended ended = voussoir(folder, {"run", folder.write("case.yaml", two_boxes).string(), "-o",
+                                          (folder / "results").string(), "--set", "stages[1].duration=0.1 s"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+    const auto summary = nlohmann::json::parse(contents(folder / "results" / "summary.json"));
+    EXPECT_EQ(summary["outcome"].get<std::string>(), "completed");
+    EXPECT_EQ(summary["blocks"], 2);
+    EXPECT_EQ(summary["unconverged_steps"], 0);
+    EXPECT_NEAR(summary["simulated_time_s"].get<double>(), 0.1, 1e-12);
+    EXPECT_NE(ended.output.find("results.h5"), std::string::npos);
+}
+
+TEST(Program, an_interrupt_ends_the_step_and_keeps_the_results)
+{
+    const TemporaryFolder folder;
+    const std::string text = with(two_boxes, "duration: 0.2 s", "duration: 100000 s");
+    const std::filesystem::path histories = folder / "results" / "histories.csv";
+    const pid_t child =
+        start(folder, {"run", folder.write("case.yaml", text).string(), "-o", (folder / "results").string()});
+    for (int i = 0; i < 600 && !std::filesystem::exists(histories); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    kill(child, SIGINT);
+    const Ended ended = finish(folder, child);
+    EXPECT_EQ(ended.exit_code, 4) << ended.errors;
+    EXPECT_EQ(nlohmann::json::parse(contents(folder / "results" / "summary.json"))["outcome"].get<std::string>(),
+              "interrupted");
+}
+
+TEST(Program, record_tells_what_a_file_holds)
+{
+    const TemporaryFolder folder;
+    const std::string good = folder.write("good.txt", "0.00 0.0\n0.01 1.0\n0.02 -2.0\n0.03 0.0\n");
+    const Ended ended = voussoir(folder, {"record", good, folder.write("bad.txt", "").string(), "--unit", "cm/s2",
+                                          "--json", (folder / "record.json").string()});
+    EXPECT_EQ(ended.exit_code, 2);  // for the second one; the first is listed all the same
+    const auto files = nlohmann::json::parse(contents(folder / "record.json"));
+    ASSERT_EQ(files.size(), 2);
+    EXPECT_EQ(files[0]["channels"][0]["npts"], 4);
+    EXPECT_NEAR(files[0]["channels"][0]["pga_m_s2"].get<double>(), 0.02, 1e-15);
+    EXPECT_FALSE(files[1]["reason"].get<std::string>().empty());
+}
+
+TEST(Program, import_certifies_each_file_by_itself)
+{
+    const TemporaryFolder folder;
+    const std::string good = folder.write("good.obj", obj_cube("stone", 0, 1));
+    const std::string open = folder.write("open.obj", obj_cube("stone", 0, 1, 5));
+    const Ended ended = voussoir(
+        folder, {"import", good, open, "nowhere.obj", "--unit", "cm", "--json", (folder / "i.json").string()});
+    EXPECT_EQ(ended.exit_code, 2);
+    const auto files = nlohmann::json::parse(contents(folder / "i.json"));
+    ASSERT_EQ(files.size(), 3);
+    EXPECT_TRUE(files[0]["accepted"].get<bool>()) << files[0];
+    EXPECT_NEAR(files[0]["stones"][0]["volume_m3"].get<double>(), 1e-6, 1e-18);
+    EXPECT_NEAR(files[0]["stones"][0]["volume_file_units"].get<double>(), 1, 1e-12);
+    EXPECT_EQ(files[0]["unit"]["from"].get<std::string>(), "option");
+    EXPECT_FALSE(files[1]["accepted"].get<bool>());
+    EXPECT_EQ(files[2]["reason"].get<std::string>(), "no such file");
+}
+
+}  // namespace
+}  // namespace voussoir
