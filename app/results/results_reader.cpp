@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/results/settings.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -39,6 +40,7 @@ RecordedModel read_model(const Hdf5File& file)
     model.block_names = file.read_texts("/model/block_names");
     for (const auto& stage : nlohmann::json::parse(file.read_text("/case/settings"))) {
         model.stage_names.push_back(stage.at("name").get<std::string>());
+        model.stage_is_dynamic.push_back(stage.at("type") == name_of(StageType::dynamic));
     }
     const std::vector<double> centroids = file.read<double>("/model/centroid");
     for (std::size_t i = 0; i < centroids.size(); i += 3) model.centroids.emplace_back(centroids.data() + i);
@@ -56,7 +58,9 @@ ResultsReader::ResultsReader(const std::filesystem::path& path) : file_(Hdf5File
                          "give a results file of this version of voussoir");
     }
     model = read_model(file_);
-    times = file_.read_rows<double>("/frames/time", 0, file_.read<std::int64_t>("/frames/count").at(0));
+    const auto count = static_cast<std::uint64_t>(file_.read<std::int64_t>("/frames/count").at(0));
+    times = file_.read_rows<double>("/frames/time", 0, count);
+    stages = file_.read_rows<std::int32_t>("/frames/stage", 0, count);
 }
 
 RecordedFrame ResultsReader::frame(std::size_t index) const

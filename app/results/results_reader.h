@@ -18,6 +18,7 @@ struct RecordedModel {
     std::string title, version;
     Kinematics kinematics = Kinematics::spatial_deformable;
     std::vector<std::string> block_names, stage_names;
+    std::vector<bool> stage_is_dynamic;
     std::vector<Eigen::Vector3d> centroids;  // m, at the start
     std::vector<std::int32_t> foundations;   // blocks that follow the ground
     SurfaceMesh mesh;
@@ -43,6 +44,7 @@ class ResultsReader
     RecordedFrame frame(std::size_t index) const;
 
     RecordedModel model;
+    std::vector<std::int32_t> stages;  // of the whole frames
     std::vector<double> times;  // s, of the whole frames; one that a killed run left unfinished is not counted
 
  private:

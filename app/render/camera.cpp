@@ -1,0 +1,118 @@
+#include "app/render/camera.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace voussoir
+{
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace
+{
+
+constexpr double degree = std::numbers::pi / 180;
+const double half_view = std::tan(12 * degree);  // of the smaller half side at unit distance
+
+/// Unit horizontal direction of the largest extent; x when there is none to speak of.
+Vector3d long_axis(const std::vector<Vector3d>& points)
+{
+    Vector2d mean = Vector2d::Zero();
+    for (const Vector3d& p : points) mean += p.head<2>() / static_cast<double>(points.size());
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const Vector3d& p : points) spread += (p.head<2>() - mean) * (p.head<2>() - mean).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(spread);
+    const bool clear = solver.eigenvalues()[1] > 1.2 * solver.eigenvalues()[0];
+    Vector2d axis = clear ? Vector2d(solver.eigenvectors().col(1)) : Vector2d(1, 0);
+    if (axis.x() + 1e-6 * axis.y() < 0) axis = -axis;
+    return {axis.x(), axis.y(), 0};
+}
+
+struct Bounds {
+    Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
+    Vector2d high = Vector2d::Constant(-std::numeric_limits<double>::infinity());
+};
+
+/// Extent on a screen at unit distance of points (camera axes) seen from `eye`.
+Bounds screen_bounds(const std::vector<Vector3d>& points, const Vector3d& eye)
+{
+    Bounds bounds;
+    for (const Vector3d& p : points) {
+        const Vector3d seen = p - eye;
+        const Vector2d place = seen.head<2>() / -seen.z();
+        bounds.low = bounds.low.cwiseMin(place);
+        bounds.high = bounds.high.cwiseMax(place);
+    }
+    return bounds;
+}
+
+/// Where the camera stands, in its own axes: the points' extents touch `size` (screen at unit distance), centred.
+Vector3d place_camera(const std::vector<Vector3d>& points, const Vector2d& size)
+{
+    Vector3d low = points[0], high = points[0];
+    for (const Vector3d& p : points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const double extent = std::max((high - low).norm(), 1e-9);
+    const double nearest = high.z();
+    Vector3d eye = (low + high) / 2;
+    eye.z() = nearest + 10 * extent;
+    for (int i = 0; i < 60; ++i) {  // a fixed-point iteration that halves its error in a few steps
+        const Bounds bounds = screen_bounds(points, eye);
+        const Vector2d middle = (bounds.low + bounds.high) / 2, found = bounds.high - bounds.low;
+        const double distance = eye.z() - (low.z() + high.z()) / 2;
+        eye.head<2>() += middle * distance;
+        const double growth = found.cwiseQuotient(size).maxCoeff();
+        eye.z() = std::max(nearest + 0.05 * extent, eye.z() + distance * (growth - 1));
+    }
+    return eye;
+}
+
+}  // namespace
+
+Camera camera_for(const std::vector<Vector3d>& points, const PictureArea& area, double aspect)
+{
+    const Vector3d along = long_axis(points), across = Vector3d::UnitZ().cross(along);
+    const double azimuth = 27 * degree, elevation = 15 * degree;
+    Camera camera;
+    const Vector3d aside = std::cos(azimuth) * -across + std::sin(azimuth) * along;
+    camera.back = std::cos(elevation) * aside + std::sin(elevation) * Vector3d::UnitZ();
+    camera.right = Vector3d::UnitZ().cross(camera.back).normalized();
+    camera.up = camera.back.cross(camera.right);
+    Eigen::Matrix3d axes;
+    axes << camera.right.transpose(), camera.up.transpose(), camera.back.transpose();
+    std::vector<Vector3d> seen;
+    for (const Vector3d& p : points) seen.push_back(axes * p);
+
+    // half sides of the whole picture and of the area at unit distance
+    const Vector2d half = aspect >= 1 ? Vector2d(aspect, 1) * half_view : Vector2d(1, 1 / aspect) * half_view;
+    const Vector2d share((area.right - area.left) / 2, (area.top - area.bottom) / 2);
+    const Vector3d eye = place_camera(seen, 2 * half.cwiseProduct(share));
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+    for (const Vector3d& p : seen) {
+        nearest = std::min(nearest, eye.z() - p.z());
+        farthest = std::max(farthest, eye.z() - p.z());
+    }
+    const double near = 0.3 * nearest, far = 3 * farthest;
+    const double centre_x = (area.left + area.right) / 2, centre_y = (area.bottom + area.top) / 2;
+    Eigen::Matrix4d projection = Eigen::Matrix4d::Zero(), view = Eigen::Matrix4d::Identity();
+    projection(0, 0) = 1 / half.x();
+    projection(1, 1) = 1 / half.y();
+    projection(0, 2) = -centre_x;  // moves the vanishing point into the middle of the area
+    projection(1, 2) = -centre_y;
+    projection(2, 2) = -(far + near) / (far - near);
+    projection(2, 3) = -2 * far * near / (far - near);
+    projection(3, 2) = -1;
+    view.topLeftCorner<3, 3>() = axes;
+    view.topRightCorner<3, 1>() = -eye;
+    camera.view_projection = projection * view;
+    return camera;
+}
+
+}  // namespace voussoir

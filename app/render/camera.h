@@ -1,0 +1,25 @@
+// A camera that finds its own place.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voussoir
+{
+
+/// The part of the picture that is to be filled, from -1 (left, bottom) to 1 (right, top).
+struct PictureArea {
+    double left = -1, right = 1, bottom = -1, top = 1;
+};
+
+struct Camera {
+    Eigen::Matrix4d view_projection;  // model coordinates [m] to clip coordinates
+    Eigen::Vector3d right, up, back;  // the camera's axes, unit
+};
+
+/// Looks at the points with a perspective of 24 degrees, the longest horizontal extent across the picture, from
+/// aside and slightly above, and stands so that the points just fill `area`.
+/// @param points (n >= 1) [m]; @param aspect width / height of the whole picture
+Camera camera_for(const std::vector<Eigen::Vector3d>& points, const PictureArea& area, double aspect);
+
+}  // namespace voussoir

@@ -1,0 +1,126 @@
+#include "app/render/scene.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "app/render/joint_faces.h"
+
+namespace voussoir
+{
+
+using Eigen::Vector3d;
+
+namespace
+{
+
+/// Places of all vertices as they are, as they are drawn, and the value of each in the coloured quantity.
+struct Vertices {
+    std::vector<Vector3d> actual, drawn;  // m
+    std::vector<double> values;           // SI
+};
+
+Vertices place_vertices(const RecordedModel& model, const RecordedFrame& frame, const SceneOptions& options)
+{
+    Vertices vertices;
+    const SurfaceMesh& mesh = model.mesh;
+    const std::vector<double> positions = positions_of(mesh, model.kinematics, frame.state);
+    for (std::size_t v = 0; v < mesh.vertex_block.size(); ++v) {
+        const int block = mesh.vertex_block[v];
+        const Vector3d actual(positions.data() + 3 * v);
+        const Vector3d reference = model.centroids[block] + Vector3d(mesh.levers.data() + 3 * v);
+        const Vector3d moved = actual - reference - frame.ground;
+        vertices.actual.push_back(actual);
+        vertices.drawn.push_back(reference + options.deformation_scale * moved);
+        vertices.values.push_back(options.color == SnapshotColor::displacement
+                                      ? moved.norm()
+                                      : largest_compression(frame.stress.data() + 6 * block));
+    }
+    return vertices;
+}
+
+void add_face(const SurfaceMesh& mesh, int face, const Vertices& vertices, bool foundation, Scene& scene)
+{
+    const std::int32_t* loop = mesh.face_vertices.data() + mesh.face_first[face];
+    const int corners = mesh.face_first[face + 1] - mesh.face_first[face];
+    Vector3d normal = Vector3d::Zero();
+    for (int i = 0; i < corners; ++i) {
+        const int here = loop[i], next = loop[(i + 1) % corners];
+        normal += vertices.drawn[here].cross(vertices.drawn[next]);
+        // Both faces of an edge have it, in opposite directions: one of them draws it.
+        if (here < next) scene.edges.push_back({vertices.drawn[here], vertices.drawn[next]});
+    }
+    normal.normalize();
+    for (int i = 1; i + 1 < corners; ++i) {
+        Triangle triangle{{}, normal, {}, foundation};
+        const std::array<int, 3> indices = {loop[0], loop[i], loop[i + 1]};
+        for (int k = 0; k < 3; ++k) {
+            triangle.corners[k] = vertices.drawn[indices[k]];
+            triangle.values[k] = vertices.values[indices[k]];
+        }
+        scene.triangles.push_back(triangle);
+    }
+}
+
+void add_outline(const SurfaceMesh& mesh, int face, const std::vector<Vector3d>& places,
+                 std::vector<Segment>& lines)
+{
+    const int first = mesh.face_first[face], end = mesh.face_first[face + 1];
+    for (int i = first; i < end; ++i) {
+        const int next = i + 1 < end ? i + 1 : first;
+        lines.push_back({places[mesh.face_vertices[i]], places[mesh.face_vertices[next]]});
+    }
+}
+
+void mark_joints(const RecordedModel& model, const RecordedFrame& first, const RecordedFrame& frame,
+                 const Vertices& vertices, const SceneOptions& options, Scene& scene)
+{
+    const auto same_pair = [](const JointResultant& a, const JointResultant& b) {
+        return a.block_a == b.block_a && a.block_b == b.block_b;
+    };
+    const auto mark = [&](const JointResultant& joint, const std::vector<Vector3d>& places, bool open) {
+        for (const int face : faces_of_joint(model.mesh, places, joint)) {
+            add_outline(model.mesh, face, vertices.drawn, open ? scene.opened : scene.slid);
+        }
+        ++(open ? scene.opened_joints : scene.slid_joints);
+    };
+    for (const JointResultant& joint : frame.joints) {
+        const bool open = joint.max_opening > options.joint_threshold;
+        if (open || joint.slip > options.joint_threshold) mark(joint, vertices.actual, open);
+    }
+    const SceneOptions any;
+    const Vertices before = place_vertices(model, first, any);
+    for (const JointResultant& joint : first.joints) {
+        const bool lost = std::none_of(frame.joints.begin(), frame.joints.end(),
+                                       [&](const JointResultant& other) { return same_pair(joint, other); });
+        if (lost && joint.closed_area > 0) mark(joint, before.actual, true);
+    }
+}
+
+}  // namespace
+
+double largest_compression(const double* s)
+{
+    Eigen::Matrix3d stress;
+    stress << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+    return -Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+Scene make_scene(const RecordedModel& model, const RecordedFrame& first, const RecordedFrame& frame,
+                 const SceneOptions& options)
+{
+    Scene scene;
+    scene.time = frame.time;
+    if (frame.stage < static_cast<int>(model.stage_names.size())) scene.stage = model.stage_names[frame.stage];
+    scene.ground = frame.ground;
+    const Vertices vertices = place_vertices(model, frame, options);
+    std::vector<bool> foundation(model.block_names.size(), false);
+    for (const int block : model.foundations) foundation[block] = true;
+    for (std::size_t face = 0; face < model.mesh.face_block.size(); ++face) {
+        add_face(model.mesh, static_cast<int>(face), vertices, foundation[model.mesh.face_block[face]], scene);
+    }
+    mark_joints(model, first, frame, vertices, options, scene);
+    return scene;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,46 @@
+// One frame as triangles and lines, ready to be drawn: seen from the ground, displacements enlarged.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "app/case/case_file.h"
+#include "app/results/results_reader.h"
+
+namespace voussoir
+{
+
+struct SceneOptions {
+    SnapshotColor color = SnapshotColor::displacement;
+    double deformation_scale = 1;
+    double joint_threshold = 1e-4;  // m, an opening or a slip larger than this is marked
+};
+
+struct Triangle {
+    std::array<Eigen::Vector3d, 3> corners;  // m
+    Eigen::Vector3d normal;                  // unit, outward
+    std::array<double, 3> values;            // of the coloured quantity, SI
+    bool foundation = false;                 // grey, not coloured
+};
+
+struct Segment {
+    Eigen::Vector3d from, to;  // m
+};
+
+struct Scene {
+    double time = 0;  // s
+    std::string stage;
+    Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement of the ground
+    std::vector<Triangle> triangles;
+    std::vector<Segment> edges, opened, slid;  // outlines of faces, and of the faces of marked joints
+    int opened_joints = 0, slid_joints = 0;
+};
+
+/// @param first the run's first frame: joints that it has and `frame` has not are wide open
+Scene make_scene(const RecordedModel& model, const RecordedFrame& first, const RecordedFrame& frame,
+                 const SceneOptions& options);
+
+/// Largest compressive principal stress [Pa], > 0 in compression, of a row xx, yy, zz, xy, yz, xz.
+double largest_compression(const double* stress);
+
+}  // namespace voussoir

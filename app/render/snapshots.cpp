@@ -1,0 +1,71 @@
+#include "app/render/snapshots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/geometry/child_process.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr double seconds_allowed = 600;
+constexpr std::size_t most_output = std::size_t{1} << 24;  // bytes, a list of paths
+
+/// The helper's command line, an argument to a line.
+std::string request(const fs::path& results_file, const fs::path& folder, const SnapshotOptions& options)
+{
+    std::string text = fs::absolute(results_file).string() + "\n-o\n" + folder.string() + "\n--color\n";
+    text += options.color == SnapshotColor::displacement ? "displacement\n" : "principal_stress\n";
+    text += fmt::format("--count\n{}\n--size\n{}x{}\n", options.count, options.width, options.height);
+    if (!options.times.empty()) text += fmt::format("--times\n{}\n", fmt::join(options.times, ","));
+    if (options.deformation_scale) text += fmt::format("--deformation-scale\n{}\n", *options.deformation_scale);
+    return text;
+}
+
+/// Pictures of an earlier rendering would be taken for this one's.
+void remove_other_snapshots(const fs::path& folder, const std::vector<fs::path>& pictures)
+{
+    std::error_code none;
+    std::vector<fs::path> stale;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("snapshot_") || !name.ends_with("s.png")) continue;
+        if (std::find(pictures.begin(), pictures.end(), entry.path()) == pictures.end()) {
+            stale.push_back(entry.path());
+        }
+    }
+    for (const fs::path& path : stale) fs::remove(path, none);
+}
+
+}  // namespace
+
+std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::path& folder,
+                                       const SnapshotOptions& options)
+{
+    const fs::path helper = helper_folder() / "voussoir-render";
+    if (!fs::exists(helper)) {
+        throw InputError(helper.string(), "there is no such program",
+                         "build voussoir with VOUSSOIR_RENDER=ON, or ask for no snapshots");
+    }
+    const ChildAnswer answer =
+        ask_child(helper, request(results_file, folder, options), seconds_allowed, most_output);
+    if (!answer.failure.empty()) {
+        throw InputError(results_file.string(), "voussoir-render drew no pictures: " + answer.failure,
+                         "see what it said");
+    }
+    std::vector<fs::path> pictures;
+    std::istringstream lines(answer.output);
+    for (std::string line; std::getline(lines, line);) pictures.emplace_back(line);
+    remove_other_snapshots(folder, pictures);
+    return pictures;
+}
+
+}  // namespace voussoir
