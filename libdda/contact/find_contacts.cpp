@@ -218,7 +218,7 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
 
     const std::vector<PairKey> pairs = candidate_pairs(parts, reach, fully_held);
     std::vector<std::optional<FoundPatch>> slots(pairs.size());
-#pragma omp parallel for num_threads(threads) schedule(static) if (pairs.size() > 32)
+#pragma omp parallel for num_threads(threads) schedule(static) if (pairs.size() > 256)
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const PlacedPart& first = parts[pairs[i].first];
         const PlacedPart& second = parts[pairs[i].second];

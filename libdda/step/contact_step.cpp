@@ -248,7 +248,7 @@ template <class K>
 void contact_stiffness(bool published, int threads, ContactStep<K>& step)
 {
     const int count = static_cast<int>(step.patches.size());
-#pragma omp parallel for num_threads(threads) schedule(static) if (count > 64)
+#pragma omp parallel for num_threads(threads) schedule(static) if (count > 256)
     for (int k = 0; k < count; ++k) {
         PatchStep<K>& patch = step.patches[k];
         patch.aa.setZero();
