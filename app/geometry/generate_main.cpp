@@ -1,9 +1,9 @@
 // voussoir-generate: meshes of masonry patterns, one named object per stone.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <sstream>
 #include <string>
 
@@ -57,21 +57,27 @@ void write(const voussoir::ArchBridge& bridge, const std::filesystem::path& file
 
 int main(int argc, char** argv)
 {
-    CLI::App program("Meshes of masonry patterns, one named object per stone.", "voussoir-generate");
-    program.require_subcommand(1);
-    CLI::App* arch = program.add_subcommand("arch-bridge", "a segmental stone arch between two abutment blocks");
-    voussoir::ArchBridge bridge;
-    std::string file;
-    add_options(*arch, bridge);
-    arch->add_option("-o,--output", file, "OBJ file to write")->required();
     try {
-        program.parse(argc, argv);
+        CLI::App program("Meshes of masonry patterns, one named object per stone.", "voussoir-generate");
+        program.require_subcommand(1);
+        CLI::App* arch =
+            program.add_subcommand("arch-bridge", "a segmental stone arch between two abutment blocks");
+        voussoir::ArchBridge bridge;
+        std::string file;
+        add_options(*arch, bridge);
+        arch->add_option("-o,--output", file, "OBJ file to write")->required();
+        try {
+            program.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return program.exit(error) == 0 ? 0 : 2;
+        }
         write(bridge, file);
         return 0;
-    } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? 0 : 2;
     } catch (const voussoir::InputError& error) {
-        std::cerr << error.what() << '\n';
+        std::fprintf(stderr, "%s\n", error.what());
         return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
     }
 }

@@ -39,7 +39,7 @@ void check(const MeshRequest& request)
 /// File coordinates to metres with z up: a rotation, so that nothing is mirrored.
 Eigen::Vector3d to_metres_z_up(const Eigen::Vector3d& x, const MeshRequest& request)
 {
-    const Eigen::Vector3d scaled = request.metres_per_unit * x;
+    Eigen::Vector3d scaled = request.metres_per_unit * x;
     if (request.up == 'y') return {scaled.x(), 0.0 - scaled.z(), scaled.y()};
     if (request.up == 'x') return {scaled.y(), scaled.z(), scaled.x()};
     return scaled;

@@ -173,7 +173,8 @@ std::size_t append(const aiMesh& mesh, const aiMatrix4x4& transform, const std::
 
 std::string name_of(const aiNode& node, const aiScene& scene, const std::string& fallback)
 {
-    const std::string mesh = scene.mMeshes[node.mMeshes[0]]->mName.C_Str(), own = node.mName.C_Str();
+    std::string mesh = scene.mMeshes[node.mMeshes[0]]->mName.C_Str();
+    const std::string own = node.mName.C_Str();
     if (!mesh.empty()) return mesh;
     return own.empty() || own.front() == '<' ? fallback : own;  // "<STL_BINARY>" and the like are assimp's words
 }

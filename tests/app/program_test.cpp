@@ -227,6 +227,20 @@ TEST(Program, check_lists_blocks_and_contacts_and_writes_nothing)
     EXPECT_NE(ended.output.find("left out: "), std::string::npos);
 }
 
+TEST(Program, every_shipped_case_can_be_run)
+{
+    const TemporaryFolder folder;
+    int cases = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(VOUSSOIR_CASES)) {
+        if (entry.path().extension() != ".yaml") continue;
+        const Ended ended = voussoir(folder, {"check", entry.path().string()});
+        EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+        EXPECT_EQ(ended.output.find("warning"), std::string::npos) << ended.output;
+        ++cases;
+    }
+    EXPECT_GE(cases, 5);
+}
+
 TEST(Program, runs_and_keeps_its_figures)
 {
     const TemporaryFolder folder;

@@ -37,7 +37,7 @@ TEST(YamlTree, remembers_lines_and_duplicates)
 TEST(YamlTree, refuses_what_is_no_case_with_one_sentence_and_a_line)
 {
     expect_start(refusal_of("a:\n\tb: 1\n"), "case.yaml:2: a tab in the indentation; indent with spaces");
-    EXPECT_EQ(refusal_of("a: &x 1\nb: *x\n"), "case.yaml:2: an alias (*); w");
+    expect_start(refusal_of("a: &x 1\nb: *x\n"), "case.yaml:2: an alias (*); ");
     expect_start(refusal_of("a: 1\n---\nb: 2\n"), "case.yaml:3: a second YAML docume");
     expect_start(refusal_of("a: !!int 1\n"), "case.yaml:1: the tag");
     expect_start(refusal_of("a: 1\n[b]: 2\n"), "case.yaml:2: a list");
@@ -118,7 +118,7 @@ TEST(Overrides, say_what_cannot_be_done)
     YamlNode root = parse_yaml("stages: [{type: static}]\ntitle: x\n", "case.yaml");
     EXPECT_EQ(override_faults("stages[5].a=1", root),
               "--set stages[5].a: no position [5]; the list has 1 entries, from [0]");
-    EXPECT_EQ(override_faults("title.a=1", root), "--set title.a: no way to a in \"x\"; ke");
+    expect_start(override_faults("title.a=1", root), "--set title.a: no way to a in \"x\"; ");
     expect_start(override_faults("stages.type=1", root), "--set stages.type: no way to type in a list; ");
     for (const char* setting : {"title", "=1", "a..b=1", "a.=1", ".a=1", "a[=1", "a[-1]=1", "a[1]b=1", "[0]=1"})
         EXPECT_NE(override_faults(setting, root).find("not a setting"), std::string::npos) << setting;

@@ -160,14 +160,16 @@ TEST(Certify, RefusesWhatHasNoVolume)
 
 TEST(Certify, CutsABentFaceAndJudgesItsTriangles)
 {
-    for (const double height : {0.8, 1.2}) {  // of one corner of the roof, which is not flat any more
-        PolygonSurface bent = unit_cube();
-        bent.vertices[6].z() = height;
-        const Certificate certificate = certify(bent);
-        ASSERT_EQ(certificate.repairs.size(), 1U);
-        EXPECT_EQ(certificate.repairs[0].find("1 faces are not flat and were cut into triangles"), 0U);
-        std::cerr << height << " " << certificate.reason << "\n";
-    }
+    PolygonSurface bent = unit_cube();
+    bent.vertices[6].z() = 0.8;  // a corner of the roof, which is not flat any more and folds along a diagonal
+    const Certificate ridge = certify(bent);
+    ASSERT_EQ(ridge.parts.size(), 1U) << ridge.reason;
+    EXPECT_NEAR(moments_of(ridge.parts[0]).volume, 1 - 0.2 / 6, 1e-15);
+    ASSERT_EQ(ridge.repairs.size(), 1U);
+    EXPECT_EQ(ridge.repairs[0].find("1 faces are not flat and were cut into triangles"), 0U);
+
+    bent.vertices[6].z() = 1.2;  // the same fold is a valley now
+    expect_refused(certify(bent), "lies 0.2 m outside face");
 }
 
 }  // namespace

@@ -113,7 +113,8 @@ TEST(MoscaPaper, sequence_of_the_paper_under_both_readings_of_its_abutments)
     for (const Reading& reading :
          {Reading{Abutments::prescribed, 6, 1}, Reading{Abutments::prescribed, 6, 0.94},
           Reading{Abutments::free_to_slide, 6, 1}, Reading{Abutments::free_to_slide, 6, 0.94},
-          Reading{Abutments::free_to_slide, 18, 1}, Reading{Abutments::free_to_slide, 18, 0.94}}) {
+          Reading{Abutments::free_to_slide, 18, 1}, Reading{Abutments::free_to_slide, 18, 0.94},
+          Reading{Abutments::prescribed, 6, 1, true}, Reading{Abutments::prescribed, 6, 0.94, true}}) {
         const Answer a = shake(reading);
         char name[64];
         std::snprintf(name, sizeof name, "%s, %g m, %s%s",
