@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 #include "app/render/page.h"
@@ -69,9 +70,12 @@ std::vector<Vector3d> points_to_see(const std::vector<Scene>& scenes)
     return points;
 }
 
+/// One scale for all pictures: from the smallest value to the largest, a displacement's from zero.
 ColorScale scale_of(const std::vector<Scene>& scenes, SnapshotColor color)
 {
-    double lowest = 0, highest = 0;
+    const bool displacement = color == SnapshotColor::displacement;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double lowest = displacement ? 0 : infinity, highest = displacement ? 0 : -infinity;
     for (const Scene& scene : scenes) {
         for (const Triangle& triangle : scene.triangles) {
             if (triangle.foundation) continue;
@@ -81,12 +85,9 @@ ColorScale scale_of(const std::vector<Scene>& scenes, SnapshotColor color)
             }
         }
     }
-    if (color == SnapshotColor::displacement) {
-        return make_scale(lowest, highest, "displacement relative to the ground",
-                          {{1e-6, "µm"}, {1e-3, "mm"}, {1, "m"}});
-    }
-    return make_scale(lowest, highest, "largest compressive principal stress",
-                      {{1, "Pa"}, {1e3, "kPa"}, {1e5, "MPa"}});
+    if (lowest > highest) lowest = highest = 0;  // foundations only
+    if (displacement) return make_scale(lowest, highest, "displacement relative to the ground", length_units);
+    return make_scale(lowest, highest, "largest compressive principal stress", stress_units);
 }
 
 /// "12.3 mm"; micrometres only where a tenth of a millimetre is too coarse.
