@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr double degree = std::numbers::pi / 180;
-const double half_view = std::tan(12 * degree);  // of the smaller half side at unit distance
+const double half_view = std::tan(8 * degree);  // of the smaller half side at unit distance
 
 /// Unit horizontal direction of the largest extent; x when there is none to speak of.
 Vector3d long_axis(const std::vector<Vector3d>& points)
@@ -79,7 +79,7 @@ Vector3d place_camera(const std::vector<Vector3d>& points, const Vector2d& size)
 Camera camera_for(const std::vector<Vector3d>& points, const PictureArea& area, double aspect)
 {
     const Vector3d along = long_axis(points), across = Vector3d::UnitZ().cross(along);
-    const double azimuth = 27 * degree, elevation = 15 * degree;
+    const double azimuth = 25 * degree, elevation = 18 * degree;
     Camera camera;
     const Vector3d aside = std::cos(azimuth) * -across + std::sin(azimuth) * along;
     camera.back = std::cos(elevation) * aside + std::sin(elevation) * Vector3d::UnitZ();

@@ -17,7 +17,7 @@ struct Camera {
     Eigen::Vector3d right, up, back;  // the camera's axes, unit
 };
 
-/// Looks at the points with a perspective of 24 degrees, the longest horizontal extent across the picture, from
+/// Looks at the points with a perspective of 16 degrees, the longest horizontal extent across the picture, from
 /// aside and slightly above, and stands so that the points just fill `area`.
 /// @param points (n >= 1) [m]; @param aspect width / height of the whole picture
 Camera camera_for(const std::vector<Eigen::Vector3d>& points, const PictureArea& area, double aspect);

@@ -31,6 +31,9 @@ struct Unit {
     const char* name = "";
 };
 
+inline const std::vector<Unit> length_units = {{1e-6, "µm"}, {1e-3, "mm"}, {1, "m"}};
+inline const std::vector<Unit> stress_units = {{1, "Pa"}, {1e3, "kPa"}, {1e6, "MPa"}};
+
 /// @param units in ascending order; the largest one is taken in which the highest number is at least 1
 ColorScale make_scale(double lowest, double highest, const std::string& quantity, const std::vector<Unit>& units);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "app/render/camera.h"
 #include "app/render/color_map.h"
@@ -53,15 +54,30 @@ TEST(ChooseFrames, SpreadOverTheMotionWithTheLast)
 
 TEST(ColorScale, TicksAreRoundAndInside)
 {
-    const std::vector<Unit> units = {{1e-6, "um"}, {1e-3, "mm"}, {1, "m"}};
-    const ColorScale scale = make_scale(0, 0.0404, "displacement", units);
+    const ColorScale scale = make_scale(0, 0.0404, "displacement", length_units);
     EXPECT_EQ(scale.caption, "displacement [mm]");
     EXPECT_EQ(scale.labels, (std::vector<std::string>{"0", "10", "20", "30", "40"}));
     EXPECT_NEAR(scale.ticks.back(), 0.04, 1e-12);
-    const ColorScale fine = make_scale(-0.3e-6, 1.2e-6, "displacement", units);
+    EXPECT_NEAR(scale.share(0.0202), 0.5, 1e-6);
+    const ColorScale fine = make_scale(-0.3e-6, 1.2e-6, "displacement", length_units);
     EXPECT_EQ(fine.labels, (std::vector<std::string>{"0.0", "0.5", "1.0"}));
-    const ColorScale still = make_scale(0, 0, "displacement", units);
+    const ColorScale still = make_scale(0, 0, "displacement", length_units);
     EXPECT_LT(still.lowest, still.highest) << "a run in which nothing moves has a scale, too";
+}
+
+TEST(ColorScale, EveryLabelTimesItsUnitIsItsTick)
+{
+    const std::map<std::string, double> pascals = {{"[Pa]", 1}, {"[kPa]", 1e3}, {"[MPa]", 1e6}};
+    for (const double highest : {3.0, 40e3, 0.7e6, 1.16e6, 95e6}) {
+        const ColorScale scale = make_scale(-0.1 * highest, highest, "stress", stress_units);
+        const double unit = pascals.at(scale.caption.substr(7));
+        ASSERT_GE(scale.ticks.size(), 3U);
+        for (std::size_t i = 0; i < scale.ticks.size(); ++i) {
+            EXPECT_NEAR(std::stod(scale.labels[i]) * unit, scale.ticks[i], 1e-9 * highest);
+            EXPECT_GE(scale.share(scale.ticks[i]), -1e-6F);
+            EXPECT_LE(scale.share(scale.ticks[i]), 1 + 1e-6F);
+        }
+    }
 }
 
 /// Lightness L* of a colour given in sRGB. Source: CIE 1976, IEC 61966-2-1.
