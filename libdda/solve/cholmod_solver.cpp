@@ -37,7 +37,8 @@ class CholmodSolver : public LinearSolver
     LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
                        Eigen::VectorXd& solution) override
     {
-        if (matrix.columns != columns_ || matrix.row_start != row_start_) analyse(matrix);
+        if (matrix.block_size != block_size_ || matrix.columns != columns_ || matrix.row_start != row_start_)
+            analyse(matrix);
         scatter(matrix);
         LinearReport report;
         report.factorisations = 1;
@@ -62,6 +63,7 @@ class CholmodSolver : public LinearSolver
  private:
     void analyse(const BlockMatrix& m)
     {
+        block_size_ = m.block_size;
         columns_ = m.columns;
         row_start_ = m.row_start;
         cholmod_free_factor(&factor_, &common_);
@@ -110,6 +112,7 @@ class CholmodSolver : public LinearSolver
     cholmod_common common_{};
     cholmod_sparse* matrix_ = nullptr;
     cholmod_factor* factor_ = nullptr;
+    int block_size_ = 0;
     std::vector<int> columns_, row_start_, target_, source_;
 };
 
