@@ -21,47 +21,57 @@ struct Kernels {
 
     static ConstBlock block(const BlockMatrix& m, int position) { return ConstBlock(m.block(position)); }
 
+    // lazyProduct: at these sizes the unrolled product beats the packing of the general one.
     static void multiply(const BlockMatrix& m, const VectorXd& x, VectorXd& y)
     {
         y.setZero();
         for (int i = 0; i < m.rows(); ++i) {
             const Segment xi = x.segment<N>(N * i);
-            Segment sum = Segment::Zero();
+            Segment sum = block(m, m.diagonal(i)).lazyProduct(xi);
             for (int p = m.row_start[i]; p < m.diagonal(i); ++p) {
                 const int j = m.columns[p];
                 const ConstBlock a = block(m, p);
-                sum.noalias() += a * x.segment<N>(N * j);
-                y.segment<N>(N * j).noalias() += a.transpose() * xi;
+                sum += a.lazyProduct(x.segment<N>(N * j));
+                y.segment<N>(N * j) += a.transpose().lazyProduct(xi);
             }
-            sum.noalias() += block(m, m.diagonal(i)) * xi;
             y.segment<N>(N * i) += sum;
         }
     }
 
-    /// L with L L^T = A on the pattern of A: L_ij = (A_ij - sum_k L_ik L_jk^T) L_jj^-T. A diagonal block that
-    /// loses definiteness by the dropped fill keeps the factor of A_ii alone.
+    /// L with L L^T = A on the pattern of A: L_ij = (A_ij - sum_k L_ik L_jk^T) L_jj^-T. The inverse of each
+    /// diagonal block is stored in its place. A diagonal block that loses definiteness by the dropped fill keeps
+    /// the factor of A_ii alone.
     static void factorise(const BlockMatrix& a, BlockMatrix& l)
     {
         l.values = a.values;
         for (int i = 0; i < a.rows(); ++i) {
+            Square diagonal = block(l, l.diagonal(i));
             for (int p = l.row_start[i]; p < l.diagonal(i); ++p) {
                 const int j = l.columns[p];
-                Square sum = Block(l.block(p));
+                Square sum = block(l, p);
                 subtract_common(l, i, p, j, sum);
-                const ConstBlock diagonal(l.block(l.diagonal(j)));
-                // X L_jj^T = sum  <=>  L_jj X^T = sum^T
-                Block(l.block(p)) =
-                    diagonal.template triangularView<Eigen::Lower>().solve(sum.transpose()).transpose();
-            }
-            Square diagonal = Block(l.block(l.diagonal(i)));
-            for (int p = l.row_start[i]; p < l.diagonal(i); ++p) {
-                const ConstBlock lij(l.block(p));
-                diagonal.noalias() -= lij * lij.transpose();
+                const Square lij = sum.lazyProduct(block(l, l.diagonal(j)).transpose());
+                Block(l.block(p)) = lij;
+                diagonal -= lij.lazyProduct(lij.transpose());
             }
             Eigen::LLT<Square> cholesky(diagonal);
             if (cholesky.info() != Eigen::Success) cholesky.compute(block(a, a.diagonal(i)));
-            Block(l.block(l.diagonal(i))) = cholesky.matrixL();
+            Block(l.block(l.diagonal(i))) = inverse_of_lower(cholesky.matrixLLT());
         }
+    }
+
+    static Square inverse_of_lower(const Square& l)
+    {
+        Square inverse = Square::Zero();
+        for (int j = 0; j < N; ++j) {
+            inverse(j, j) = 1 / l(j, j);
+            for (int i = j + 1; i < N; ++i) {
+                double sum = 0;
+                for (int k = j; k < i; ++k) sum -= l(i, k) * inverse(k, j);
+                inverse(i, j) = sum / l(i, i);
+            }
+        }
+        return inverse;
     }
 
     /// sum -= L_ik L_jk^T over the columns k < j that rows i and j share.
@@ -71,7 +81,7 @@ struct Kernels {
         for (int p = l.row_start[i]; p < end_i; ++p) {
             while (q < l.diagonal(j) && l.columns[q] < l.columns[p]) ++q;
             if (q == l.diagonal(j)) return;
-            if (l.columns[q] == l.columns[p]) sum.noalias() -= block(l, p) * block(l, q).transpose();
+            if (l.columns[q] == l.columns[p]) sum -= block(l, p).lazyProduct(block(l, q).transpose());
         }
     }
 
@@ -81,16 +91,15 @@ struct Kernels {
         for (int i = 0; i < l.rows(); ++i) {
             Segment sum = z.segment<N>(N * i);
             for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
-                sum.noalias() -= block(l, p) * z.segment<N>(N * l.columns[p]);
-            block(l, l.diagonal(i)).template triangularView<Eigen::Lower>().solveInPlace(sum);
-            z.segment<N>(N * i) = sum;
+                sum -= block(l, p).lazyProduct(z.segment<N>(N * l.columns[p]));
+            z.segment<N>(N * i) = block(l, l.diagonal(i)).lazyProduct(sum);
         }
         for (int i = l.rows() - 1; i >= 0; --i) {
-            Segment sum = z.segment<N>(N * i);
-            block(l, l.diagonal(i)).transpose().template triangularView<Eigen::Upper>().solveInPlace(sum);
-            z.segment<N>(N * i) = sum;
+            const Segment known = z.segment<N>(N * i);
+            const Segment zi = block(l, l.diagonal(i)).transpose().lazyProduct(known);
+            z.segment<N>(N * i) = zi;
             for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
-                z.segment<N>(N * l.columns[p]).noalias() -= block(l, p).transpose() * sum;
+                z.segment<N>(N * l.columns[p]) -= block(l, p).transpose().lazyProduct(zi);
         }
     }
 };

@@ -310,7 +310,8 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
         if (block.row >= 0)
             report.max_displacement =
                 std::max(report.max_displacement, system.d.template segment<3>(K::unknowns * block.row).norm());
-    if (stage.type == StageType::static_equilibrium) report.inertia_ratio = inertia_ratio(system) + report.unbalanced;
+    if (stage.type == StageType::static_equilibrium)
+        report.inertia_ratio = inertia_ratio(system) + report.unbalanced;
     return report;
 }
 

@@ -244,6 +244,78 @@ bool switch_published(ContactStep<K>& step)
     return changed;
 }
 
+namespace
+{
+
+/// Adds the stiffness c of one point to the blocks of its patch.
+template <class K>
+void add_point(const PointStep& p, const Matrix3d& c, PatchStep<K>& patch)
+{
+    if (patch.row_a >= 0) K::add_stiffness(patch.aa, p.lever_a, p.lever_a, c);
+    if (patch.row_b >= 0) K::add_stiffness(patch.bb, p.lever_b, p.lever_b, c);
+    if (patch.row_a >= 0 && patch.row_b >= 0) K::add_stiffness(patch.ab, p.lever_a, p.lever_b, -c);
+}
+
+/// Sums of k w w^T over the points of a patch, w = (1, y): points that share the matrix C then cost one expansion.
+struct WeightSums {
+    Eigen::Matrix4d aa = Eigen::Matrix4d::Zero(), ab = Eigen::Matrix4d::Zero(), bb = Eigen::Matrix4d::Zero();
+
+    void add(double k, const PointStep& p)
+    {
+        const Eigen::Vector4d a(1, p.lever_a[0], p.lever_a[1], p.lever_a[2]);
+        const Eigen::Vector4d b(1, p.lever_b[0], p.lever_b[1], p.lever_b[2]);
+        aa += k * a * a.transpose();
+        ab -= k * a * b.transpose();
+        bb += k * b * b.transpose();
+    }
+
+    static void expand(const Eigen::Matrix4d& sums, const Matrix3d& c, SpatialDeformable::Square& block)
+    {
+        for (int j = 0; j < 4; ++j)
+            for (int i = 0; i < 4; ++i) block.block<3, 3>(3 * i, 3 * j) += sums(i, j) * c;
+    }
+
+    void expand(const Matrix3d& c, PatchStep<SpatialDeformable>& patch) const
+    {
+        if (patch.row_a >= 0) expand(aa, c, patch.aa);
+        if (patch.row_b >= 0) expand(bb, c, patch.bb);
+        if (patch.row_a >= 0 && patch.row_b >= 0) expand(ab, c, patch.ab);
+    }
+};
+
+/// Locked points of a deformable patch share the directions n n^T and 1 - n n^T.
+void add_points(const std::vector<PointStep>& points, bool published, PatchStep<SpatialDeformable>& patch)
+{
+    WeightSums normal, shear;
+    bool any = false;
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const PointStep& p = points[i];
+        if (p.status == ContactStatus::open && (published || p.normal_tangent == 0)) continue;
+        if (p.status != ContactStatus::locked) {
+            add_point(p, point_stiffness(p, patch.normal, published), patch);
+            continue;
+        }
+        normal.add(published ? p.normal_stiffness : p.normal_tangent, p);
+        shear.add(0.5 * (1 + p.shear_blend) * p.shear_stiffness, p);
+        any = true;
+    }
+    if (!any) return;
+    const Matrix3d along = patch.normal * patch.normal.transpose();
+    normal.expand(along, patch);
+    shear.expand(Matrix3d::Identity() - along, patch);
+}
+
+void add_points(const std::vector<PointStep>& points, bool published, PatchStep<SpatialRigid>& patch)
+{
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const PointStep& p = points[i];
+        if (p.status == ContactStatus::open && (published || p.normal_tangent == 0)) continue;
+        add_point(p, point_stiffness(p, patch.normal, published), patch);
+    }
+}
+
+}  // namespace
+
 template <class K>
 void contact_stiffness(bool published, int threads, ContactStep<K>& step)
 {
@@ -254,14 +326,7 @@ void contact_stiffness(bool published, int threads, ContactStep<K>& step)
         patch.aa.setZero();
         patch.ab.setZero();
         patch.bb.setZero();
-        for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            const PointStep& p = step.points[i];
-            const Matrix3d c = point_stiffness(p, patch.normal, published);
-            if (c.isZero(0)) continue;
-            if (patch.row_a >= 0) K::add_stiffness(patch.aa, p.lever_a, p.lever_a, c);
-            if (patch.row_b >= 0) K::add_stiffness(patch.bb, p.lever_b, p.lever_b, c);
-            if (patch.row_a >= 0 && patch.row_b >= 0) K::add_stiffness(patch.ab, p.lever_a, p.lever_b, -c);
-        }
+        add_points(step.points, published, patch);
     }
 }
 
