@@ -60,18 +60,15 @@ struct Kernels {
         }
     }
 
+    /// L^-1 row by row, kept as columns of its transpose so that whole columns are combined at a time.
     static Square inverse_of_lower(const Square& l)
     {
-        Square inverse = Square::Zero();
-        for (int j = 0; j < N; ++j) {
-            inverse(j, j) = 1 / l(j, j);
-            for (int i = j + 1; i < N; ++i) {
-                double sum = 0;
-                for (int k = j; k < i; ++k) sum -= l(i, k) * inverse(k, j);
-                inverse(i, j) = sum / l(i, i);
-            }
+        Square transposed = Square::Identity();
+        for (int i = 0; i < N; ++i) {
+            for (int k = 0; k < i; ++k) transposed.col(i) -= l(i, k) * transposed.col(k);
+            transposed.col(i) /= l(i, i);
         }
-        return inverse;
+        return transposed.transpose();
     }
 
     /// sum -= L_ik L_jk^T over the columns k < j that rows i and j share.
