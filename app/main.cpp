@@ -128,9 +128,7 @@ int guarded(const std::function<int()>& command)
     return exit_failure;
 }
 
-}  // namespace
-
-int main(int argument_count, char** arguments)
+int run_program(int argument_count, char** arguments)
 {
     CLI::App app{
         "What an earthquake does to stone structures, block by block (3D discontinuous deformation analysis)",
@@ -150,4 +148,16 @@ int main(int argument_count, char** arguments)
         return app.exit(error) == 0 ? exit_done : exit_bad_input;
     }
     return guarded(chosen);
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments)
+{
+    try {
+        return run_program(argument_count, arguments);
+    } catch (...) {  // even the message could not be made
+        std::fputs("voussoir: out of memory\n", stderr);
+        return exit_failure;
+    }
 }

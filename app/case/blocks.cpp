@@ -50,6 +50,7 @@ void add_block(const std::string& name, const std::string& place, const std::str
 int read_material_name(YamlCursor& entry, const std::vector<BlockMaterial>& materials)
 {
     std::vector<std::string> names;
+    names.reserve(materials.size());
     for (const BlockMaterial& material : materials) names.push_back(material.name);
     const std::optional<YamlCursor> value = entry.find("material");
     if (!value && names.size() == 1) {

@@ -67,6 +67,7 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
 std::vector<std::string> names_of(const std::vector<JointMaterial>& joints)
 {
     std::vector<std::string> names;
+    names.reserve(joints.size());
     for (const JointMaterial& joint : joints) names.push_back(joint.name);
     return names;
 }

@@ -46,16 +46,20 @@ std::string group_of(const std::string& stone, std::vector<GroupPattern>& patter
     return default_group;
 }
 
+void warn_of_repairs(const std::string& place, const std::vector<std::string>& repairs, Findings& findings)
+{
+    for (const std::string& repair : repairs) findings.warnings.push_back(fmt::format("{}: {}", place, repair));
+}
+
 /// The answer of the geometry helper about one file, as faults, warnings and blocks.
 void take_mesh(MeshEntry& entry, const ImportedMesh& mesh, BlockReading& reading)
 {
     const std::string place = entry.file.place() + ": " + entry.name;
-    for (const std::string& repair : mesh.repairs) reading.findings.warnings.push_back(place + ": " + repair);
+    warn_of_repairs(place, mesh.repairs, reading.findings);
     bool stone_refused = false;
     for (const Stone& stone : mesh.stones) {
         const std::string stone_place = place + ": " + stone.name;
-        for (const std::string& repair : stone.repairs)
-            reading.findings.warnings.push_back(stone_place + ": " + repair);
+        warn_of_repairs(stone_place, stone.repairs, reading.findings);
         stone_refused = stone_refused || !stone.reason.empty();
         if (!stone.reason.empty()) {
             reading.findings.faults.push_back({stone_place, stone.reason, "mend the mesh"});

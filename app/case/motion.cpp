@@ -168,7 +168,7 @@ std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& wh
         std::optional<YamlCursor> value = map.find(axis);
         if (!value) continue;
         std::shared_ptr<const GroundMotion> motion =
-            read_motion(*value, whose + " " + axis, stage_duration, context);
+            read_motion(*value, fmt::format("{} {}", whose, axis), stage_duration, context);
         motions.push_back({component, std::move(*value), std::move(motion)});
     }
     return motions;

@@ -84,6 +84,7 @@ double overlap_depth(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const
 std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, std::size_t count)
 {
     std::vector<Eigen::AlignedBox3d> bounds;
+    bounds.reserve(blocks.size());
     for (const Block& block : blocks) bounds.push_back(bounds_of(block));
     std::vector<int> order(blocks.size());
     std::iota(order.begin(), order.end(), 0);

@@ -167,7 +167,7 @@ std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d&
 
 Eigen::Vector3d read_gravity(YamlCursor& top)
 {
-    const Eigen::Vector3d otherwise = Stage{}.gravity;
+    Eigen::Vector3d otherwise = Stage{}.gravity;
     std::optional<YamlCursor> map = top.find("gravity");
     if (!map) {
         top.took_default("gravity", fmt::format("{:g} m/s2 along -z", otherwise.norm()));

@@ -20,8 +20,7 @@ bool contains(const std::vector<std::string>& words, const std::string& word)
 
 std::string YamlCursor::place() const
 {
-    const std::string where =
-        node_->origin.empty() ? fmt::format("{}:{}", findings_->file, node_->line) : node_->origin;
+    std::string where = node_->origin.empty() ? fmt::format("{}:{}", findings_->file, node_->line) : node_->origin;
     // "--set a.b" already names a.b; only what lies deeper in its value needs the path.
     if (path_.empty() || where == "--set " + path_) return where;
     return where + ": " + path_;

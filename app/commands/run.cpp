@@ -30,7 +30,7 @@ RunReport run_and_write(const Case& the_case, State& state, ResultsWriter& write
         progress.step(now, step, report);
     };
     observer.stop = interrupted;
-    const RunReport report = run(the_case.model, the_case.stages, state, observer);
+    RunReport report = run(the_case.model, the_case.stages, state, observer);
     progress.done();
     return report;
 }

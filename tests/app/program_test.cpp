@@ -37,6 +37,7 @@ pid_t start(const TemporaryFolder& folder, const std::vector<std::string>& argum
     std::vector<std::string> words = arguments;
     words.insert(words.begin(), VOUSSOIR_PROGRAM);
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     const std::string output = folder / "stdout", errors = folder / "stderr";
