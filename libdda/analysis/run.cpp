@@ -54,7 +54,7 @@ void give_up(const Stage& stage, const StepReport& step, Progress& progress)
     ++progress.report.unconverged_steps;
 }
 
-/// One step; false ends the run (gave up, or asked to stop).
+/// One step; false when it gave up.
 bool step_once(const Stage& stage, double h, Progress& progress, StepReport& step)
 {
     step = advance(progress.model, stage, h, progress.state, progress.report.energy, progress.work);
@@ -64,13 +64,17 @@ bool step_once(const Stage& stage, double h, Progress& progress, StepReport& ste
     }
     add_step(step, progress.report);
     if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
-    if (progress.observer.step) progress.observer.step(progress.state, step, progress.report);
-    if (progress.observer.stop && progress.observer.stop()) {
-        progress.report.outcome = Outcome::interrupted;
-        progress.report.message = "stopped on request";
-        return false;
-    }
     return true;
+}
+
+/// Shows the state, complete and fit to go on from, to the observer; false when asked to stop.
+bool observe(const StepReport& step, Progress& progress)
+{
+    if (progress.observer.step) progress.observer.step(progress.state, step, progress.report);
+    if (!progress.observer.stop || !progress.observer.stop()) return true;
+    progress.report.outcome = Outcome::interrupted;
+    progress.report.message = "stopped on request";
+    return false;
 }
 
 /// Steps with the velocity set to zero after each, until the unbalanced force of every block is below the
@@ -102,6 +106,7 @@ bool run_static(const Stage& stage, Progress& progress)
             progress.state.next_time_step = regrowth * step.time_step;
             progress.state.time = start_time;
             progress.report.static_unbalanced = step.inertia_ratio;
+            if (!observe(step, progress)) return false;
             const bool balanced = step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
             quiet = balanced ? quiet + 1 : 0;
         }
@@ -133,6 +138,7 @@ bool run_dynamic(const Stage& stage, Progress& progress)
             ++state.grid;
         }
         state.next_time_step = step.cuts == 0 && on_grid ? 0 : regrowth * step.time_step;
+        if (!observe(step, progress)) return false;
         if (!on_grid || !progress.observer.frame) continue;
         const bool last = state.grid == grid_steps;
         const double due = static_cast<double>(frames + 1) * progress.observer.every;
