@@ -366,8 +366,20 @@ ContactEnergies contact_energies(const ContactStep<K>& step)
 namespace
 {
 
+/// Second moments of the area of a convex polygon about its centroid, the origin, by triangles from there [m4].
+Eigen::Matrix2d second_moments(const std::vector<Eigen::Vector2d>& corners)
+{
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector2d &p = corners[i], &q = corners[(i + 1) % corners.size()], sum = p + q;
+        const double area = 0.5 * std::abs(p.x() * q.y() - p.y() * q.x());
+        second += area / 12 * (p * p.transpose() + q * q.transpose() + sum * sum.transpose());
+    }
+    return second;
+}
+
 /// How far a patch is beyond its strength, as a ratio; <= 1 holds. The stress is linear over the patch,
-/// N/A + (bending), fitted to the corner forces; shear is the mean against c + mu sigma.
+/// N/A + (bending), and carries the resultant of the corner forces; shear is the mean against c + mu sigma.
 template <class K>
 double overload(const JointMaterial& joint, const PatchStep<K>& patch, const std::vector<PointStep>& points,
                 const ContactSet& contacts)
@@ -379,27 +391,22 @@ double overload(const JointMaterial& joint, const PatchStep<K>& patch, const std
         centre += contacts.points[i].area * contacts.points[i].position;
     }
     centre /= area;
-    // In-plane axes u, v and the corner-lumped second moments, which are three times those of the area: the field
-    // that carries the moment is therefore fitted with a third of them.
+    // In-plane axes u, v. The corner springs are stiffer in bending than the area they stand for: only their
+    // resultant counts.
     const Vector3d u = patch.normal.unitOrthogonal(), v = patch.normal.cross(u);
-    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-    Eigen::Vector2d first = Eigen::Vector2d::Zero();
+    std::vector<Eigen::Vector2d> corners;
+    Eigen::Vector2d moment = Eigen::Vector2d::Zero();
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const Eigen::Vector2d s(u.dot(contacts.points[i].position - centre),
-                                v.dot(contacts.points[i].position - centre));
+        const Vector3d lever = contacts.points[i].position - centre;
+        corners.emplace_back(u.dot(lever), v.dot(lever));
         force += points[i].normal;
         shear += points[i].shear;
-        first += points[i].normal * s;
-        second += contacts.points[i].area / 3 * s * s.transpose();
+        moment += points[i].normal * corners.back();
     }
     const Eigen::Vector2d bending =
-        patch.count < 3 ? Eigen::Vector2d::Zero() : Eigen::Vector2d(second.inverse() * first);
+        patch.count < 3 ? Eigen::Vector2d::Zero() : Eigen::Vector2d(second_moments(corners).inverse() * moment);
     double least = force / area;  // most tensile normal stress of a corner
-    for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const Eigen::Vector2d s(u.dot(contacts.points[i].position - centre),
-                                v.dot(contacts.points[i].position - centre));
-        least = std::min(least, force / area + bending.dot(s));
-    }
+    for (const Eigen::Vector2d& corner : corners) least = std::min(least, force / area + bending.dot(corner));
     // A dry share keeps the ratios finite: a joint without tensile strength breaks at the first tension.
     const double tension = -least / std::max(joint.tensile_strength, 1e-12);
     const double shear_strength = joint.cohesion + patch.friction * force / area;
