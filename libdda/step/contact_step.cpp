@@ -47,7 +47,8 @@ void elastic_normal(const PointStep& p, bool intact, double gap, double& force, 
     slope = (1 - theta) * mean_slope + theta * end_slope;
 }
 
-/// Adds the dashpot, -k eta dg/dt, which may reduce the force to zero but never pull.
+/// Adds the dashpot: N = <-k (g + eta dg/dt)>, which never pulls. Before the gap closes the signed -k g counts, so
+/// that the force starts at g = eta |dg/dt| and not wherever a contact was found.
 void normal_force(bool intact, double dashpot_over_h, double gap, PointStep& p)
 {
     double slope = 0;
@@ -57,6 +58,10 @@ void normal_force(bool intact, double dashpot_over_h, double gap, PointStep& p)
         const double c = p.normal_stiffness * dashpot_over_h;
         p.normal += c * (p.gap_start - gap);
         slope -= c;
+        if (!intact && gap > 0) {
+            p.normal -= p.normal_stiffness * gap;
+            slope -= p.normal_stiffness;
+        }
     }
     if (!intact && p.normal <= 0) {
         p.normal = 0;
