@@ -88,6 +88,7 @@ Camera camera_for(const std::vector<Vector3d>& points, const PictureArea& area, 
     Eigen::Matrix3d axes;
     axes << camera.right.transpose(), camera.up.transpose(), camera.back.transpose();
     std::vector<Vector3d> seen;
+    seen.reserve(points.size());
     for (const Vector3d& p : points) seen.push_back(axes * p);
 
     // half sides of the whole picture and of the area at unit distance

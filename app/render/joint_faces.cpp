@@ -22,7 +22,7 @@ FacePlane plane_of(const SurfaceMesh& mesh, int face, const std::vector<Vector3d
 {
     FacePlane plane;
     const int first = mesh.face_first[face], end = mesh.face_first[face + 1];
-    const Vector3d origin = places[mesh.face_vertices[first]];
+    const Vector3d& origin = places[mesh.face_vertices[first]];
     for (int i = first; i < end; ++i) {
         const Vector3d here = places[mesh.face_vertices[i]] - origin;
         const Vector3d next = places[mesh.face_vertices[i + 1 < end ? i + 1 : first]] - origin;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 
 #include "app/render/render_run.h"
@@ -75,24 +76,31 @@ void render(Arguments& arguments)
     }
 }
 
-}  // namespace
-
-int main(int count, char** words)
+int run(int count, char** words)
 {
     CLI::App app("Draws pictures from the results of a voussoir run.", "voussoir-render");
     Arguments arguments;
     describe(app, arguments);
     try {
         app.parse(arguments_of(count, words));
-        render(arguments);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
+    }
+    render(arguments);
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words)
+{
+    try {
+        return run(count, words);
     } catch (const InputError& error) {
-        fmt::print(stderr, "voussoir-render: {}\n", error.what());
+        std::fprintf(stderr, "voussoir-render: %s\n", error.what());
         return 2;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "voussoir-render: {}\n", error.what());
+        std::fprintf(stderr, "voussoir-render: %s\n", error.what());
         return 1;
     }
-    return 0;
 }

@@ -72,7 +72,8 @@ Hdf5Id simple_space(const Extents& extents)
 
 Hdf5Id access_properties()
 {
-    // Every file is closed by its owner. At exit HDF5 would try once more to flush what a full disk refused, and crash.
+    // Every file is closed by its owner. At exit HDF5 would try once more to flush what a full disk refused, and
+    // crash.
     H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     Hdf5Id properties(H5Pcreate(H5P_FILE_ACCESS));

@@ -109,6 +109,7 @@ TEST(Camera, AllPointsFillTheAreaAndNoneLeavesIt)
     const PictureArea area{-0.9, 0.7, -0.8, 0.75};
     for (const Vector3d& size : {Vector3d(45, 4, 6), Vector3d(3, 3, 40), Vector3d(2, 60, 5), Vector3d(1, 1, 1)}) {
         std::vector<Vector3d> points;
+        points.reserve(8);
         for (int corner = 0; corner < 8; ++corner) {
             points.push_back(Vector3d(corner & 1, corner >> 1 & 1, corner >> 2).cwiseProduct(size));
         }

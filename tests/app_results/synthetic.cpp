@@ -82,9 +82,10 @@ void add_joint(const Model& model, int a, int b, double amount, State& state)
     for (int corner = 0; corner < 4; ++corner) {
         ContactPoint point;
         point.feature = static_cast<std::uint32_t>(corner);
-        point.position = middle + (corner % 2 - 0.5) * width * across + (corner / 2 - 0.5) * thickness * along;
+        const int column = corner % 2, row = corner / 2;
+        point.position = middle + (column - 0.5) * width * across + (row - 0.5) * thickness * along;
         point.area = width * thickness / 4;
-        const bool opens = corner / 2 == 0 && amount > 0;
+        const bool opens = row == 0 && amount > 0;
         point.gap = opens ? amount : -1e-5;
         point.status = opens ? ContactStatus::open : ContactStatus::locked;
         point.normal_force = opens ? 0 : 1e4;
