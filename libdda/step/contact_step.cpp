@@ -145,8 +145,10 @@ template <class K>
 void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSet& contacts,
                     const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step)
 {
-    const bool newmark = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic;
-    const double blend = newmark ? 1 : stage.control.dissipation;
+    // The published springs know the end of the step only.
+    const bool at_end = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic ||
+                        stage.control.open_close == OpenClose::published;
+    const double blend = at_end ? 1 : stage.control.dissipation;
     step.patches.resize(contacts.patches.size());
     step.points.resize(contacts.points.size());
     for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
@@ -237,6 +239,7 @@ bool switch_published(ContactStep<K>& step)
             PointStep& p = step.points[i];
             const double length = p.trial.norm();
             const double bound = patch.friction * std::max(p.normal, 0.0);
+            p.bound = bound;
             ContactStatus next = ContactStatus::open;
             if (p.gap < 0) next = length <= bound ? ContactStatus::locked : ContactStatus::sliding;
             if (p.status == ContactStatus::open && p.gap < 0) next = ContactStatus::locked;
@@ -339,8 +342,10 @@ Vector3d slip_at_end(const PointStep& p, const Vector3d& normal)
 {
     if (p.status == ContactStatus::locked) return p.slip_start + tangential(p.displacement, normal);
     if (p.status == ContactStatus::open) return Vector3d::Zero();
+    // Of a published step this is not p.shear, the load it was solved with, but the load of the pass to come.
+    const Vector3d shear = p.bound / p.trial.norm() * p.trial;
     const double theta = p.shear_blend;
-    return (p.shear / p.shear_stiffness - 0.5 * (1 - theta) * p.slip_start) * (2 / (1 + theta));
+    return (shear / p.shear_stiffness - 0.5 * (1 - theta) * p.slip_start) * (2 / (1 + theta));
 }
 
 template <class K>
