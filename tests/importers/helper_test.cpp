@@ -125,11 +125,10 @@ TEST_F(Helper, ThatOneFileKillsRefusesThatFileOnly)
     EXPECT_EQ(geometry.overlaps.size(), 1U) << "the two cubes that were read lie in each other";
 }
 
+// AddressSanitizer reserves terabytes of address space: a limit on it cannot be set, so there is nothing to test.
+#if !defined(__SANITIZE_ADDRESS__)
 TEST_F(Helper, StaysWithinItsMemory)
 {
-#if defined(__SANITIZE_ADDRESS__)
-    GTEST_SKIP() << "the address space is not limited under AddressSanitizer";
-#endif
     std::string text = "o many\n";
     for (int i = 0; i < 400000; ++i) text += "v 0.123456789 0.123456789 0." + std::to_string(i) + "\n";
     text += "f 1 2 3\n";
@@ -138,6 +137,7 @@ TEST_F(Helper, StaysWithinItsMemory)
     EXPECT_FALSE(geometry.meshes[0].accepted);
     EXPECT_NE(geometry.meshes[0].reason.find("memory"), std::string::npos) << geometry.meshes[0].reason;
 }
+#endif
 
 }  // namespace
 }  // namespace voussoir
