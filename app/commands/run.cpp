@@ -45,9 +45,10 @@ void print_report(const RunReport& report, double wall_time)
     fmt::print("  largest penetration {:.2e} m; energy unaccounted for {:.1e} of what went in or was lost\n",
                report.max_penetration, e.relative_residual());
     fmt::print(
-        "  energy: {:.4g} kJ in; {:.4g} stored, {:.4g} friction, {:.4g} damping, {:.4g} lost by the integrator\n",
-        e.input() / 1e3, e.stored_change() / 1e3, e.friction / 1e3,
-        (e.damping_kinetic + e.damping_static + e.damping_contact + e.fracture) / 1e3,
+        "  energy: {:.4g} kJ in; {:.4g} stored, {:.4g} taken out while settling, {:.4g} friction, {:.4g} damping, "
+        "{:.4g} lost by the integrator\n",
+        e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3,
+        (e.damping_kinetic + e.damping_contact + e.fracture) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3);
     for (const std::string& warning : report.warnings) fmt::print("  warning: {}\n", warning);
 }
