@@ -21,21 +21,30 @@ struct PairContact {
     double least_stiffness = 1e300, most_stiffness = 0;  // Pa/m
 };
 
-std::map<std::pair<int, int>, PairContact> contacts_by_pair(const Model& model)
+using PairContacts = std::map<std::pair<int, int>, PairContact>;
+
+template <int D>
+void add_contacts(const ContactSetIn<D>& contacts, PairContacts& pairs)
 {
-    State state = initial_state(model);
-    find_initial_contacts(model, state);
-    std::map<std::pair<int, int>, PairContact> pairs;
-    for (const ContactPatch& patch : state.patches) {
+    for (const ContactPatchIn<D>& patch : contacts.patches) {
         PairContact& pair = pairs[std::minmax(patch.block_a, patch.block_b)];
         pair.points += patch.point_count;
         pair.least_stiffness = std::min(pair.least_stiffness, patch.stiffness);
         pair.most_stiffness = std::max(pair.most_stiffness, patch.stiffness);
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            pair.area += state.contact_points[i].area;
-            pair.smallest_gap = std::min(pair.smallest_gap, state.contact_points[i].gap);
+            pair.area += contacts.points[i].area;
+            pair.smallest_gap = std::min(pair.smallest_gap, contacts.points[i].gap);
         }
     }
+}
+
+PairContacts contacts_by_pair(const Model& model)
+{
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    PairContacts pairs;
+    add_contacts(state.contacts, pairs);
+    add_contacts(state.planar_contacts, pairs);
     return pairs;
 }
 

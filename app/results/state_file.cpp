@@ -16,7 +16,7 @@ namespace
 {
 
 // Mark, payload, FNV-1a of the payload. The mark's digit rises when the layout changes.
-constexpr std::string_view mark = "voussoir state 1\n";
+constexpr std::string_view mark = "voussoir state 2\n";
 constexpr std::size_t hash_bytes = 8;
 
 std::uint64_t fnv1a(std::string_view bytes)
@@ -35,9 +35,10 @@ class Packer
         static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
         bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
     }
-    void field(const Eigen::Vector3d& v)
+    template <int D>
+    void field(const Eigen::Matrix<double, D, 1>& v)
     {
-        for (int i = 0; i < 3; ++i) field(v[i]);
+        for (int i = 0; i < D; ++i) field(v[i]);
     }
     template <typename T>
     void size_of(const std::vector<T>& list)
@@ -66,9 +67,10 @@ class Unpacker
         field(byte);
         value = byte != 0;
     }
-    void field(Eigen::Vector3d& v)
+    template <int D>
+    void field(Eigen::Matrix<double, D, 1>& v)
     {
-        for (int i = 0; i < 3; ++i) field(v[i]);
+        for (int i = 0; i < D; ++i) field(v[i]);
     }
     template <typename T>
     void size_of(std::vector<T>& list)
@@ -117,6 +119,15 @@ void point_fields(Archive& archive, Point& point)
     archive.field(point.plastic_slip);
 }
 
+template <typename Archive, typename Contacts>
+void contact_fields(Archive& archive, Contacts& contacts)
+{
+    archive.size_of(contacts.patches);
+    for (auto& patch : contacts.patches) patch_fields(archive, patch);
+    archive.size_of(contacts.points);
+    for (auto& point : contacts.points) point_fields(archive, point);
+}
+
 template <typename Archive, typename SomeState>
 void state_fields(Archive& archive, SomeState& state)
 {
@@ -130,10 +141,8 @@ void state_fields(Archive& archive, SomeState& state)
         archive.size_of(*list);
         for (auto& value : *list) archive.field(value);
     }
-    archive.size_of(state.patches);
-    for (auto& patch : state.patches) patch_fields(archive, patch);
-    archive.size_of(state.contact_points);
-    for (auto& point : state.contact_points) point_fields(archive, point);
+    contact_fields(archive, state.contacts);
+    contact_fields(archive, state.planar_contacts);
 }
 
 }  // namespace

@@ -12,9 +12,13 @@ namespace
 {
 
 struct JointPoint {
-    const ContactPoint* point;
     Vector3d normal, force;  // on the block with the lower index
+    Vector3d position;
+    double area, slip, normal_force, gap;
+    bool open;
 };
+
+using PointsOfJoints = std::map<std::pair<int, int>, std::vector<JointPoint>>;
 
 JointResultant resultant(int block_a, int block_b, const std::vector<JointPoint>& points)
 {
@@ -22,10 +26,10 @@ JointResultant resultant(int block_a, int block_b, const std::vector<JointPoint>
     joint.block_a = block_a;
     joint.block_b = block_b;
     for (const JointPoint& p : points) {
-        joint.area += p.point->area;
-        joint.centre += p.point->area * p.point->position;
-        joint.normal += p.point->area * p.normal;
-        joint.slip += p.point->area * p.point->plastic_slip.norm();
+        joint.area += p.area;
+        joint.centre += p.area * p.position;
+        joint.normal += p.area * p.normal;
+        joint.slip += p.area * p.slip;
     }
     joint.centre /= joint.area;
     joint.slip /= joint.area;
@@ -33,33 +37,43 @@ JointResultant resultant(int block_a, int block_b, const std::vector<JointPoint>
     joint.pressure_centre.setZero();
     for (const JointPoint& p : points) {
         joint.force += p.force;
-        joint.moment += (p.point->position - joint.centre).cross(p.force);
-        joint.normal_force += p.point->normal_force;
-        joint.pressure_centre += p.point->normal_force * p.point->position;
-        if (p.point->status != ContactStatus::open) joint.closed_area += p.point->area;
-        joint.max_opening = std::max(joint.max_opening, p.point->gap);
+        joint.moment += (p.position - joint.centre).cross(p.force);
+        joint.normal_force += p.normal_force;
+        joint.pressure_centre += p.normal_force * p.position;
+        if (!p.open) joint.closed_area += p.area;
+        joint.max_opening = std::max(joint.max_opening, p.gap);
     }
     joint.pressure_centre =
         joint.normal_force > 0 ? Vector3d(joint.pressure_centre / joint.normal_force) : joint.centre;
     return joint;
 }
 
-}  // namespace
-
-std::vector<JointResultant> joint_resultants(const Model& model, const State& state)
+template <int D>
+void collect(const ContactSetIn<D>& contacts, PointsOfJoints& joints)
 {
-    static_cast<void>(model);
-    std::map<std::pair<int, int>, std::vector<JointPoint>> joints;
-    for (const ContactPatch& patch : state.patches) {
+    for (const ContactPatchIn<D>& patch : contacts.patches) {
         // The patch's forces act on its block a; ours on the block with the lower index.
         const double sign = patch.block_a < patch.block_b ? 1 : -1;
         auto& points = joints[{std::min(patch.block_a, patch.block_b), std::max(patch.block_a, patch.block_b)}];
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            const ContactPoint& point = state.contact_points[i];
-            const Vector3d force = point.normal_force * patch.normal - point.shear_force;
-            points.push_back({&point, sign * patch.normal, sign * force});
+            const ContactPointIn<D>& point = contacts.points[i];
+            const VectorIn<D> force = sign * (point.normal_force * patch.normal - point.shear_force);
+            points.push_back({to_space(VectorIn<D>(sign * patch.normal)), to_space(force),
+                              to_space(point.position), point.area, point.plastic_slip.norm(), point.normal_force,
+                              point.gap, point.status == ContactStatus::open});
         }
     }
+}
+
+}  // namespace
+
+std::vector<JointResultant> joint_resultants(const Model& model, const State& state)
+{
+    PointsOfJoints joints;
+    if (is_planar(model.kinematics))
+        collect(state.planar_contacts, joints);
+    else
+        collect(state.contacts, joints);
     std::vector<JointResultant> result;
     for (const auto& [pair, points] : joints) result.push_back(resultant(pair.first, pair.second, points));
     return result;

@@ -12,7 +12,8 @@ namespace voussoir
 /// Pairs (i < j) of parts of different blocks whose bounding boxes, each grown by the reach of its block, overlap;
 /// ascending. Pairs of two fully held blocks are left out. Sweep and prune along the longest axis.
 /// @param reach (blocks) [m] how far a block may move in this step, plus the contact distance
-std::vector<std::pair<int, int>> candidate_pairs(const std::vector<PlacedPart>& parts,
+template <int D>
+std::vector<std::pair<int, int>> candidate_pairs(const std::vector<PlacedPartIn<D>>& parts,
                                                  const std::vector<double>& reach,
                                                  const std::vector<bool>& fully_held);
 

@@ -12,15 +12,13 @@
 namespace voussoir
 {
 
-using Eigen::Vector3d;
-
 namespace
 {
 
 constexpr double deformable_stiffness_factor = 10;  // joint ten times as stiff as a block: 9 % of its compliance
 constexpr double rigid_stiffness_factor = 1;        // the joint carries the block's own compliance
 constexpr double closed_at_start = 1e-4;            // of the part size: a smaller gap is a closed joint
-constexpr double nearest_point_reach = 0.05;        // of the square root of the patch area
+constexpr double nearest_point_reach = 0.05;        // of the patch's extent
 
 using PairKey = std::pair<int, int>;  // global part indices, ascending
 
@@ -30,12 +28,20 @@ bool is_fully_held(const Model& model, int block)
                        [&](const Foundation& f) { return f.block == block && f.fully_held(); });
 }
 
-double depth_along(const Block& block, const std::vector<PlacedPart>& parts, const PlacedPart& part,
-                   const Vector3d& normal)
+/// What turns a measure of a contact into an area [m]: lengths of a planar scene count times its thickness.
+template <int D>
+double depth_of(const Model& model)
 {
-    if (block.parts.size() == 1) return part.support(normal) + part.support(-normal);
+    return D == 3 ? 1 : model.thickness;
+}
+
+template <int D>
+double depth_along(const Block& block, const std::vector<PlacedPartIn<D>>& parts, const PlacedPartIn<D>& part,
+                   const VectorIn<D>& normal)
+{
+    if (ShapeIn<D>::of(block).size() == 1) return part.support(normal) + part.support(-normal);
     double high = -INFINITY, low = INFINITY;
-    for (const PlacedPart& other : parts) {
+    for (const PlacedPartIn<D>& other : parts) {
         if (other.block != part.block) continue;
         high = std::max(high, other.support(normal));
         low = std::min(low, -other.support(-normal));
@@ -45,11 +51,13 @@ double depth_along(const Block& block, const std::vector<PlacedPart>& parts, con
 
 /// The documented default: factor x series modulus of the two half blocks on either side of the joint,
 /// k = 2 f / (L_a/E_a + L_b/E_b), which is f E / L for equal blocks; a held block adds no compliance.
-double stiffness_from_modulus(const Model& model, const std::vector<PlacedPart>& parts, const PlacedPart& first,
-                              const PlacedPart& second, const Vector3d& normal)
+template <int D>
+double stiffness_from_modulus(const Model& model, const std::vector<PlacedPartIn<D>>& parts,
+                              const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
+                              const VectorIn<D>& normal)
 {
     double compliance = 0;
-    for (const PlacedPart* part : {&first, &second}) {
+    for (const PlacedPartIn<D>* part : {&first, &second}) {
         if (is_fully_held(model, part->block)) continue;
         const Block& block = model.blocks[part->block];
         compliance += depth_along(block, parts, *part, normal) / model.materials[block.material].young;
@@ -58,7 +66,7 @@ double stiffness_from_modulus(const Model& model, const std::vector<PlacedPart>&
     return 2 * factor / compliance;
 }
 
-double face_area(const PlacedPart& part, int face)
+double face_measure(const PlacedPart& part, int face)
 {
     const std::vector<int>& loop = part.shape->faces[face];
     double twice = 0;
@@ -68,58 +76,80 @@ double face_area(const PlacedPart& part, int face)
     return twice / 2;
 }
 
+double face_measure(const PlacedOutline& part, int edge)
+{
+    return (part.vertices[(edge + 1) % part.vertices.size()] - part.vertices[edge]).norm();
+}
+
+std::size_t corners_of(const PlacedPart& part, int face)
+{
+    return part.shape->faces[face].size();
+}
+
+std::size_t corners_of(const PlacedOutline&, int)
+{
+    return 2;
+}
+
 /// Shi's penalty per contact point, spread over the smaller of the two faces: value x corners / area.
-double stiffness_from_points(double value, const ContactPolygon& polygon, const PlacedPart& reference,
-                             const PlacedPart& incident)
+/// @returns N/m per unit of measure (m2, planar m)
+template <int D>
+double stiffness_from_points(double value, const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
+                             const PlacedPartIn<D>& incident)
 {
     if (polygon.edge_edge) return value / polygon.points.front().area;
     const int f = static_cast<int>(polygon.reference_feature), g = static_cast<int>(polygon.incident_feature);
-    const double area_f = face_area(reference, f), area_g = face_area(incident, g);
-    const bool reference_smaller = area_f < area_g;
-    const std::size_t corners =
-        reference_smaller ? reference.shape->faces[f].size() : incident.shape->faces[g].size();
-    return value * static_cast<double>(corners) / std::min(area_f, area_g);
+    const double of_reference = face_measure(reference, f), of_incident = face_measure(incident, g);
+    const std::size_t corners = of_reference < of_incident ? corners_of(reference, f) : corners_of(incident, g);
+    return value * static_cast<double>(corners) / std::min(of_reference, of_incident);
 }
 
-double normal_stiffness(const Model& model, const std::vector<PlacedPart>& parts, const ContactPolygon& polygon,
-                        const PlacedPart& reference, const PlacedPart& incident)
+template <int D>
+double normal_stiffness(const Model& model, const std::vector<PlacedPartIn<D>>& parts,
+                        const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
+                        const PlacedPartIn<D>& incident)
 {
     const ContactStiffness& given = model.joint_between(reference.block, incident.block).stiffness;
     switch (given.kind) {
         case ContactStiffness::Kind::per_area:
             return given.value;
         case ContactStiffness::Kind::per_point:
-            return stiffness_from_points(given.value, polygon, reference, incident);
+            return stiffness_from_points(given.value, polygon, reference, incident) / depth_of<D>(model);
         case ContactStiffness::Kind::from_modulus:
             break;
     }
-    return stiffness_from_modulus(model, parts, reference, incident, polygon.normal);
+    return stiffness_from_modulus<D>(model, parts, reference, incident, polygon.normal);
 }
 
 /// The old patch of a pair of parts and its points.
+template <int D>
 struct History {
-    const ContactPatch* patch = nullptr;
-    std::span<const ContactPoint> points;
+    const ContactPatchIn<D>* patch = nullptr;
+    std::span<const ContactPointIn<D>> points;
 };
 
-History history_of(const State& state, const std::map<PairKey, int>& old_patches, const PairKey& key)
+template <int D>
+History<D> history_of(const ContactSetIn<D>& old, const std::map<PairKey, int>& old_patches, const PairKey& key)
 {
     const auto found = old_patches.find(key);
     if (found == old_patches.end()) return {};
-    const ContactPatch& patch = state.patches[found->second];
-    return {&patch, std::span(state.contact_points).subspan(patch.first_point, patch.point_count)};
+    const ContactPatchIn<D>& patch = old.patches[found->second];
+    return {&patch, std::span(old.points).subspan(patch.first_point, patch.point_count)};
 }
 
 /// Takes over slip from the old patch; `sign` is -1 when reference and incident body have changed places.
-void inherit_slip(const History& history, bool same_features, double sign, double patch_area, ContactPoint& point)
+/// @param extent of the patch: the root of its area, or its length [m]
+template <int D>
+void inherit_slip(const History<D>& history, bool same_features, double sign, double extent,
+                  ContactPointIn<D>& point)
 {
-    const ContactPoint* source = nullptr;
+    const ContactPointIn<D>* source = nullptr;
     if (same_features)
-        for (const ContactPoint& old : history.points)
+        for (const ContactPointIn<D>& old : history.points)
             if (old.feature == point.feature) source = &old;
     if (!source) {
-        double nearest = nearest_point_reach * std::sqrt(patch_area);
-        for (const ContactPoint& old : history.points) {
+        double nearest = nearest_point_reach * extent;
+        for (const ContactPointIn<D>& old : history.points) {
             const double distance = (old.position - point.position).norm();
             if (distance > nearest) continue;
             nearest = distance;
@@ -133,7 +163,7 @@ void inherit_slip(const History& history, bool same_features, double sign, doubl
         return;
     }
     double area = 0;
-    for (const ContactPoint& old : history.points) {
+    for (const ContactPointIn<D>& old : history.points) {
         area += old.area;
         point.elastic_slip += sign * old.area * old.elastic_slip;
         point.plastic_slip += sign * old.area * old.plastic_slip;
@@ -145,19 +175,21 @@ void inherit_slip(const History& history, bool same_features, double sign, doubl
     }
 }
 
+template <int D>
 struct FoundPatch {
-    ContactPatch patch;
-    std::vector<ContactPoint> points;
+    ContactPatchIn<D> patch;
+    std::vector<ContactPointIn<D>> points;
 };
 
-FoundPatch attach_history(const Model& model, const State& state, const std::vector<PlacedPart>& parts,
-                          const PlacedPart& first, const PlacedPart& second, const ContactPolygon& polygon,
-                          const History& history)
+template <int D>
+FoundPatch<D> attach_history(const Model& model, const State& state, const std::vector<PlacedPartIn<D>>& parts,
+                             const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
+                             const ContactPolygonIn<D>& polygon, const History<D>& history)
 {
-    const PlacedPart& reference = polygon.second_is_reference ? second : first;
-    const PlacedPart& incident = polygon.second_is_reference ? first : second;
-    FoundPatch found;
-    ContactPatch& patch = found.patch;
+    const PlacedPartIn<D>& reference = polygon.second_is_reference ? second : first;
+    const PlacedPartIn<D>& incident = polygon.second_is_reference ? first : second;
+    FoundPatch<D> found;
+    ContactPatchIn<D>& patch = found.patch;
     patch.block_a = incident.block;
     patch.part_a = incident.part;
     patch.block_b = reference.block;
@@ -171,9 +203,9 @@ FoundPatch attach_history(const Model& model, const State& state, const std::vec
     const bool same_features = same_sides && history.patch->edge_edge == patch.edge_edge &&
                                history.patch->feature_a == patch.feature_a &&
                                history.patch->feature_b == patch.feature_b;
-    double area = 0, nearest = INFINITY;
-    for (const PolygonPoint& corner : polygon.points) {
-        area += corner.area;
+    double measure = 0, nearest = INFINITY;
+    for (const PolygonPointIn<D>& corner : polygon.points) {
+        measure += corner.area;
         nearest = std::min(nearest, corner.gap);
     }
     patch.stiffness =
@@ -184,13 +216,14 @@ FoundPatch attach_history(const Model& model, const State& state, const std::vec
     patch.intact = history.patch ? history.patch->intact
                                  : has_strength && state.step == 0 && nearest < closed_at_start * size;
 
-    for (const PolygonPoint& corner : polygon.points) {
-        ContactPoint point;
+    const double extent = D == 3 ? std::sqrt(measure) : measure;
+    for (const PolygonPointIn<D>& corner : polygon.points) {
+        ContactPointIn<D> point;
         point.feature = corner.feature;
         point.position = corner.position;
         point.gap = corner.gap;
-        point.area = corner.area;
-        if (history.patch) inherit_slip(history, same_features, same_sides ? 1 : -1, area, point);
+        point.area = corner.area * depth_of<D>(model);
+        if (history.patch) inherit_slip(history, same_features, same_sides ? 1 : -1, extent, point);
         point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
         found.points.push_back(point);
     }
@@ -199,42 +232,44 @@ FoundPatch attach_history(const Model& model, const State& state, const std::vec
 
 }  // namespace
 
+template <int D>
 void find_contacts(const Model& model, const State& state, const std::vector<double>& reach, int threads,
-                   std::vector<PlacedPart>& parts, ContactSet& found)
+                   std::vector<PlacedPartIn<D>>& parts, ContactSetIn<D>& found)
 {
     place_parts(model, state, parts);
     std::vector<bool> fully_held(model.blocks.size(), false);
     for (const Foundation& foundation : model.foundations) fully_held[foundation.block] = foundation.fully_held();
     std::vector<int> first_part(model.blocks.size() + 1, 0);
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
-        first_part[b + 1] = first_part[b] + static_cast<int>(model.blocks[b].parts.size());
+        first_part[b + 1] = first_part[b] + static_cast<int>(ShapeIn<D>::of(model.blocks[b]).size());
 
     std::map<PairKey, int> old_patches;
-    for (int p = 0; p < static_cast<int>(state.patches.size()); ++p) {
-        const ContactPatch& patch = state.patches[p];
+    const ContactSetIn<D>& old = contacts_in<D>(state);
+    for (int p = 0; p < static_cast<int>(old.patches.size()); ++p) {
+        const ContactPatchIn<D>& patch = old.patches[p];
         const int a = first_part[patch.block_a] + patch.part_a, b = first_part[patch.block_b] + patch.part_b;
         old_patches[{std::min(a, b), std::max(a, b)}] = p;
     }
 
     const std::vector<PairKey> pairs = candidate_pairs(parts, reach, fully_held);
-    std::vector<std::optional<FoundPatch>> slots(pairs.size());
+    std::vector<std::optional<FoundPatch<D>>> slots(pairs.size());
 #pragma omp parallel for num_threads(threads) schedule(static) if (pairs.size() > 256)
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const PlacedPart& first = parts[pairs[i].first];
-        const PlacedPart& second = parts[pairs[i].second];
-        const History history = history_of(state, old_patches, pairs[i]);
+        const PlacedPartIn<D>& first = parts[pairs[i].first];
+        const PlacedPartIn<D>& second = parts[pairs[i].second];
+        const History<D> history = history_of(old, old_patches, pairs[i]);
         std::optional<LastContact> last;
         if (history.patch)
             last = LastContact{history.patch->block_b == second.block, history.patch->edge_edge,
                                history.patch->feature_b};
         const double margin = reach[first.block] + reach[second.block];
-        const std::optional<ContactPolygon> polygon = contact_polygon(first, second, margin, last);
+        const std::optional<ContactPolygonIn<D>> polygon = contact_polygon(first, second, margin, last);
         if (polygon) slots[i] = attach_history(model, state, parts, first, second, *polygon, history);
     }
 
     found.patches.clear();
     found.points.clear();
-    for (std::optional<FoundPatch>& slot : slots) {
+    for (std::optional<FoundPatch<D>>& slot : slots) {
         if (!slot) continue;
         slot->patch.first_point = static_cast<int>(found.points.size());
         slot->patch.point_count = static_cast<int>(slot->points.size());
@@ -243,14 +278,14 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
     }
 }
 
-double spring_energy(const Model& model, const std::vector<ContactPatch>& patches,
-                     const std::vector<ContactPoint>& points)
+template <int D>
+double spring_energy(const Model& model, const ContactSetIn<D>& contacts)
 {
     double energy = 0;
-    for (const ContactPatch& patch : patches) {
+    for (const ContactPatchIn<D>& patch : contacts.patches) {
         const double shear = model.joint_between(patch.block_a, patch.block_b).shear_to_normal_stiffness;
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            const ContactPoint& point = points[i];
+            const ContactPointIn<D>& point = contacts.points[i];
             const double depth = patch.intact ? point.gap : std::min(point.gap, 0.0);
             energy +=
                 0.5 * patch.stiffness * point.area * (depth * depth + shear * point.elastic_slip.squaredNorm());
@@ -258,5 +293,13 @@ double spring_energy(const Model& model, const std::vector<ContactPatch>& patche
     }
     return energy;
 }
+
+#define VOUSSOIR_INSTANTIATE(D)                                                              \
+    template void find_contacts(const Model&, const State&, const std::vector<double>&, int, \
+                                std::vector<PlacedPartIn<D>>&, ContactSetIn<D>&);            \
+    template double spring_energy(const Model&, const ContactSetIn<D>&)
+VOUSSOIR_INSTANTIATE(3);
+VOUSSOIR_INSTANTIATE(2);
+#undef VOUSSOIR_INSTANTIATE
 
 }  // namespace voussoir

@@ -9,20 +9,16 @@
 namespace voussoir
 {
 
-struct ContactSet {
-    std::vector<ContactPatch> patches;  // ascending in (part of a or b with the lower index, other part)
-    std::vector<ContactPoint> points;
-};
-
 /// Finds all contacts of the state as it stands. Every point takes over the slip of the point of the same feature,
 /// or of the nearest old point of its pair, or the pair's area-weighted mean, in this order; slips are projected
 /// on the new tangent plane. @param reach (blocks) [m] how far a block may move in the step, plus the contact
 /// distance
+template <int D>
 void find_contacts(const Model& model, const State& state, const std::vector<double>& reach, int threads,
-                   std::vector<PlacedPart>& parts, ContactSet& found);
+                   std::vector<PlacedPartIn<D>>& parts, ContactSetIn<D>& found);
 
 /// Energy stored in the normal and shear springs [J].
-double spring_energy(const Model& model, const std::vector<ContactPatch>& patches,
-                     const std::vector<ContactPoint>& points);
+template <int D>
+double spring_energy(const Model& model, const ContactSetIn<D>& contacts);
 
 }  // namespace voussoir

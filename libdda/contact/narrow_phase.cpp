@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "libdda/contact/narrow_phase_rules.h"
+
 namespace voussoir
 {
 
@@ -13,17 +15,9 @@ namespace
 {
 
 // Shares of the smaller part's size L.
-constexpr double face_hysteresis = 1e-3;  // in favour of last step's reference face
 constexpr double face_preference = 2e-3;  // of faces over edge pairs
-constexpr double body_preference = 1e-6;  // of the first body, so that ties do not flicker
-// A vertex this far outside a side plane still counts as inside. Faces of one size, as in an arch, slide over each
-// other by less than this: without the tolerance their polygons gained and lost corners from step to step, and
-// each change of the corners' stiffness under load pumped energy into the structure (8 % of the input in a shaken
-// bridge at 1e-6 of L).
-constexpr double clip_tolerance = 1e-4;
-constexpr double smallest_area = 1e-7;  // of L^2
-constexpr double edge_area = 1e-2;      // of L^2, of an edge-edge contact
-constexpr double shallow = 1e-3;        // a face contact this little deep needs no edge test
+constexpr double edge_area = 1e-2;        // of L^2, of an edge-edge contact
+constexpr double shallow = 1e-3;          // a face contact this little deep needs no edge test
 
 struct FaceAxis {
     int face = -1;
@@ -119,7 +113,7 @@ std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const Pl
     assign_tributary_areas(contact.points, n);
     double area = 0;
     for (const PolygonPoint& point : contact.points) area += point.area;
-    if (area < smallest_area * size * size) return std::nullopt;
+    if (area < smallest_share * size * size) return std::nullopt;
     return contact;
 }
 

@@ -6,30 +6,53 @@
 namespace voussoir
 {
 
-/// Spatial or planar, deformable or rigid. Planar scenes are part of the layout; their traits arrive later.
-enum class Kinematics { spatial_deformable, spatial_rigid };
+/// Spatial or planar, deformable or rigid. Planar scenes live in the x-z plane (libdda/geometry/plane.h).
+enum class Kinematics { spatial_deformable, spatial_rigid, planar_deformable, planar_rigid };
 
-/// Unknowns per block: 12 (translation, rotation, strain) or 6 (translation, rotation). Source: Shi 1988.
-constexpr int unknowns_per_block(Kinematics kinematics)
+constexpr bool is_planar(Kinematics kinematics)
 {
-    return kinematics == Kinematics::spatial_deformable ? 12 : 6;
-}
-
-/// Numbers that hold a block's place and shape: centroid and 3x3 deformation map (12), or centroid and unit
-/// quaternion w, x, y, z (7).
-constexpr int coordinates_per_block(Kinematics kinematics)
-{
-    return kinematics == Kinematics::spatial_deformable ? 12 : 7;
+    return kinematics == Kinematics::planar_deformable || kinematics == Kinematics::planar_rigid;
 }
 
 constexpr bool is_deformable(Kinematics kinematics)
 {
-    return kinematics == Kinematics::spatial_deformable;
+    return kinematics == Kinematics::spatial_deformable || kinematics == Kinematics::planar_deformable;
+}
+
+constexpr int dimension_of(Kinematics kinematics)
+{
+    return is_planar(kinematics) ? 2 : 3;
+}
+
+/// Unknowns per block: 12 or, planar, 6 (translation, rotation, strain); rigid 6 or 3 (translation, rotation).
+/// Source: Shi 1988.
+constexpr int unknowns_per_block(Kinematics kinematics)
+{
+    if (is_deformable(kinematics)) return is_planar(kinematics) ? 6 : 12;
+    return is_planar(kinematics) ? 3 : 6;
+}
+
+/// Numbers that hold a block's place and shape: centroid and deformation map (12 or 6); centroid and unit
+/// quaternion w, x, y, z (7), or centroid and angle (3).
+constexpr int coordinates_per_block(Kinematics kinematics)
+{
+    if (is_deformable(kinematics)) return is_planar(kinematics) ? 6 : 12;
+    return is_planar(kinematics) ? 3 : 7;
 }
 
 constexpr std::string_view name_of(Kinematics kinematics)
 {
-    return kinematics == Kinematics::spatial_deformable ? "spatial deformable" : "spatial rigid";
+    switch (kinematics) {
+        case Kinematics::spatial_deformable:
+            return "spatial deformable";
+        case Kinematics::spatial_rigid:
+            return "spatial rigid";
+        case Kinematics::planar_deformable:
+            return "planar deformable";
+        case Kinematics::planar_rigid:
+            break;
+    }
+    return "planar rigid";
 }
 
 }  // namespace voussoir

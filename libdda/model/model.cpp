@@ -1,7 +1,17 @@
 #include "libdda/model/model.h"
 
+#include <cmath>
+
+#include "libdda/geometry/plane.h"
+
 namespace voussoir
 {
+
+double size_of(const Model& model, int block)
+{
+    const double volume = model.blocks[block].moments.volume;
+    return is_planar(model.kinematics) ? std::sqrt(volume / model.thickness) : std::cbrt(volume);
+}
 
 Block make_block(std::string name, int group, int material, std::vector<ConvexPolyhedron> parts)
 {
@@ -12,6 +22,21 @@ Block make_block(std::string name, int group, int material, std::vector<ConvexPo
     block.moments = moments_of(parts);
     for (ConvexPolyhedron& part : parts)
         block.parts.push_back(translated(std::move(part), -block.moments.centroid));
+    return block;
+}
+
+Block make_planar_block(std::string name, int group, int material, std::vector<ConvexPolygon> outlines,
+                        double thickness)
+{
+    Block block;
+    block.name = std::move(name);
+    block.group = group;
+    block.material = material;
+    block.moments = moments_of(outlines, thickness);
+    block.outlines = std::move(outlines);
+    const Eigen::Vector2d centroid = from_space<2>(block.moments.centroid);
+    for (ConvexPolygon& outline : block.outlines)
+        for (Eigen::Vector2d& x : outline.vertices) x -= centroid;
     return block;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "libdda/geometry/convex_polygon.h"
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 #include "libdda/model/ground_motion.h"
@@ -50,7 +51,8 @@ struct Block {
     std::string name;
     int group = 0;                        // index into Model::groups
     int material = 0;                     // index into Model::materials
-    std::vector<ConvexPolyhedron> parts;  // vertices relative to the block's centroid, m
+    std::vector<ConvexPolyhedron> parts;  // spatial scenes; vertices relative to the block's centroid, m
+    std::vector<ConvexPolygon> outlines;  // planar scenes; the same
     Moments moments;                      // of all parts; centroid in model coordinates, m
 };
 
@@ -65,9 +67,14 @@ struct Foundation {
     }
 };
 
+/// What holds a planar scene across its plane: nothing moves that way, or nothing pushes.
+enum class PlaneCondition { strain, stress };
+
 /// Constant during a run.
 struct Model {
     Kinematics kinematics = Kinematics::spatial_deformable;
+    double thickness = 1;                              // m, planar scenes only
+    PlaneCondition plane = PlaneCondition::strain;     // planar deformable scenes only
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, subtracted from the user's coordinates on input
     std::vector<std::string> groups;
     std::vector<BlockMaterial> materials;
@@ -87,8 +94,15 @@ struct Model {
     }
 };
 
+/// Length by which distances at a block are judged [m]: the cube root of its volume, planar the root of its area.
+double size_of(const Model& model, int block);
+
 /// Makes a block from parts in model coordinates: moves them to their common centroid and integrates the moments.
 Block make_block(std::string name, int group, int material, std::vector<ConvexPolyhedron> parts);
+
+/// The same for a planar scene, from outlines in model coordinates (x, z) and the scene's thickness [m].
+Block make_planar_block(std::string name, int group, int material, std::vector<ConvexPolygon> outlines,
+                        double thickness);
 
 /// A model with one group, one block material and one joint material; what small scenes and tests start from.
 Model make_model(Kinematics kinematics, const BlockMaterial& material, const JointMaterial& joint);

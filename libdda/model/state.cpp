@@ -4,24 +4,18 @@
 #include <cstring>
 #include <span>
 
+#include "libdda/model/elasticity.h"
+
 namespace voussoir
 {
 
-using Eigen::Map;
+using Eigen::Matrix2d;
 using Eigen::Matrix3d;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 namespace
 {
-
-Matrix3d green_stress(const BlockMaterial& material, const Matrix3d& map)
-{
-    const double lambda =
-        material.young * material.poisson / ((1 + material.poisson) * (1 - 2 * material.poisson));
-    const double mu = material.young / (2 * (1 + material.poisson));
-    const Matrix3d strain = 0.5 * (map.transpose() * map - Matrix3d::Identity());
-    return lambda * strain.trace() * Matrix3d::Identity() + 2 * mu * strain;
-}
 
 class Fnv1a
 {
@@ -41,32 +35,99 @@ class Fnv1a
     {
         add(std::span<const T>(&value, 1));
     }
-    void add(const Vector3d& v) { add(std::span<const double>(v.data(), 3)); }
+    template <int D>
+    void add(const Eigen::Matrix<double, D, 1>& v)
+    {
+        add(std::span<const double>(v.data(), D));
+    }
     std::uint64_t hash() const { return hash_; }
 
  private:
     std::uint64_t hash_ = 14695981039346656037ULL;
 };
 
+template <int D>
+void add_contacts(const ContactSetIn<D>& contacts, Fnv1a& fnv)
+{
+    for (const ContactPatchIn<D>& patch : contacts.patches) {
+        for (const int i : {patch.block_a, patch.block_b, patch.part_a, patch.part_b, patch.first_point,
+                            patch.point_count, static_cast<int>(patch.edge_edge), static_cast<int>(patch.intact)})
+            fnv.add(i);
+        fnv.add(patch.feature_a);
+        fnv.add(patch.feature_b);
+        fnv.add(patch.stiffness);
+        fnv.add(patch.normal);
+    }
+    for (const ContactPointIn<D>& point : contacts.points) {
+        fnv.add(point.feature);
+        fnv.add(static_cast<int>(point.status));
+        for (const double x : {point.gap, point.area, point.normal_force}) fnv.add(x);
+        for (const VectorIn<D>& v : {point.position, point.shear_force, point.elastic_slip, point.plastic_slip})
+            fnv.add(v);
+    }
+}
+
+Matrix3d skew(const Vector3d& r)
+{
+    Matrix3d m;
+    m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+    return m;
+}
+
 }  // namespace
 
-Pose pose_of(Kinematics kinematics, const State& state, int block)
+template <>
+PoseIn<3> pose_in<3>(Kinematics kinematics, const State& state, int block)
 {
     const double* x = state.coordinates.data() + block * coordinates_per_block(kinematics);
     if (is_deformable(kinematics)) return {Vector3d(x), Matrix3d(x + 3)};
     return {Vector3d(x), Eigen::Quaterniond(x[3], x[4], x[5], x[6]).toRotationMatrix()};
 }
 
+template <>
+PoseIn<2> pose_in<2>(Kinematics kinematics, const State& state, int block)
+{
+    const double* x = state.coordinates.data() + block * coordinates_per_block(kinematics);
+    if (is_deformable(kinematics)) return {Vector2d(x), Matrix2d(x + 2)};
+    return {Vector2d(x), Eigen::Rotation2Dd(x[2]).toRotationMatrix()};
+}
+
+Pose pose_of(Kinematics kinematics, const State& state, int block)
+{
+    if (!is_planar(kinematics)) return pose_in<3>(kinematics, state, block);
+    const PoseIn<2> pose = pose_in<2>(kinematics, state, block);
+    return {to_space(pose.centroid), to_space(pose.map, 1)};
+}
+
 Vector3d velocity_of(Kinematics kinematics, const State& state, int block)
 {
-    return Vector3d(state.velocities.data() + block * unknowns_per_block(kinematics));
+    const double* v = state.velocities.data() + block * unknowns_per_block(kinematics);
+    return is_planar(kinematics) ? to_space(Vector2d(v)) : Vector3d(v);
+}
+
+Matrix3d map_rate_of(Kinematics kinematics, const State& state, int block)
+{
+    const double* v = state.velocities.data() + block * unknowns_per_block(kinematics);
+    switch (kinematics) {
+        case Kinematics::spatial_deformable:
+            return Matrix3d(v + 3);
+        case Kinematics::planar_deformable:
+            return to_space(Matrix2d(v + 2), 0);
+        case Kinematics::spatial_rigid:
+            return skew(Vector3d(v + 3)) * pose_of(kinematics, state, block).map;
+        case Kinematics::planar_rigid:
+            break;
+    }
+    return skew(Vector3d(0, -v[2], 0)) * pose_of(kinematics, state, block).map;
 }
 
 Vector3d angular_velocity_of(const Model& model, const State& state, int block)
 {
     const double* v = state.velocities.data() + block * unknowns_per_block(model.kinematics);
-    if (!is_deformable(model.kinematics)) return Vector3d(v + 3);
-    const Matrix3d map = pose_of(model.kinematics, state, block).map, rate(v + 3);
+    if (model.kinematics == Kinematics::spatial_rigid) return Vector3d(v + 3);
+    if (model.kinematics == Kinematics::planar_rigid) return {0, -v[2], 0};
+    const Matrix3d map = pose_of(model.kinematics, state, block).map;
+    const Matrix3d rate = map_rate_of(model.kinematics, state, block);
     const Matrix3d& second = model.blocks[block].moments.second;
     const Matrix3d spread = map * second * map.transpose();
     const Matrix3d inertia = spread.trace() * Matrix3d::Identity() - spread;
@@ -77,24 +138,30 @@ Vector3d angular_velocity_of(const Model& model, const State& state, int block)
 
 Matrix3d stress_of(const Model& model, const State& state, int block)
 {
-    const Matrix3d map = pose_of(model.kinematics, state, block).map;
-    const Matrix3d stress = green_stress(model.materials[model.blocks[block].material], map);
-    return map * stress * map.transpose() / map.determinant();
+    const Elasticity elasticity = elasticity_of(model, block);
+    if (!is_planar(model.kinematics)) {
+        const Matrix3d map = pose_of(model.kinematics, state, block).map;
+        return map * elasticity.stress(green_strain_of(map)) * map.transpose() / map.determinant();
+    }
+    const Matrix2d map = pose_in<2>(model.kinematics, state, block).map, strain = green_strain_of(map);
+    const double across = model.plane == PlaneCondition::strain ? elasticity.lambda * strain.trace() : 0;
+    const Matrix2d within = map * elasticity.stress(strain) * map.transpose();
+    return to_space(within, across) / map.determinant();
 }
 
 State initial_state(const Model& model)
 {
     State state;
-    const int n = coordinates_per_block(model.kinematics);
+    const int n = coordinates_per_block(model.kinematics), dimension = dimension_of(model.kinematics);
     state.coordinates.assign(model.blocks.size() * n, 0.0);
     state.velocities.assign(model.blocks.size() * unknowns_per_block(model.kinematics), 0.0);
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         double* x = state.coordinates.data() + b * n;
-        Map<Vector3d> centroid(x);
-        centroid = model.blocks[b].moments.centroid;
+        const Vector3d& centroid = model.blocks[b].moments.centroid;
+        for (int k = 0; k < dimension; ++k) x[k] = centroid[dimension == 3 ? k : axis_in_space<2>(k)];
         if (is_deformable(model.kinematics))
-            Map<Matrix3d>{x + 3}.setIdentity();
-        else
+            for (int k = 0; k < dimension; ++k) x[dimension + k * (dimension + 1)] = 1;
+        else if (dimension == 3)
             x[3] = 1;
     }
     begin_stage(model, 0, state);
@@ -109,8 +176,8 @@ void begin_stage(const Model& model, int stage_index, State& state)
     state.next_time_step = 0;
     state.foundation_anchors.clear();
     for (const Foundation& foundation : model.foundations) {
-        const Vector3d c = pose_of(model.kinematics, state, foundation.block).centroid;
-        state.foundation_anchors.insert(state.foundation_anchors.end(), c.data(), c.data() + 3);
+        const double* x = state.coordinates.data() + foundation.block * coordinates_per_block(model.kinematics);
+        state.foundation_anchors.insert(state.foundation_anchors.end(), x, x + dimension_of(model.kinematics));
     }
 }
 
@@ -126,22 +193,8 @@ std::uint64_t hash_of(const State& state)
     fnv.add(std::span<const double>(state.coordinates));
     fnv.add(std::span<const double>(state.velocities));
     fnv.add(std::span<const double>(state.foundation_anchors));
-    for (const ContactPatch& patch : state.patches) {
-        for (const int i : {patch.block_a, patch.block_b, patch.part_a, patch.part_b, patch.first_point,
-                            patch.point_count, static_cast<int>(patch.edge_edge), static_cast<int>(patch.intact)})
-            fnv.add(i);
-        fnv.add(patch.feature_a);
-        fnv.add(patch.feature_b);
-        fnv.add(patch.stiffness);
-        fnv.add(patch.normal);
-    }
-    for (const ContactPoint& point : state.contact_points) {
-        fnv.add(point.feature);
-        fnv.add(static_cast<int>(point.status));
-        for (const double x : {point.gap, point.area, point.normal_force}) fnv.add(x);
-        for (const Vector3d& v : {point.position, point.shear_force, point.elastic_slip, point.plastic_slip})
-            fnv.add(v);
-    }
+    add_contacts(state.contacts, fnv);
+    add_contacts(state.planar_contacts, fnv);
     return fnv.hash();
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "libdda/geometry/plane.h"
 #include "libdda/model/model.h"
 
 namespace voussoir
@@ -13,30 +14,44 @@ namespace voussoir
 
 enum class ContactStatus : std::uint8_t { open, locked, sliding };
 
-/// One corner of a contact polygon (or the one point of an edge-edge contact). Forces act on block a of the patch.
-struct ContactPoint {
+/// One corner of a contact polygon, one end of a contact segment (planar), or the one point of an edge-edge
+/// contact. Forces act on block a of the patch.
+template <int D>
+struct ContactPointIn {
     std::uint32_t feature = 0;  // which vertex, or which edge crosses which side: survives sliding
     ContactStatus status = ContactStatus::open;
-    double gap = 0;                                          // m, > 0 open
-    double area = 0;                                         // m2, tributary
-    double normal_force = 0;                                 // N, > 0 pressing
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();      // m, on block a at the end of the step
-    Eigen::Vector3d shear_force = Eigen::Vector3d::Zero();   // N, resisting: block a receives -shear_force
-    Eigen::Vector3d elastic_slip = Eigen::Vector3d::Zero();  // m, shear_force / shear stiffness at step end
-    Eigen::Vector3d plastic_slip = Eigen::Vector3d::Zero();  // m, accumulated sliding of a over b
+    double gap = 0;                                  // m, > 0 open
+    double area = 0;                                 // m2, tributary
+    double normal_force = 0;                         // N, > 0 pressing
+    VectorIn<D> position = VectorIn<D>::Zero();      // m, on block a at the end of the step
+    VectorIn<D> shear_force = VectorIn<D>::Zero();   // N, resisting: block a receives -shear_force
+    VectorIn<D> elastic_slip = VectorIn<D>::Zero();  // m, shear_force / shear stiffness at step end
+    VectorIn<D> plastic_slip = VectorIn<D>::Zero();  // m, accumulated sliding of a over b
 };
 
 /// The contact of two convex parts: block b owns the reference face, block a is incident.
-struct ContactPatch {
+template <int D>
+struct ContactPatchIn {
     int block_a = 0, block_b = 0;
     int part_a = 0, part_b = 0;
     std::uint32_t feature_a = 0, feature_b = 0;  // incident face and reference face, or the two edges
     bool edge_edge = false;
-    bool intact = false;                               // still has cohesion and tensile strength
-    double stiffness = 0;                              // Pa/m, normal
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, outward from b, at the start of the step
-    int first_point = 0, point_count = 0;              // in State::contact_points
+    bool intact = false;                       // still has cohesion and tensile strength
+    double stiffness = 0;                      // Pa/m, normal
+    VectorIn<D> normal = VectorIn<D>::Zero();  // unit, outward from b, at the start of the step
+    int first_point = 0, point_count = 0;      // in the points of its set
 };
+
+/// Patches ascend in (part of a or b with the lower index, other part).
+template <int D>
+struct ContactSetIn {
+    std::vector<ContactPatchIn<D>> patches;
+    std::vector<ContactPointIn<D>> points;
+};
+
+using ContactPoint = ContactPointIn<3>;
+using ContactPatch = ContactPatchIn<3>;
+using ContactSet = ContactSetIn<3>;
 
 struct State {
     double time = 0;                  // s since the run's start
@@ -45,28 +60,55 @@ struct State {
     double stage_time = 0;            // s since the stage's start
     std::int64_t grid = 0;            // nominal steps of the stage that are complete
     double next_time_step = 0;        // s; 0: the nominal one
-    std::vector<double> coordinates;  // (blocks x coordinates_per_block): centroid and map, or quaternion
+    std::vector<double> coordinates;  // (blocks x coordinates_per_block): centroid and map, quaternion or angle
     std::vector<double> velocities;   // (blocks x unknowns_per_block): dc/dt and dA/dt (column major), or omega
-    std::vector<double> foundation_anchors;  // (foundations x 3) m: centroid at the start of the stage
-    std::vector<ContactPatch> patches;
-    std::vector<ContactPoint> contact_points;
+    std::vector<double> foundation_anchors;  // (foundations x dimension) m: centroid at the start of the stage
+    ContactSetIn<3> contacts;                // of a spatial scene
+    ContactSetIn<2> planar_contacts;         // of a planar one
 };
 
+/// The contacts of a scene of D dimensions.
+template <int D>
+ContactSetIn<D>& contacts_in(State& state)
+{
+    if constexpr (D == 3)
+        return state.contacts;
+    else
+        return state.planar_contacts;
+}
+template <int D>
+const ContactSetIn<D>& contacts_in(const State& state)
+{
+    return contacts_in<D>(const_cast<State&>(state));
+}
+
 /// Where a block is: x = centroid + map X, X the reference lever. The map is a rotation in rigid scenes.
-struct Pose {
-    Eigen::Vector3d centroid;
-    Eigen::Matrix3d map;
+template <int D>
+struct PoseIn {
+    VectorIn<D> centroid;
+    MatrixIn<D> map;
 };
+using Pose = PoseIn<3>;
+
+/// Of a scene of D dimensions.
+template <int D>
+PoseIn<D> pose_in(Kinematics kinematics, const State& state, int block);
+
+// In space, whatever the dimension of the scene:
 
 Pose pose_of(Kinematics kinematics, const State& state, int block);
 
 /// Velocity of a block's centroid [m/s].
 Eigen::Vector3d velocity_of(Kinematics kinematics, const State& state, int block);
 
+/// dA/dt of a block [1/s].
+Eigen::Matrix3d map_rate_of(Kinematics kinematics, const State& state, int block);
+
 /// Angular velocity of a block [rad/s]: of the spin, or of the momentum-carrying part of dA/dt.
 Eigen::Vector3d angular_velocity_of(const Model& model, const State& state, int block);
 
 /// Cauchy stress of a block [Pa]; deformable scenes only. sigma = A S A^T / det A of a St Venant-Kirchhoff block.
+/// In plane stress A and det A are those of the plane: the change of thickness is left out.
 Eigen::Matrix3d stress_of(const Model& model, const State& state, int block);
 
 /// All blocks at rest where the model has them.

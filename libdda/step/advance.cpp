@@ -10,19 +10,41 @@
 namespace voussoir
 {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-struct Workspace::Implementation {
-    std::vector<PlacedPart> parts;
+namespace
+{
+
+/// What a scene of one kinematics works on.
+template <class K>
+struct Work {
+    std::vector<PlacedPartIn<K::dimension>> parts;
     std::vector<double> reach;
-    ContactSet contacts;
-    std::variant<StepSystem<SpatialDeformable>, StepSystem<SpatialRigid>> system;
+    ContactSetIn<K::dimension> contacts;
+    StepSystem<K> system;
+};
+
+}  // namespace
+
+struct Workspace::Implementation {
+    std::variant<Work<SpatialDeformable>, Work<SpatialRigid>, Work<PlanarDeformable>, Work<PlanarRigid>> work;
 };
 
 Workspace::Workspace(const Model& model) : implementation(std::make_unique<Implementation>())
 {
-    if (!is_deformable(model.kinematics)) implementation->system.emplace<StepSystem<SpatialRigid>>();
+    switch (model.kinematics) {
+        case Kinematics::spatial_deformable:
+            break;  // the variant's first
+        case Kinematics::spatial_rigid:
+            implementation->work.emplace<Work<SpatialRigid>>();
+            break;
+        case Kinematics::planar_deformable:
+            implementation->work.emplace<Work<PlanarDeformable>>();
+            break;
+        case Kinematics::planar_rigid:
+            implementation->work.emplace<Work<PlanarRigid>>();
+            break;
+    }
 }
 Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
@@ -47,28 +69,31 @@ class Stopwatch
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+template <int D>
 double radius_of(const Block& block)
 {
     double square = 0;
-    for (const ConvexPolyhedron& part : block.parts)
-        for (const Vector3d& x : part.vertices) square = std::max(square, x.squaredNorm());
+    for (const auto& part : ShapeIn<D>::of(block))
+        for (const VectorIn<D>& x : part.vertices) square = std::max(square, x.squaredNorm());
     return std::sqrt(square);
 }
 
 /// How far each block may move within the step: its velocity, its spin, gravity, and the ground under it.
+template <class K>
 void find_reach(const Model& model, const Stage& stage, const State& state, double h, std::vector<double>& reach)
 {
-    const int n = unknowns_per_block(model.kinematics);
+    constexpr int n = K::unknowns, dimension = K::dimension;
     double dashpot = 0;
     for (const JointMaterial& joint : model.joints) dashpot = std::max(dashpot, joint.dashpot);
     reach.resize(model.blocks.size());
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const double* v = state.velocities.data() + b * n;
         double turning = 0;
-        for (int k = 3; k < n; ++k) turning += v[k] * v[k];
-        const double speed = Vector3d(v).norm() + std::sqrt(turning) * radius_of(model.blocks[b]);
+        for (int k = dimension; k < n; ++k) turning += v[k] * v[k];
+        const double speed =
+            typename K::Vector(v).norm() + std::sqrt(turning) * radius_of<dimension>(model.blocks[b]);
         reach[b] = (h + dashpot) * speed + h * h * stage.gravity.norm() * (stage.type == StageType::dynamic) +
-                   contact_distance * std::cbrt(model.blocks[b].moments.volume);
+                   contact_distance * size_of(model, static_cast<int>(b));
     }
     for (const FoundationMotion& motion : stage.motions) {
         const double from = motion.motion->displacement(state.stage_time);
@@ -91,8 +116,8 @@ Vector3d ground_velocity(const Stage& stage, double time)
 }
 
 template <class K>
-bool iterate_open_close(const Model& model, const Stage& stage, const ContactSet& contacts, StepSystem<K>& system,
-                        StepReport& report)
+bool iterate_open_close(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
+                        StepSystem<K>& system, StepReport& report)
 {
     const Stopwatch watch(report, Part::open_close);
     if (stage.control.open_close == OpenClose::published) return iterate_published(stage, system, report);
@@ -102,22 +127,26 @@ bool iterate_open_close(const Model& model, const Stage& stage, const ContactSet
 /// Work of the ground on the structure: held blocks move against their contact forces, held components of other
 /// blocks against all forces on them [J].
 template <class K>
-double foundation_work(const StepSystem<K>& system, const ContactSet& contacts)
+double foundation_work(const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts)
 {
+    constexpr int dimension = K::dimension;
+    using Vector = typename K::Vector;
     const auto moved = [&](int block) {
         const BlockStep<K>& b = system.blocks[block];
-        return Vector3d(b.predicted.centroid - b.start.centroid);
+        return Vector(b.predicted.centroid - b.start.centroid);
     };
     double work = 0;
     for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
         const PatchStep<K>& patch = system.contacts.patches[k];
-        if (patch.row_b < 0) work -= patch.force_b.template head<3>().dot(moved(contacts.patches[k].block_b));
-        if (patch.row_a < 0) work -= patch.force_a.template head<3>().dot(moved(contacts.patches[k].block_a));
+        const auto& found = contacts.patches[k];
+        if (patch.row_b < 0) work -= patch.force_b.template head<dimension>().dot(moved(found.block_b));
+        if (patch.row_a < 0) work -= patch.force_a.template head<dimension>().dot(moved(found.block_a));
     }
     for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
         const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
-        const Vector3d force = block.body_force + system.contact_force.template segment<3>(K::unknowns * row);
-        for (int k = 0; k < 3; ++k)
+        const Vector force =
+            block.body_force + system.contact_force.template segment<dimension>(K::unknowns * row);
+        for (int k = 0; k < dimension; ++k)
             if (block.held[k]) work -= force[k] * moved(system.block_of_row[row])[k];
     }
     return work;
@@ -134,8 +163,9 @@ double rotation_gain(const BlockStep<K>& block, const InternalForce<K>& internal
     const double linear_end = block.predicted_kinetic + (block.inertia * d).dot(path);
     double gain = block.predicted_kinetic - block.start_kinetic + end_kinetic - linear_end;
     if constexpr (K::deformable) {
-        if (block.held[3]) return gain;
-        gain += (block.steady - internal.force).template tail<9>().dot(path.template tail<9>());
+        constexpr int strains = K::unknowns - K::dimension;
+        if (block.rotation_held()) return gain;
+        gain += (block.steady - internal.force).template tail<strains>().dot(path.template tail<strains>());
         gain += internal.energy - block.elasticity.energy(block.start_strain) + internal.loss;
     }
     return gain;
@@ -144,9 +174,11 @@ double rotation_gain(const BlockStep<K>& block, const InternalForce<K>& internal
 /// Work and losses of the accepted step, each from its own forces and displacements: see EnergyLedger. The state
 /// is already the new one.
 template <class K>
-void book_step(const State& state, const StepSystem<K>& system, const ContactSet& contacts, EnergyLedger& energy)
+void book_step(const State& state, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
+               EnergyLedger& energy)
 {
     constexpr int n = K::unknowns;
+    using Vector = typename K::Vector;
     const ContactEnergies contact = contact_energies(system.contacts);
     energy.contact = contact.stored;
     energy.friction += contact.friction;
@@ -160,7 +192,7 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
         const BlockStep<K>& block = system.blocks[b];
         const InternalForce<K>& internal = system.internal[row];
         const typename K::Unknowns d = system.d.template segment<n>(n * row);
-        const Vector3d moved = block.predicted.centroid + d.template head<3>() - block.start.centroid;
+        const Vector moved = block.predicted.centroid + d.template head<K::dimension>() - block.start.centroid;
         const double kinetic = kinetic_energy_of(block, state, b);
         energy.gravity_work += block.gravity.dot(moved);
         energy.load_work += (block.body_force - block.gravity).dot(moved);
@@ -171,8 +203,8 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
     }
     for (const PatchStep<K>& patch : system.contacts.patches)
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            const PointStep& p = system.contacts.points[i];
-            const Vector3d force = p.normal * patch.normal - p.shear;
+            const PointStep<K::dimension>& p = system.contacts.points[i];
+            const Vector force = p.normal * patch.normal - p.shear;
             energy.algorithmic_rotation -= force.dot(p.ballistic_a - p.ballistic_b);
         }
 }
@@ -185,7 +217,7 @@ void update_blocks(const StepSystem<K>& system, State& state)
     for (std::size_t b = 0; b < system.blocks.size(); ++b) {
         const BlockStep<K>& block = system.blocks[b];
         typename K::Unknowns d = K::Unknowns::Zero();
-        Vector3d moment = Vector3d::Zero();
+        typename K::Spin moment = K::Spin::Zero();
         if (block.row >= 0) {
             d = system.d.template segment<n>(n * block.row);
             moment = K::moment_of(system.contact_force.template segment<n>(n * block.row));
@@ -196,26 +228,28 @@ void update_blocks(const StepSystem<K>& system, State& state)
 
 /// Stores the contacts with the forces, gaps and slips of the end of the step. Slips turn with the reference body.
 template <class K>
-void update_contacts(const StepSystem<K>& system, const ContactSet& contacts, State& state, StepReport& report)
+void update_contacts(const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts, State& state,
+                     StepReport& report)
 {
-    constexpr int n = K::unknowns;
-    state.patches = contacts.patches;
-    state.contact_points = contacts.points;
-    for (std::size_t k = 0; k < state.patches.size(); ++k) {
-        ContactPatch& kept = state.patches[k];
+    constexpr int n = K::unknowns, dimension = K::dimension;
+    using Vector = typename K::Vector;
+    ContactSetIn<dimension>& stored = contacts_in<dimension>(state);
+    stored = contacts;
+    for (std::size_t k = 0; k < stored.patches.size(); ++k) {
+        ContactPatchIn<dimension>& kept = stored.patches[k];
         const PatchStep<K>& patch = system.contacts.patches[k];
         const BlockStep<K>& reference = system.blocks[kept.block_b];
         const BlockStep<K>& incident = system.blocks[kept.block_a];
         typename K::Unknowns d_a = K::Unknowns::Zero(), d_b = K::Unknowns::Zero();
         if (patch.row_a >= 0) d_a = system.d.template segment<n>(n * patch.row_a);
         if (patch.row_b >= 0) d_b = system.d.template segment<n>(n * patch.row_b);
-        const Matrix3d turn = rotation_of_step(reference, d_b);
+        const typename K::Matrix turn = rotation_of_step(reference, d_b);
         kept.intact = patch.intact;
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            const PointStep& p = system.contacts.points[i];
-            ContactPoint& point = state.contact_points[i];
-            const Vector3d slip = slip_at_end(p, patch.normal);
-            const Vector3d sliding =
+            const PointStep<dimension>& p = system.contacts.points[i];
+            ContactPointIn<dimension>& point = stored.points[i];
+            const Vector slip = slip_at_end<dimension>(p, patch.normal);
+            const Vector sliding =
                 p.displacement - patch.normal.dot(p.displacement) * patch.normal - (slip - p.slip_start);
             if (p.status != ContactStatus::open) point.plastic_slip += sliding;
             point.plastic_slip = turn * point.plastic_slip;
@@ -245,7 +279,7 @@ void damp_velocities(const Stage& stage, const StepSystem<K>& system, State& sta
         const BlockStep<K>& block = system.blocks[b];
         double* v = state.velocities.data() + b * K::unknowns;
         for (int k = 0; k < K::unknowns; ++k) {
-            const double base = k < 3 ? ground[k] : 0;
+            const double base = k < K::dimension ? ground[axis_in_space<K::dimension>(k)] : 0;
             if (is_static || !block.held[k]) v[k] = base + factor * (v[k] - base);
         }
         if (block.row >= 0) kinetic += kinetic_energy_of(block, state, static_cast<int>(b));
@@ -264,8 +298,8 @@ double inertia_ratio(const StepSystem<K>& system)
     for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
         const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
         const typename K::Unknowns force = block.inertia * system.d.template segment<n>(n * row);
-        const double size =
-            std::max(force.template head<3>().norm(), force.template tail<n - 3>().norm() / block.size);
+        const double size = std::max(force.template head<K::dimension>().norm(),
+                                     force.template tail<n - K::dimension>().norm() / block.size);
         if (size > 0) worst = std::max(worst, size / system.load[row]);
     }
     return worst;
@@ -273,14 +307,14 @@ double inertia_ratio(const StepSystem<K>& system)
 
 template <class K>
 StepReport advance_with(const Model& model, const Stage& stage, double time_step, State& state,
-                        EnergyLedger& energy, Workspace::Implementation& work)
+                        EnergyLedger& energy, Work<K>& work)
 {
-    StepSystem<K>& system = std::get<StepSystem<K>>(work.system);
+    StepSystem<K>& system = work.system;
     StepReport report;
     double h = time_step;
     {
         const Stopwatch watch(report, Part::contact_search);
-        find_reach(model, stage, state, h, work.reach);
+        find_reach<K>(model, stage, state, h, work.reach);
         find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts);
     }
     while (true) {
@@ -298,7 +332,7 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
     }
     const Stopwatch watch(report, Part::update);
     report.time_step = h;
-    energy.redetection += energy.contact - spring_energy(model, work.contacts.patches, work.contacts.points);
+    energy.redetection += energy.contact - spring_energy(model, work.contacts);
     update_blocks(system, state);
     book_step(state, system, work.contacts, energy);
     update_contacts(system, work.contacts, state, report);
@@ -308,8 +342,8 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
     damp_velocities(stage, system, state, energy);
     for (const BlockStep<K>& block : system.blocks)
         if (block.row >= 0)
-            report.max_displacement =
-                std::max(report.max_displacement, system.d.template segment<3>(K::unknowns * block.row).norm());
+            report.max_displacement = std::max(
+                report.max_displacement, system.d.template segment<K::dimension>(K::unknowns * block.row).norm());
     if (stage.type == StageType::static_equilibrium)
         report.inertia_ratio = inertia_ratio(system) + report.unbalanced;
     return report;
@@ -320,21 +354,33 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
 StepReport advance(const Model& model, const Stage& stage, double time_step, State& state, EnergyLedger& energy,
                    Workspace& work)
 {
-    if (is_deformable(model.kinematics))
-        return advance_with<SpatialDeformable>(model, stage, time_step, state, energy, *work.implementation);
-    return advance_with<SpatialRigid>(model, stage, time_step, state, energy, *work.implementation);
+    return std::visit([&](auto& of) { return advance_with(model, stage, time_step, state, energy, of); },
+                      work.implementation->work);
 }
 
-void find_initial_contacts(const Model& model, State& state)
+namespace
+{
+
+template <int D>
+void find_contacts_at_rest(const Model& model, State& state)
 {
     std::vector<double> reach(model.blocks.size());
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
-        reach[b] = contact_distance * std::cbrt(model.blocks[b].moments.volume);
-    std::vector<PlacedPart> parts;
-    ContactSet contacts;
+        reach[b] = contact_distance * size_of(model, static_cast<int>(b));
+    std::vector<PlacedPartIn<D>> parts;
+    ContactSetIn<D> contacts;
     find_contacts(model, state, reach, 1, parts, contacts);
-    state.patches = std::move(contacts.patches);
-    state.contact_points = std::move(contacts.points);
+    contacts_in<D>(state) = std::move(contacts);
+}
+
+}  // namespace
+
+void find_initial_contacts(const Model& model, State& state)
+{
+    if (is_planar(model.kinematics))
+        find_contacts_at_rest<2>(model, state);
+    else
+        find_contacts_at_rest<3>(model, state);
 }
 
 }  // namespace voussoir

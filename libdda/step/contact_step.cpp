@@ -1,6 +1,5 @@
 #include "libdda/step/contact_step.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -8,14 +7,13 @@
 namespace voussoir
 {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace
 {
 
-Vector3d tangential(const Vector3d& v, const Vector3d& normal)
+template <class Vector>
+Vector tangential(const Vector& v, const Vector& normal)
 {
     return v - normal.dot(v) * normal;
 }
@@ -23,7 +21,8 @@ Vector3d tangential(const Vector3d& v, const Vector3d& normal)
 /// Elastic normal force and its derivative by the gap, d <= 0. A blend of one is k <-g> at the end of the step;
 /// else the discrete gradient of k <-g>^2 / 2 between the gaps of start and end, which conserves energy, takes the
 /// share (1 - theta). Both fall with the gap: the step's potential stays convex.
-void elastic_normal(const PointStep& p, bool intact, double gap, double& force, double& slope)
+template <int D>
+void elastic_normal(const PointStep<D>& p, bool intact, double gap, double& force, double& slope)
 {
     const double k = p.normal_stiffness, theta = p.normal_blend;
     if (intact) {
@@ -49,7 +48,8 @@ void elastic_normal(const PointStep& p, bool intact, double gap, double& force, 
 
 /// Adds the dashpot: N = <-k (g + eta dg/dt)>, which never pulls. Before the gap closes the signed -k g counts, so
 /// that the force starts at g = eta |dg/dt| and not wherever a contact was found.
-void normal_force(bool intact, double dashpot_over_h, double gap, PointStep& p)
+template <int D>
+void normal_force(bool intact, double dashpot_over_h, double gap, PointStep<D>& p)
 {
     double slope = 0;
     elastic_normal(p, intact, gap, p.elastic_normal, slope);
@@ -70,9 +70,10 @@ void normal_force(bool intact, double dashpot_over_h, double gap, PointStep& p)
     p.normal_tangent = -slope;
 }
 
-void shear_force(bool intact, double friction, FrictionBound rule, const Vector3d& normal, PointStep& p)
+template <int D>
+void shear_force(bool intact, double friction, FrictionBound rule, const VectorIn<D>& normal, PointStep<D>& p)
 {
-    const Vector3d slip = p.slip_start + 0.5 * (1 + p.shear_blend) * tangential(p.displacement, normal);
+    const VectorIn<D> slip = p.slip_start + 0.5 * (1 + p.shear_blend) * tangential(p.displacement, normal);
     p.trial = p.shear_stiffness * slip;
     if (intact) {
         p.status = ContactStatus::locked;
@@ -91,14 +92,14 @@ void shear_force(bool intact, double friction, FrictionBound rule, const Vector3
 }
 
 template <class K>
-Vector3d displacement_of(const VectorXd& d, int row, const Vector3d& lever)
+typename K::Vector displacement_of(const VectorXd& d, int row, const typename K::Vector& lever)
 {
-    if (row < 0) return Vector3d::Zero();
+    if (row < 0) return K::Vector::Zero();
     return K::displacement(d.segment<K::unknowns>(K::unknowns * row), lever);
 }
 
 template <class K>
-void move_point(const VectorXd& d, const PatchStep<K>& patch, PointStep& p)
+void move_point(const VectorXd& d, const PatchStep<K>& patch, PointStep<K::dimension>& p)
 {
     p.displacement = p.predicted + displacement_of<K>(d, patch.row_a, p.lever_a) -
                      displacement_of<K>(d, patch.row_b, p.lever_b);
@@ -106,35 +107,37 @@ void move_point(const VectorXd& d, const PatchStep<K>& patch, PointStep& p)
 }
 
 template <class K>
-void sum_forces(const std::vector<PointStep>& points, PatchStep<K>& patch)
+void sum_forces(const std::vector<PointStep<K::dimension>>& points, PatchStep<K>& patch)
 {
     patch.force_a.setZero();
     patch.force_b.setZero();
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const PointStep& p = points[i];
+        const PointStep<K::dimension>& p = points[i];
         if (p.normal == 0 && p.shear.isZero(0)) continue;
-        const Vector3d force = p.normal * patch.normal - p.shear;
+        const typename K::Vector force = p.normal * patch.normal - p.shear;
         K::add_force(patch.force_a, p.lever_a, force);
         K::add_force(patch.force_b, p.lever_b, -force);
     }
 }
 
 /// C of one point: -dN/dg n n^T plus the shear tangent without the coupling to the normal force.
-Matrix3d point_stiffness(const PointStep& p, const Vector3d& n, bool published)
+template <int D>
+MatrixIn<D> point_stiffness(const PointStep<D>& p, const VectorIn<D>& n, bool published)
 {
     const double k_t = 0.5 * (1 + p.shear_blend) * p.shear_stiffness;
+    const MatrixIn<D> across = n * n.transpose(), along = MatrixIn<D>::Identity() - across;
     if (published) {
-        if (p.status == ContactStatus::open) return Matrix3d::Zero();
-        Matrix3d c = p.normal_stiffness * n * n.transpose();
-        if (p.status == ContactStatus::locked) c += k_t * (Matrix3d::Identity() - n * n.transpose());
+        if (p.status == ContactStatus::open) return MatrixIn<D>::Zero();
+        MatrixIn<D> c = p.normal_stiffness * across;
+        if (p.status == ContactStatus::locked) c += k_t * along;
         return c;
     }
-    Matrix3d c = p.normal_tangent * n * n.transpose();
-    if (p.status == ContactStatus::locked) c += k_t * (Matrix3d::Identity() - n * n.transpose());
+    MatrixIn<D> c = p.normal_tangent * across;
+    if (p.status == ContactStatus::locked) c += k_t * along;
     if (p.status == ContactStatus::sliding) {
         const double length = p.trial.norm();
-        const Vector3d along = p.trial / length;
-        c += k_t * p.bound / length * (Matrix3d::Identity() - n * n.transpose() - along * along.transpose());
+        const VectorIn<D> slipping = p.trial / length;
+        c += k_t * p.bound / length * (along - slipping * slipping.transpose());
     }
     return c;
 }
@@ -142,9 +145,10 @@ Matrix3d point_stiffness(const PointStep& p, const Vector3d& n, bool published)
 }  // namespace
 
 template <class K>
-void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSet& contacts,
+void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSetIn<K::dimension>& contacts,
                     const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step)
 {
+    using Vector = typename K::Vector;
     // The published springs know the end of the step only.
     const bool at_end = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic ||
                         stage.control.open_close == OpenClose::published;
@@ -152,7 +156,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
     step.patches.resize(contacts.patches.size());
     step.points.resize(contacts.points.size());
     for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
-        const ContactPatch& found = contacts.patches[k];
+        const ContactPatchIn<K::dimension>& found = contacts.patches[k];
         const JointMaterial& joint = model.joint_between(found.block_a, found.block_b);
         const BlockStep<K>& a = blocks[found.block_a];
         const BlockStep<K>& b = blocks[found.block_b];
@@ -165,20 +169,20 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         patch.friction = std::tan(joint.friction_angle);
         patch.dashpot_over_h = joint.dashpot / h;
         patch.intact = found.intact;
-        const Matrix3d back_a = a.start.map.inverse(), back_b = b.start.map.inverse();
+        const typename K::Matrix back_a = a.start.map.inverse(), back_b = b.start.map.inverse();
         for (int i = found.first_point; i < found.first_point + found.point_count; ++i) {
-            const ContactPoint& point = contacts.points[i];
-            PointStep& p = step.points[i];
-            const Vector3d from_a = point.position - a.start.centroid, from_b = point.position - b.start.centroid;
+            const ContactPointIn<K::dimension>& point = contacts.points[i];
+            PointStep<K::dimension>& p = step.points[i];
+            const Vector from_a = point.position - a.start.centroid, from_b = point.position - b.start.centroid;
             p.lever_a = a.predicted.map * (back_a * from_a);
             p.lever_b = b.predicted.map * (back_b * from_b);
-            const Vector3d move_a = a.predicted.centroid - a.start.centroid + (p.lever_a - from_a);
-            const Vector3d move_b = b.predicted.centroid - b.start.centroid + (p.lever_b - from_b);
+            const Vector move_a = a.predicted.centroid - a.start.centroid + (p.lever_a - from_a);
+            const Vector move_b = b.predicted.centroid - b.start.centroid + (p.lever_b - from_b);
             p.predicted = move_a - move_b;
-            p.ballistic_a =
-                a.held[3] ? Vector3d::Zero() : Vector3d(h * a.spin_velocity(p.lever_a) - (p.lever_a - from_a));
-            p.ballistic_b =
-                b.held[3] ? Vector3d::Zero() : Vector3d(h * b.spin_velocity(p.lever_b) - (p.lever_b - from_b));
+            p.ballistic_a = a.rotation_held() ? Vector(Vector::Zero())
+                                              : Vector(h * a.spin_velocity(p.lever_a) - (p.lever_a - from_a));
+            p.ballistic_b = b.rotation_held() ? Vector(Vector::Zero())
+                                              : Vector(h * b.spin_velocity(p.lever_b) - (p.lever_b - from_b));
             p.slip_start = point.elastic_slip;
             p.gap_start = point.gap;
             p.normal_stiffness = found.stiffness * point.area;
@@ -191,7 +195,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
                            : (point.status == ContactStatus::open ? ContactStatus::locked : point.status);
             p.normal = p.bound = 0;
             p.trial = p.shear_stiffness * p.slip_start;
-            p.shear = p.status == ContactStatus::sliding ? p.trial : Vector3d::Zero();
+            p.shear = p.status == ContactStatus::sliding ? p.trial : Vector(Vector::Zero());
         }
     }
 }
@@ -204,10 +208,10 @@ void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, Cont
     for (int k = 0; k < count; ++k) {
         PatchStep<K>& patch = step.patches[k];
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            PointStep& p = step.points[i];
+            PointStep<K::dimension>& p = step.points[i];
             move_point(d, patch, p);
             normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
-            shear_force(patch.intact, patch.friction, bound, patch.normal, p);
+            shear_force<K::dimension>(patch.intact, patch.friction, bound, patch.normal, p);
         }
         sum_forces(step.points, patch);
     }
@@ -218,7 +222,7 @@ void evaluate_published(const VectorXd& d, ContactStep<K>& step)
 {
     for (PatchStep<K>& patch : step.patches) {
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            PointStep& p = step.points[i];
+            PointStep<K::dimension>& p = step.points[i];
             move_point(d, patch, p);
             const bool closed = p.status != ContactStatus::open;
             p.elastic_normal = p.normal = closed ? -p.normal_stiffness * p.gap : 0;
@@ -236,7 +240,7 @@ bool switch_published(ContactStep<K>& step)
     bool changed = false;
     for (PatchStep<K>& patch : step.patches)
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            PointStep& p = step.points[i];
+            PointStep<K::dimension>& p = step.points[i];
             const double length = p.trial.norm();
             const double bound = patch.friction * std::max(p.normal, 0.0);
             p.bound = bound;
@@ -244,7 +248,10 @@ bool switch_published(ContactStep<K>& step)
             if (p.gap < 0) next = length <= bound ? ContactStatus::locked : ContactStatus::sliding;
             if (p.status == ContactStatus::open && p.gap < 0) next = ContactStatus::locked;
             if (next != p.status) {
-                p.shear = next == ContactStatus::sliding ? Vector3d(bound / length * p.trial) : Vector3d::Zero();
+                if (next == ContactStatus::sliding)
+                    p.shear = bound / length * p.trial;
+                else
+                    p.shear.setZero();
                 changed = true;
             }
             p.status = next;
@@ -257,7 +264,7 @@ namespace
 
 /// Adds the stiffness c of one point to the blocks of its patch.
 template <class K>
-void add_point(const PointStep& p, const Matrix3d& c, PatchStep<K>& patch)
+void add_point(const PointStep<K::dimension>& p, const typename K::Matrix& c, PatchStep<K>& patch)
 {
     if (patch.row_a >= 0) K::add_stiffness(patch.aa, p.lever_a, p.lever_a, c);
     if (patch.row_b >= 0) K::add_stiffness(patch.bb, p.lever_b, p.lever_b, c);
@@ -265,25 +272,29 @@ void add_point(const PointStep& p, const Matrix3d& c, PatchStep<K>& patch)
 }
 
 /// Sums of k w w^T over the points of a patch, w = (1, y): points that share the matrix C then cost one expansion.
+template <int D>
 struct WeightSums {
-    Eigen::Matrix4d aa = Eigen::Matrix4d::Zero(), ab = Eigen::Matrix4d::Zero(), bb = Eigen::Matrix4d::Zero();
+    using Weights = Eigen::Matrix<double, D + 1, 1>;
+    using Sums = Eigen::Matrix<double, D + 1, D + 1>;
+    Sums aa = Sums::Zero(), ab = Sums::Zero(), bb = Sums::Zero();
 
-    void add(double k, const PointStep& p)
+    void add(double k, const PointStep<D>& p)
     {
-        const Eigen::Vector4d a(1, p.lever_a[0], p.lever_a[1], p.lever_a[2]);
-        const Eigen::Vector4d b(1, p.lever_b[0], p.lever_b[1], p.lever_b[2]);
+        Weights a, b;
+        a << 1, p.lever_a;
+        b << 1, p.lever_b;
         aa += k * a * a.transpose();
         ab -= k * a * b.transpose();
         bb += k * b * b.transpose();
     }
 
-    static void expand(const Eigen::Matrix4d& sums, const Matrix3d& c, SpatialDeformable::Square& block)
+    static void expand(const Sums& sums, const MatrixIn<D>& c, typename DeformableIn<D>::Square& block)
     {
-        for (int j = 0; j < 4; ++j)
-            for (int i = 0; i < 4; ++i) block.block<3, 3>(3 * i, 3 * j) += sums(i, j) * c;
+        for (int j = 0; j <= D; ++j)
+            for (int i = 0; i <= D; ++i) block.template block<D, D>(D * i, D * j) += sums(i, j) * c;
     }
 
-    void expand(const Matrix3d& c, PatchStep<SpatialDeformable>& patch) const
+    void expand(const MatrixIn<D>& c, PatchStep<DeformableIn<D>>& patch) const
     {
         if (patch.row_a >= 0) expand(aa, c, patch.aa);
         if (patch.row_b >= 0) expand(bb, c, patch.bb);
@@ -291,16 +302,23 @@ struct WeightSums {
     }
 };
 
-/// Locked points of a deformable patch share the directions n n^T and 1 - n n^T.
-void add_points(const std::vector<PointStep>& points, bool published, PatchStep<SpatialDeformable>& patch)
+template <int D>
+bool has_stiffness(const PointStep<D>& p, bool published)
 {
-    WeightSums normal, shear;
+    return p.status != ContactStatus::open || (!published && p.normal_tangent != 0);
+}
+
+/// Locked points of a deformable patch share the directions n n^T and 1 - n n^T.
+template <int D>
+void add_points(const std::vector<PointStep<D>>& points, bool published, PatchStep<DeformableIn<D>>& patch)
+{
+    WeightSums<D> normal, shear;
     bool any = false;
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const PointStep& p = points[i];
-        if (p.status == ContactStatus::open && (published || p.normal_tangent == 0)) continue;
+        const PointStep<D>& p = points[i];
+        if (!has_stiffness(p, published)) continue;
         if (p.status != ContactStatus::locked) {
-            add_point(p, point_stiffness(p, patch.normal, published), patch);
+            add_point(p, point_stiffness<D>(p, patch.normal, published), patch);
             continue;
         }
         normal.add(published ? p.normal_stiffness : p.normal_tangent, p);
@@ -308,18 +326,17 @@ void add_points(const std::vector<PointStep>& points, bool published, PatchStep<
         any = true;
     }
     if (!any) return;
-    const Matrix3d along = patch.normal * patch.normal.transpose();
-    normal.expand(along, patch);
-    shear.expand(Matrix3d::Identity() - along, patch);
+    const MatrixIn<D> across = patch.normal * patch.normal.transpose();
+    normal.expand(across, patch);
+    shear.expand(MatrixIn<D>::Identity() - across, patch);
 }
 
-void add_points(const std::vector<PointStep>& points, bool published, PatchStep<SpatialRigid>& patch)
+template <int D>
+void add_points(const std::vector<PointStep<D>>& points, bool published, PatchStep<RigidIn<D>>& patch)
 {
-    for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const PointStep& p = points[i];
-        if (p.status == ContactStatus::open && (published || p.normal_tangent == 0)) continue;
-        add_point(p, point_stiffness(p, patch.normal, published), patch);
-    }
+    for (int i = patch.first; i < patch.first + patch.count; ++i)
+        if (has_stiffness(points[i], published))
+            add_point(points[i], point_stiffness<D>(points[i], patch.normal, published), patch);
 }
 
 }  // namespace
@@ -338,12 +355,13 @@ void contact_stiffness(bool published, int threads, ContactStep<K>& step)
     }
 }
 
-Vector3d slip_at_end(const PointStep& p, const Vector3d& normal)
+template <int D>
+VectorIn<D> slip_at_end(const PointStep<D>& p, const VectorIn<D>& normal)
 {
     if (p.status == ContactStatus::locked) return p.slip_start + tangential(p.displacement, normal);
-    if (p.status == ContactStatus::open) return Vector3d::Zero();
+    if (p.status == ContactStatus::open) return VectorIn<D>::Zero();
     // Of a published step this is not p.shear, the load it was solved with, but the load of the pass to come.
-    const Vector3d shear = p.bound / p.trial.norm() * p.trial;
+    const VectorIn<D> shear = p.bound / p.trial.norm() * p.trial;
     const double theta = p.shear_blend;
     return (shear / p.shear_stiffness - 0.5 * (1 - theta) * p.slip_start) * (2 / (1 + theta));
 }
@@ -354,14 +372,14 @@ ContactEnergies contact_energies(const ContactStep<K>& step)
     ContactEnergies sum;
     for (const PatchStep<K>& patch : step.patches)
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            const PointStep& p = step.points[i];
+            const PointStep<K::dimension>& p = step.points[i];
             const double depth_0 = patch.intact ? p.gap_start : std::min(p.gap_start, 0.0);
             const double depth_1 = patch.intact ? p.gap : std::min(p.gap, 0.0);
             const double normal_start = 0.5 * p.normal_stiffness * depth_0 * depth_0;
             const double normal_end = 0.5 * p.normal_stiffness * depth_1 * depth_1;
             const double closing = p.gap_start - p.gap;
-            const Vector3d slip = slip_at_end(p, patch.normal);
-            const Vector3d elastic = slip - p.slip_start;
+            const typename K::Vector slip = slip_at_end<K::dimension>(p, patch.normal);
+            const typename K::Vector elastic = slip - p.slip_start;
             const double shear_start = 0.5 * p.shear_stiffness * p.slip_start.squaredNorm();
             const double shear_end = 0.5 * p.shear_stiffness * slip.squaredNorm();
             sum.stored += normal_end + shear_end;
@@ -373,88 +391,18 @@ ContactEnergies contact_energies(const ContactStep<K>& step)
     return sum;
 }
 
-namespace
-{
-
-/// Second moments of the area of a convex polygon about its centroid, the origin, by triangles from there [m4].
-Eigen::Matrix2d second_moments(const std::vector<Eigen::Vector2d>& corners)
-{
-    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d &p = corners[i], &q = corners[(i + 1) % corners.size()], sum = p + q;
-        const double area = 0.5 * std::abs(p.x() * q.y() - p.y() * q.x());
-        second += area / 12 * (p * p.transpose() + q * q.transpose() + sum * sum.transpose());
-    }
-    return second;
-}
-
-/// How far a patch is beyond its strength, as a ratio; <= 1 holds. The stress is linear over the patch,
-/// N/A + (bending), and carries the resultant of the corner forces; shear is the mean against c + mu sigma.
-template <class K>
-double overload(const JointMaterial& joint, const PatchStep<K>& patch, const std::vector<PointStep>& points,
-                const ContactSet& contacts)
-{
-    double area = 0, force = 0;
-    Vector3d centre = Vector3d::Zero(), shear = Vector3d::Zero();
-    for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        area += contacts.points[i].area;
-        centre += contacts.points[i].area * contacts.points[i].position;
-    }
-    centre /= area;
-    // In-plane axes u, v. The corner springs are stiffer in bending than the area they stand for: only their
-    // resultant counts.
-    const Vector3d u = patch.normal.unitOrthogonal(), v = patch.normal.cross(u);
-    std::vector<Eigen::Vector2d> corners;
-    Eigen::Vector2d moment = Eigen::Vector2d::Zero();
-    for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const Vector3d lever = contacts.points[i].position - centre;
-        corners.emplace_back(u.dot(lever), v.dot(lever));
-        force += points[i].normal;
-        shear += points[i].shear;
-        moment += points[i].normal * corners.back();
-    }
-    const Eigen::Vector2d bending =
-        patch.count < 3 ? Eigen::Vector2d::Zero() : Eigen::Vector2d(second_moments(corners).inverse() * moment);
-    double least = force / area;  // most tensile normal stress of a corner
-    for (const Eigen::Vector2d& corner : corners) least = std::min(least, force / area + bending.dot(corner));
-    // A dry share keeps the ratios finite: a joint without tensile strength breaks at the first tension.
-    const double tension = -least / std::max(joint.tensile_strength, 1e-12);
-    const double shear_strength = joint.cohesion + patch.friction * force / area;
-    const double sliding = shear.norm() / area / std::max(shear_strength, 1e-12);
-    return std::max(tension, sliding);
-}
-
-}  // namespace
-
-template <class K>
-int break_weakest_patch(const Model& model, const ContactSet& contacts, ContactStep<K>& step)
-{
-    int weakest = -1;
-    double most = 1;
-    for (int k = 0; k < static_cast<int>(step.patches.size()); ++k) {
-        if (!step.patches[k].intact) continue;
-        const ContactPatch& found = contacts.patches[k];
-        const double ratio =
-            overload(model.joint_between(found.block_a, found.block_b), step.patches[k], step.points, contacts);
-        if (ratio <= most) continue;
-        most = ratio;
-        weakest = k;
-    }
-    if (weakest >= 0) step.patches[weakest].intact = false;
-    return weakest;
-}
-
-#define VOUSSOIR_INSTANTIATE(K)                                                            \
-    template void begin_contacts(const Model&, const Stage&, double, const ContactSet&,    \
-                                 const std::vector<BlockStep<K>>&, ContactStep<K>&);       \
-    template void evaluate_contacts(const VectorXd&, FrictionBound, int, ContactStep<K>&); \
-    template void evaluate_published(const VectorXd&, ContactStep<K>&);                    \
-    template bool switch_published(ContactStep<K>&);                                       \
-    template void contact_stiffness(bool, int, ContactStep<K>&);                           \
-    template ContactEnergies contact_energies(const ContactStep<K>&);                      \
-    template int break_weakest_patch(const Model&, const ContactSet&, ContactStep<K>&)
-VOUSSOIR_INSTANTIATE(SpatialDeformable);
-VOUSSOIR_INSTANTIATE(SpatialRigid);
+#define VOUSSOIR_INSTANTIATE(K)                                                                         \
+    template void begin_contacts(const Model&, const Stage&, double, const ContactSetIn<K::dimension>&, \
+                                 const std::vector<BlockStep<K>>&, ContactStep<K>&);                    \
+    template void evaluate_contacts(const VectorXd&, FrictionBound, int, ContactStep<K>&);              \
+    template void evaluate_published(const VectorXd&, ContactStep<K>&);                                 \
+    template bool switch_published(ContactStep<K>&);                                                    \
+    template void contact_stiffness(bool, int, ContactStep<K>&);                                        \
+    template ContactEnergies contact_energies(const ContactStep<K>&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
+
+template VectorIn<3> slip_at_end(const PointStep<3>&, const VectorIn<3>&);
+template VectorIn<2> slip_at_end(const PointStep<2>&, const VectorIn<2>&);
 
 }  // namespace voussoir

@@ -12,11 +12,12 @@ namespace voussoir
 {
 
 /// A contact point within a step. Displacements are of a relative to b.
+template <int D>
 struct PointStep {
-    Eigen::Vector3d lever_a, lever_b;                  // m, predicted configuration
-    Eigen::Vector3d predicted;                         // m, relative displacement of the step if D = 0
-    Eigen::Vector3d ballistic_a, ballistic_b;          // m, h v^ minus the predicted displacement, of the rotation
-    Eigen::Vector3d slip_start;                        // m, elastic slip
+    VectorIn<D> lever_a, lever_b;                      // m, predicted configuration
+    VectorIn<D> predicted;                             // m, relative displacement of the step if D = 0
+    VectorIn<D> ballistic_a, ballistic_b;              // m, h v^ minus the predicted displacement, of the rotation
+    VectorIn<D> slip_start;                            // m, elastic slip
     double gap_start = 0;                              // m
     double normal_stiffness = 0, shear_stiffness = 0;  // N/m
     double normal_blend = 1, shear_blend = 1;          // theta of the integrator
@@ -24,16 +25,16 @@ struct PointStep {
     ContactStatus status = ContactStatus::open;
     double gap = 0, normal = 0, elastic_normal = 0, normal_tangent = 0;  // m, N, N, N/m
     double bound = 0;                                                    // N, friction bound
-    Eigen::Vector3d displacement;                                        // m, relative, of the step
-    Eigen::Vector3d trial;                                               // N, shear force if it all stuck
-    Eigen::Vector3d shear;                                               // N, resisting
+    VectorIn<D> displacement;                                            // m, relative, of the step
+    VectorIn<D> trial;                                                   // N, shear force if it all stuck
+    VectorIn<D> shear;                                                   // N, resisting
 };
 
 template <class K>
 struct PatchStep {
     int row_a = -1, row_b = -1;
     int first = 0, count = 0;
-    Eigen::Vector3d normal;
+    typename K::Vector normal;
     double friction = 0;        // -, tan of the friction angle
     double dashpot_over_h = 0;  // -
     bool intact = false;
@@ -51,12 +52,12 @@ enum class FrictionBound {
 template <class K>
 struct ContactStep {
     std::vector<PatchStep<K>> patches;
-    std::vector<PointStep> points;
+    std::vector<PointStep<K::dimension>> points;
 };
 
 /// @param contacts with the gaps and slips at the start of the step
 template <class K>
-void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSet& contacts,
+void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSetIn<K::dimension>& contacts,
                     const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step);
 
 /// Forces at the iterate D (rows x unknowns), point by point and summed per patch.
@@ -84,11 +85,12 @@ template <class K>
 ContactEnergies contact_energies(const ContactStep<K>& step);
 
 /// Elastic slip at the end of the step [m]: of a blend theta, t = (1-theta)/2 k s0 + (1+theta)/2 k s1.
-Eigen::Vector3d slip_at_end(const PointStep& point, const Eigen::Vector3d& normal);
+template <int D>
+VectorIn<D> slip_at_end(const PointStep<D>& point, const VectorIn<D>& normal);
 
 /// Breaks the intact patch that most exceeds its strength on its linear stress field, if any.
 /// @returns its index, or -1
 template <class K>
-int break_weakest_patch(const Model& model, const ContactSet& contacts, ContactStep<K>& step);
+int break_weakest_patch(const Model& model, const ContactSetIn<K::dimension>& contacts, ContactStep<K>& step);
 
 }  // namespace voussoir

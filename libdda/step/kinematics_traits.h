@@ -1,112 +1,136 @@
 // What the unknowns of a block do to its points: the only place where the kinematics of a scene enters the step.
 //
 // A step moves the material point at lever y (from the centroid, in the predicted configuration) by T(y) D, D the
-// block's unknowns. Shi's twelve are translation u, rotation r and strain e; here the last nine are the
-// displacement gradient L = skew(r) + e, the same nine numbers in another basis, in which points are linear in the
-// unknowns, masses are simple and a rigid rotation makes no false strain. A rigid block has u and r alone.
+// block's unknowns. Shi's twelve are translation u, rotation r and strain e (planar: u, v, r, ex, ey, gxy); here
+// the last nine (four) are the displacement gradient L = skew(r) + e, the same numbers in another basis, in which
+// points are linear in the unknowns, masses are simple and a rigid rotation makes no false strain. A rigid block
+// has u and r alone.
 #pragma once
 
 #include <Eigen/Core>
 
 #include "libdda/model/kinematics.h"
+#include "libdda/step/rotation.h"
 
 namespace voussoir
 {
 
-inline Eigen::Matrix3d skew(const Eigen::Vector3d& r)
-{
-    Eigen::Matrix3d m;
-    m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-    return m;
-}
-
-/// Twice the axial vector of the antisymmetric part: axial(skew(r)) = 2 r, axial(f y^T) = y x f.
-inline Eigen::Vector3d axial(const Eigen::Matrix3d& m)
-{
-    return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
-}
-
-/// 12 unknowns: u, then L column by column.
-struct SpatialDeformable {
-    static constexpr Kinematics kinematics = Kinematics::spatial_deformable;
+/// 12 unknowns, planar 6: u, then L column by column.
+template <int D>
+struct DeformableIn {
+    static constexpr Kinematics kinematics =
+        D == 3 ? Kinematics::spatial_deformable : Kinematics::planar_deformable;
     static constexpr bool deformable = true;
-    static constexpr int unknowns = 12;
+    static constexpr int dimension = D;
+    static constexpr int unknowns = D + D * D;
+    using Vector = VectorIn<D>;
+    using Matrix = MatrixIn<D>;
+    using Spin = SpinIn<D>;
     using Unknowns = Eigen::Matrix<double, unknowns, 1>;
     using Square = Eigen::Matrix<double, unknowns, unknowns>;
 
     /// L of the unknowns.
-    static Eigen::Matrix3d gradient(const Unknowns& d) { return Eigen::Map<const Eigen::Matrix3d>(d.data() + 3); }
+    static Matrix gradient(const Unknowns& d) { return Eigen::Map<const Matrix>(d.data() + D); }
 
     /// T(y) D = u + L y
-    static Eigen::Vector3d displacement(const Unknowns& d, const Eigen::Vector3d& y)
+    static Vector displacement(const Unknowns& d, const Vector& y)
     {
-        return d.head<3>() + y[0] * d.segment<3>(3) + y[1] * d.segment<3>(6) + y[2] * d.segment<3>(9);
+        Vector moved = d.template head<D>();
+        for (int j = 0; j < D; ++j) moved += y[j] * d.template segment<D>(D + D * j);
+        return moved;
     }
     /// forces += T(y)^T f
-    static void add_force(Unknowns& forces, const Eigen::Vector3d& y, const Eigen::Vector3d& f)
+    static void add_force(Unknowns& forces, const Vector& y, const Vector& f)
     {
-        forces.head<3>() += f;
-        forces.segment<3>(3) += y[0] * f;
-        forces.segment<3>(6) += y[1] * f;
-        forces.segment<3>(9) += y[2] * f;
+        forces.template head<D>() += f;
+        for (int j = 0; j < D; ++j) forces.template segment<D>(D + D * j) += y[j] * f;
     }
     /// stiffness += T(ya)^T C T(yb): with w = (1, y) the blocks are w_i w_j C.
-    static void add_stiffness(Square& stiffness, const Eigen::Vector3d& ya, const Eigen::Vector3d& yb,
-                              const Eigen::Matrix3d& c)
+    static void add_stiffness(Square& stiffness, const Vector& ya, const Vector& yb, const Matrix& c)
     {
-        const double wa[4] = {1, ya[0], ya[1], ya[2]}, wb[4] = {1, yb[0], yb[1], yb[2]};
-        for (int j = 0; j < 4; ++j)
-            for (int i = 0; i < 4; ++i) stiffness.block<3, 3>(3 * i, 3 * j) += wa[i] * wb[j] * c;
+        for (int j = 0; j <= D; ++j)
+            for (int i = 0; i <= D; ++i)
+                stiffness.template block<D, D>(D * i, D * j) +=
+                    (i == 0 ? 1 : ya[i - 1]) * (j == 0 ? 1 : yb[j - 1]) * c;
     }
     /// M of a block of mass m with second moment s (density included) about its centroid [kg, kg m2].
-    static Square mass_matrix(double m, const Eigen::Matrix3d& s)
+    static Square mass_matrix(double m, const Matrix& s)
     {
         Square mass = Square::Zero();
-        mass.diagonal().head<3>().setConstant(m);
-        for (int j = 0; j < 3; ++j)
-            for (int k = 0; k < 3; ++k) mass.block<3, 3>(3 + 3 * j, 3 + 3 * k).diagonal().setConstant(s(j, k));
+        mass.diagonal().template head<D>().setConstant(m);
+        for (int j = 0; j < D; ++j)
+            for (int k = 0; k < D; ++k)
+                mass.template block<D, D>(D + D * j, D + D * k).diagonal().setConstant(s(j, k));
         return mass;
     }
     /// Moment about the centroid of a generalised force [Nm].
-    static Eigen::Vector3d moment_of(const Unknowns& forces) { return axial(gradient(forces)); }
+    static Spin moment_of(const Unknowns& forces) { return axial(gradient(forces)); }
 };
 
-/// 6 unknowns: u, r.
-struct SpatialRigid {
-    static constexpr Kinematics kinematics = Kinematics::spatial_rigid;
+/// 6 unknowns, planar 3: u, r.
+template <int D>
+struct RigidIn {
+    static constexpr Kinematics kinematics = D == 3 ? Kinematics::spatial_rigid : Kinematics::planar_rigid;
     static constexpr bool deformable = false;
-    static constexpr int unknowns = 6;
+    static constexpr int dimension = D;
+    static constexpr int spins = D == 3 ? 3 : 1;
+    static constexpr int unknowns = D + spins;
+    using Vector = VectorIn<D>;
+    using Matrix = MatrixIn<D>;
+    using Spin = SpinIn<D>;
     using Unknowns = Eigen::Matrix<double, unknowns, 1>;
     using Square = Eigen::Matrix<double, unknowns, unknowns>;
 
-    static Eigen::Matrix3d gradient(const Unknowns& d) { return skew(d.tail<3>()); }
+    static Matrix gradient(const Unknowns& d) { return skew(Spin(d.template tail<spins>())); }
 
-    static Eigen::Vector3d displacement(const Unknowns& d, const Eigen::Vector3d& y)
+    static Vector displacement(const Unknowns& d, const Vector& y)
     {
-        return d.head<3>() + d.tail<3>().cross(y);
+        if constexpr (D == 3)
+            return d.template head<3>() + d.template tail<3>().cross(y);
+        else
+            return {d[0] - d[2] * y.y(), d[1] + d[2] * y.x()};
     }
-    static void add_force(Unknowns& forces, const Eigen::Vector3d& y, const Eigen::Vector3d& f)
+    static void add_force(Unknowns& forces, const Vector& y, const Vector& f)
     {
-        forces.head<3>() += f;
-        forces.tail<3>() += y.cross(f);
+        forces.template head<D>() += f;
+        forces.template tail<spins>() += moment_about(y, f);
     }
-    static void add_stiffness(Square& stiffness, const Eigen::Vector3d& ya, const Eigen::Vector3d& yb,
-                              const Eigen::Matrix3d& c)
+    static void add_stiffness(Square& stiffness, const Vector& ya, const Vector& yb, const Matrix& c)
     {
-        const Eigen::Matrix3d c_yb = c * skew(yb), ya_skew = skew(ya);
-        stiffness.topLeftCorner<3, 3>() += c;
-        stiffness.topRightCorner<3, 3>() -= c_yb;
-        stiffness.bottomLeftCorner<3, 3>() += ya_skew * c;
-        stiffness.bottomRightCorner<3, 3>() -= ya_skew * c_yb;
+        if constexpr (D == 3) {
+            const Matrix c_yb = c * skew(yb), ya_skew = skew(ya);
+            stiffness.template topLeftCorner<3, 3>() += c;
+            stiffness.template topRightCorner<3, 3>() -= c_yb;
+            stiffness.template bottomLeftCorner<3, 3>() += ya_skew * c;
+            stiffness.template bottomRightCorner<3, 3>() -= ya_skew * c_yb;
+        } else {
+            const Vector turned_a(-ya.y(), ya.x()), turned_b(-yb.y(), yb.x());  // r x y per unit r
+            stiffness.template topLeftCorner<2, 2>() += c;
+            stiffness.template topRightCorner<2, 1>() += c * turned_b;
+            stiffness.template bottomLeftCorner<1, 2>() += turned_a.transpose() * c;
+            stiffness(2, 2) += turned_a.dot(c * turned_b);
+        }
     }
-    static Square mass_matrix(double m, const Eigen::Matrix3d& s)
+    static Square mass_matrix(double m, const Matrix& s)
     {
         Square mass = Square::Zero();
-        mass.diagonal().head<3>().setConstant(m);
-        mass.bottomRightCorner<3, 3>() = s.trace() * Eigen::Matrix3d::Identity() - s;
+        mass.diagonal().template head<D>().setConstant(m);
+        mass.template bottomRightCorner<spins, spins>() = inertia_tensor(s);
         return mass;
     }
-    static Eigen::Vector3d moment_of(const Unknowns& forces) { return forces.tail<3>(); }
+    static Spin moment_of(const Unknowns& forces) { return forces.template tail<spins>(); }
 };
 
+using SpatialDeformable = DeformableIn<3>;
+using SpatialRigid = RigidIn<3>;
+using PlanarDeformable = DeformableIn<2>;
+using PlanarRigid = RigidIn<2>;
+
 }  // namespace voussoir
+
+/// Instantiates a macro for all kinematics.
+#define VOUSSOIR_FOR_ALL_KINEMATICS(INSTANTIATE) \
+    INSTANTIATE(SpatialDeformable);              \
+    INSTANTIATE(SpatialRigid);                   \
+    INSTANTIATE(PlanarDeformable);               \
+    INSTANTIATE(PlanarRigid)

@@ -26,19 +26,20 @@ struct Unbalance {
 template <class K>
 Unbalance unbalance(const StepSystem<K>& system, double tolerance)
 {
-    constexpr int n = K::unknowns;
+    constexpr int n = K::unknowns, dimension = K::dimension;
     constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
     Unbalance most;
     for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
         const int b = system.block_of_row[row];
         const BlockStep<K>& block = system.blocks[b];
         const auto r = system.residual.template segment<n>(n * row);
-        const double force = std::max(r.template head<3>().norm(), r.template tail<n - 3>().norm() / block.size);
-        const double moved = system.d.template segment<3>(n * row).norm();
+        const double force =
+            std::max(r.template head<dimension>().norm(), r.template tail<n - dimension>().norm() / block.size);
+        const double moved = system.d.template segment<dimension>(n * row).norm();
         const double stiffness =
             K::deformable ? (block.elasticity.lambda + 2 * block.elasticity.mu) * block.size : 0;
         const double floor =
-            rounding * (stiffness * block.size + block.base.diagonal().template head<3>().norm() * moved);
+            rounding * (stiffness * block.size + block.base.diagonal().template head<dimension>().norm() * moved);
         const double allowed = tolerance * system.load[row] + floor + std::numeric_limits<double>::min();
         if (force / allowed <= most.worst) continue;
         most = {force / allowed, system.load[row] > 0 ? force / system.load[row] : 0, b};
@@ -118,8 +119,8 @@ bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report
 }  // namespace
 
 template <class K>
-bool iterate_newton(const Model& model, const Stage& stage, const ContactSet& contacts, StepSystem<K>& system,
-                    StepReport& report)
+bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
+                    StepSystem<K>& system, StepReport& report)
 {
     const StepControl& control = stage.control;
     double last = std::numeric_limits<double>::infinity();
@@ -151,9 +152,10 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSet& co
     }
 }
 
-template bool iterate_newton(const Model&, const Stage&, const ContactSet&, StepSystem<SpatialDeformable>&,
-                             StepReport&);
-template bool iterate_newton(const Model&, const Stage&, const ContactSet&, StepSystem<SpatialRigid>&,
-                             StepReport&);
+#define VOUSSOIR_INSTANTIATE(K)                                                                                 \
+    template bool iterate_newton(const Model&, const Stage&, const ContactSetIn<K::dimension>&, StepSystem<K>&, \
+                                 StepReport&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
 
 }  // namespace voussoir

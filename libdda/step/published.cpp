@@ -33,7 +33,8 @@ bool iterate_published(const Stage& stage, StepSystem<K>& system, StepReport& re
     return false;
 }
 
-template bool iterate_published(const Stage&, StepSystem<SpatialDeformable>&, StepReport&);
-template bool iterate_published(const Stage&, StepSystem<SpatialRigid>&, StepReport&);
+#define VOUSSOIR_INSTANTIATE(K) template bool iterate_published(const Stage&, StepSystem<K>&, StepReport&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
 
 }  // namespace voussoir

@@ -8,8 +8,8 @@ namespace voussoir
 using Eigen::VectorXd;
 
 template <class K>
-void assemble_blocks(const Model& model, const Stage& stage, const State& state, const ContactSet& contacts,
-                     double h, StepSystem<K>& system)
+void assemble_blocks(const Model& model, const Stage& stage, const State& state,
+                     const ContactSetIn<K::dimension>& contacts, double h, StepSystem<K>& system)
 {
     const int count = static_cast<int>(model.blocks.size());
     const double end_time = state.stage_time + h;
@@ -53,7 +53,8 @@ namespace
 template <class K>
 double load_of(const BlockStep<K>& block, const InternalForce<K>& internal, double pressing)
 {
-    double load = block.body_force.norm() + pressing + block.steady.tail(K::unknowns - 3).norm() / block.size;
+    double load =
+        block.body_force.norm() + pressing + block.steady.tail(K::unknowns - K::dimension).norm() / block.size;
     if constexpr (K::deformable) load += internal.force.norm() / block.size;
     return load;
 }
@@ -177,13 +178,12 @@ bool solve_direction(const StepControl& control, bool published, StepSystem<K>& 
     return linear.solved && system.direction.allFinite();
 }
 
-template void assemble_blocks(const Model&, const Stage&, const State&, const ContactSet&, double,
-                              StepSystem<SpatialDeformable>&);
-template void assemble_blocks(const Model&, const Stage&, const State&, const ContactSet&, double,
-                              StepSystem<SpatialRigid>&);
-template bool evaluate_residual(const VectorXd&, StepSystem<SpatialDeformable>&);
-template bool evaluate_residual(const VectorXd&, StepSystem<SpatialRigid>&);
-template bool solve_direction(const StepControl&, bool, StepSystem<SpatialDeformable>&, StepReport&);
-template bool solve_direction(const StepControl&, bool, StepSystem<SpatialRigid>&, StepReport&);
+#define VOUSSOIR_INSTANTIATE(K)                                                                                \
+    template void assemble_blocks(const Model&, const Stage&, const State&, const ContactSetIn<K::dimension>&, \
+                                  double, StepSystem<K>&);                                                     \
+    template bool evaluate_residual(const VectorXd&, StepSystem<K>&);                                          \
+    template bool solve_direction(const StepControl&, bool, StepSystem<K>&, StepReport&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
 
 }  // namespace voussoir

@@ -36,15 +36,15 @@ struct StepSystem {
 
 /// Sets up blocks, contacts and pattern for a step of length h ending at stage time `end_time`.
 template <class K>
-void assemble_blocks(const Model& model, const Stage& stage, const State& state, const ContactSet& contacts,
-                     double h, StepSystem<K>& system);
+void assemble_blocks(const Model& model, const Stage& stage, const State& state,
+                     const ContactSetIn<K::dimension>& contacts, double h, StepSystem<K>& system);
 
 /// Newton iteration on the step's potential with a line search on its derivative; joints that exceed their
 /// strength break one by one. Fills the report. @returns whether every block is in equilibrium within the
 /// tolerance
 template <class K>
-bool iterate_newton(const Model& model, const Stage& stage, const ContactSet& contacts, StepSystem<K>& system,
-                    StepReport& report);
+bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
+                    StepSystem<K>& system, StepReport& report);
 
 /// Shi's open-close iteration: solve, switch springs, repeat until no spring switches, six times at most.
 template <class K>

@@ -22,11 +22,11 @@ State odd_state(Kinematics kinematics)
     state.grid = 617;
     state.next_time_step = 1e-300;
     state.coordinates[0] = std::numeric_limits<double>::denorm_min();
-    state.patches[2].intact = true;
-    state.patches[3].edge_edge = true;
-    state.contact_points[5].status = ContactStatus::sliding;
-    state.contact_points[5].shear_force = {1, -0.0, 3};
-    state.contact_points[6].elastic_slip = {1e-9, 2e-9, 3e-9};
+    state.contacts.patches[2].intact = true;
+    state.contacts.patches[3].edge_edge = true;
+    state.contacts.points[5].status = ContactStatus::sliding;
+    state.contacts.points[5].shear_force = {1, -0.0, 3};
+    state.contacts.points[6].elastic_slip = {1e-9, 2e-9, 3e-9};
     return state;
 }
 
@@ -42,8 +42,8 @@ TEST_P(StateFile, EveryBitComesBack)
     const State loaded = load_state(folder.path / "state");
     EXPECT_EQ(hash_of(loaded), hash_of(state));
     EXPECT_EQ(loaded.coordinates, state.coordinates);
-    EXPECT_EQ(loaded.contact_points.size(), state.contact_points.size());
-    EXPECT_TRUE(loaded.patches[2].intact);
+    EXPECT_EQ(loaded.contacts.points.size(), state.contacts.points.size());
+    EXPECT_TRUE(loaded.contacts.patches[2].intact);
     EXPECT_FALSE(std::filesystem::exists(folder.path / "state.part"));
 }
 

@@ -75,7 +75,7 @@ void add_joint(const Model& model, int a, int b, double amount, State& state)
     patch.feature_b = 3;
     patch.stiffness = 1e9;
     patch.normal = (pose_a.centroid - pose_b.centroid).normalized();
-    patch.first_point = static_cast<int>(state.contact_points.size());
+    patch.first_point = static_cast<int>(state.contacts.points.size());
     patch.point_count = 4;
     const Vector3d middle = 0.5 * (pose_a.centroid + pose_b.centroid);
     const Vector3d across = Vector3d::UnitY(), along = patch.normal.cross(across).normalized();
@@ -90,9 +90,9 @@ void add_joint(const Model& model, int a, int b, double amount, State& state)
         point.status = opens ? ContactStatus::open : ContactStatus::locked;
         point.normal_force = opens ? 0 : 1e4;
         if (amount < 0) point.plastic_slip = -amount * along;
-        state.contact_points.push_back(point);
+        state.contacts.points.push_back(point);
     }
-    state.patches.push_back(patch);
+    state.contacts.patches.push_back(patch);
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ struct Scene {
     }
     void remember(const ContactSet& found)
     {
-        state.patches = found.patches;
-        state.contact_points = found.points;
+        state.contacts.patches = found.patches;
+        state.contacts.points = found.points;
     }
 };
 
@@ -52,10 +52,10 @@ Vector3d slip_of(std::size_t i)
 
 void give_slip(State& state)
 {
-    for (std::size_t i = 0; i < state.contact_points.size(); ++i) {
-        state.contact_points[i].elastic_slip = slip_of(i);
-        state.contact_points[i].plastic_slip = 3 * slip_of(i);
-        state.contact_points[i].status = ContactStatus::sliding;
+    for (std::size_t i = 0; i < state.contacts.points.size(); ++i) {
+        state.contacts.points[i].elastic_slip = slip_of(i);
+        state.contacts.points[i].plastic_slip = 3 * slip_of(i);
+        state.contacts.points[i].status = ContactStatus::sliding;
     }
 }
 
@@ -114,7 +114,7 @@ TEST(ContactHistory, slip_is_laid_into_the_new_tangent_plane)
     Scene scene;
     scene.put({0, 0, 1 - 1e-4});
     scene.remember(scene.find());
-    for (ContactPoint& p : scene.state.contact_points) p.elastic_slip = {1e-4, 0, 5e-5};
+    for (ContactPoint& p : scene.state.contacts.points) p.elastic_slip = {1e-4, 0, 5e-5};
     const ContactSet found = scene.find();
     for (const ContactPoint& p : found.points) EXPECT_LT((p.elastic_slip - Vector3d(1e-4, 0, 0)).norm(), 1e-18);
 }
@@ -134,7 +134,7 @@ TEST(ContactHistory, new_points_take_the_mean_slip_of_the_patch)
     for (const ContactPoint& p : found.points) {
         bool known = false;
         for (std::size_t i = 0; i < 4; ++i)
-            known = known || (scene.state.contact_points[i].feature == p.feature &&
+            known = known || (scene.state.contacts.points[i].feature == p.feature &&
                               (p.elastic_slip - slip_of(i)).norm() < 1e-18);
         if (known) continue;
         ++fresh;
@@ -154,8 +154,8 @@ TEST(ContactHistory, slip_changes_sign_when_the_bodies_change_places)
     ASSERT_EQ(first.patches[0].block_b, 0);
     scene.remember(first);
     give_slip(scene.state);
-    std::swap(scene.state.patches[0].block_a, scene.state.patches[0].block_b);
-    std::swap(scene.state.patches[0].feature_a, scene.state.patches[0].feature_b);
+    std::swap(scene.state.contacts.patches[0].block_a, scene.state.contacts.patches[0].block_b);
+    std::swap(scene.state.contacts.patches[0].feature_a, scene.state.contacts.patches[0].feature_b);
     const ContactSet found = scene.find();
     ASSERT_EQ(found.patches[0].block_b, 0);
     ASSERT_EQ(found.points.size(), first.points.size());

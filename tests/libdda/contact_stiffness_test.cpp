@@ -32,9 +32,9 @@ struct Floor {
     double total() const
     {
         double sum = 0;
-        for (const ContactPatch& patch : state.patches)
+        for (const ContactPatch& patch : state.contacts.patches)
             for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
-                sum += patch.stiffness * state.contact_points[i].area;
+                sum += patch.stiffness * state.contacts.points[i].area;
         return sum;
     }
 };

@@ -98,7 +98,7 @@ struct ContactScene {
         MatrixXd k = MatrixXd::Zero(2 * n, 2 * n);
         for (const PatchStep<K>& patch : contacts.patches)
             for (int i = patch.first; i < patch.first + patch.count; ++i) {
-                const PointStep& p = contacts.points[i];
+                const PointStep<3>& p = contacts.points[i];
                 if (p.status != ContactStatus::sliding) continue;
                 VectorXd tangent = VectorXd::Zero(2 * n), normal = VectorXd::Zero(2 * n);
                 const auto spread = [&](const Vector3d& direction, VectorXd& row) {
@@ -117,7 +117,7 @@ struct ContactScene {
     int count(ContactStatus status) const
     {
         int sum = 0;
-        for (const PointStep& p : contacts.points) sum += p.status == status;
+        for (const PointStep<3>& p : contacts.points) sum += p.status == status;
         return sum;
     }
 };

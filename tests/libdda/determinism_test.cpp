@@ -26,7 +26,7 @@ std::uint64_t hash_after_shaking(const Model& model, Stage stage, int threads, s
     const RunReport report = run_quietly(model, {stage}, state);
     EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
     EXPECT_GT(report.energy.friction, 0);
-    patches = state.patches.size();
+    patches = state.contacts.patches.size();
     return hash_of(state);
 }
 
@@ -111,9 +111,9 @@ TEST(Hash, sees_the_last_bit_of_everything_that_changes)
     EXPECT_TRUE(changes(scene.state.coordinates[17]));
     EXPECT_TRUE(changes(scene.state.velocities[17]));
     EXPECT_TRUE(changes(scene.state.foundation_anchors[0]));
-    EXPECT_TRUE(changes(scene.state.patches.back().stiffness));
-    EXPECT_TRUE(changes(scene.state.contact_points.back().elastic_slip[1]));
-    EXPECT_TRUE(changes(scene.state.contact_points.back().plastic_slip[2]));
+    EXPECT_TRUE(changes(scene.state.contacts.patches.back().stiffness));
+    EXPECT_TRUE(changes(scene.state.contacts.points.back().elastic_slip[1]));
+    EXPECT_TRUE(changes(scene.state.contacts.points.back().plastic_slip[2]));
     EXPECT_EQ(hash_of(scene.state), before);
 }
 

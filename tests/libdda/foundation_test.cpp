@@ -150,9 +150,9 @@ TEST_P(Foundations, held_rotation_keeps_a_block_level_under_an_eccentric_load)
         EXPECT_EQ(moved.x(), 0);
         EXPECT_LT(moved.z(), -1e-8);
         double carried = 0;
-        for (const ContactPatch& patch : state.patches)
+        for (const ContactPatch& patch : state.contacts.patches)
             for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
-                if (patch.block_a == 0 || patch.block_b == 0) carried += state.contact_points[i].normal_force;
+                if (patch.block_a == 0 || patch.block_b == 0) carried += state.contacts.points[i].normal_force;
         const double weight = (model.mass(base) + model.mass(load)) * gravity;
         EXPECT_NEAR(carried, weight, 1e-6 * weight);
     }

@@ -40,7 +40,7 @@ Ending end_of(Kinematics kinematics, const Telling& telling, LinearSolverKind so
     }
     // Energy is told in kg (unit of length)^2 / s2, mass in kg.
     end.friction = report.energy.friction / (telling.scale * telling.scale);
-    for (const ContactPoint& p : scene.state.contact_points) end.touching += p.status != ContactStatus::open;
+    for (const ContactPoint& p : scene.state.contacts.points) end.touching += p.status != ContactStatus::open;
     return end;
 }
 

@@ -34,7 +34,7 @@ bool holds_under(const Model& model, const Vector3d& g)
     loading.max_static_steps = 30;  // a block that has broken off falls on
     run_quietly(model, {loading}, state);
     bool intact = false;
-    for (const ContactPatch& patch : state.patches) intact = intact || patch.intact;
+    for (const ContactPatch& patch : state.contacts.patches) intact = intact || patch.intact;
     return intact;
 }
 
@@ -113,7 +113,7 @@ TEST_P(Strength, hung_block_hangs_still_and_then_falls_freely)
     const RunReport still = run_quietly(model, {hanging}, state);
     EXPECT_EQ(still.outcome, Outcome::completed) << still.message;
     double pull = 0;
-    for (const ContactPoint& p : state.contact_points) pull -= p.normal_force;
+    for (const ContactPoint& p : state.contacts.points) pull -= p.normal_force;
     EXPECT_NEAR(pull, model.mass(block) * 0.9 * limit, 1e-6 * pull);
 
     const double start = centroid(model, state, block).z(), g = 1.2 * limit;
@@ -192,7 +192,7 @@ TEST_P(Strength, broken_joint_slides_like_a_dry_one)
         0.5 * gravity * (std::sin(45 * degrees) - std::cos(45 * degrees) * std::tan(20 * degrees));
     EXPECT_EQ(report.outcome, Outcome::completed);
     EXPECT_NEAR(centroid(model, state, block).x() - x0, exact, 2e-3 * exact);
-    for (const ContactPatch& patch : state.patches) EXPECT_FALSE(patch.intact);
+    for (const ContactPatch& patch : state.contacts.patches) EXPECT_FALSE(patch.intact);
     EXPECT_LT(report.energy.relative_residual(), 1e-6);
 
     // At rest on the level, then inclined to below the friction angle and above it: no cohesion has come back.
@@ -214,8 +214,8 @@ TEST_P(Strength, later_contacts_are_dry)
     add_box(model, "block", {-0.5, -0.5, 0.01}, {0.5, 0.5, 0.31});
     State state = initial_state(model);
     run_quietly(model, {dynamic_stage(0.2, 1e-3)}, state);
-    ASSERT_FALSE(state.patches.empty());
-    for (const ContactPatch& patch : state.patches) EXPECT_FALSE(patch.intact);
+    ASSERT_FALSE(state.contacts.patches.empty());
+    for (const ContactPatch& patch : state.contacts.patches) EXPECT_FALSE(patch.intact);
 }
 
 }  // namespace voussoir::testing

@@ -156,10 +156,10 @@ TEST(BridgeStatics, line_of_thrust_lies_inside_every_joint)
         // Extent of the joint along its radial direction, from its contact points.
         const Vector3d radial = Vector3d::UnitY().cross(joint.normal).normalized();
         double low = INFINITY, high = -INFINITY;
-        for (const ContactPatch& patch : solved.state.patches) {
+        for (const ContactPatch& patch : solved.state.contacts.patches) {
             if (std::minmax(patch.block_a, patch.block_b) != std::minmax(joint.block_a, joint.block_b)) continue;
             for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-                const double s = radial.dot(solved.state.contact_points[i].position - joint.centre);
+                const double s = radial.dot(solved.state.contacts.points[i].position - joint.centre);
                 low = std::min(low, s);
                 high = std::max(high, s);
             }

@@ -1,0 +1,72 @@
+#include "libdda/contact/placed_part.h"
+
+#include <Eigen/Geometry>
+
+namespace voussoir
+{
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace
+{
+
+void place_normals(PlacedPart& placed)
+{
+    const std::vector<std::vector<int>>& faces = placed.shape->faces;
+    placed.normals.resize(faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const std::vector<int>& loop = faces[f];
+        Vector3d sum = Vector3d::Zero();
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+            sum += (placed.vertices[loop[i]] - placed.vertices[loop[0]])
+                       .cross(placed.vertices[loop[i + 1]] - placed.vertices[loop[0]]);
+        placed.normals[f] = sum.normalized();
+    }
+}
+
+void place_normals(PlacedOutline& placed)
+{
+    const std::size_t count = placed.vertices.size();
+    placed.normals.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vector2d along = placed.vertices[(i + 1) % count] - placed.vertices[i];
+        placed.normals[i] = Vector2d(along.y(), -along.x()).normalized();
+    }
+}
+
+}  // namespace
+
+template <int D>
+void place_parts(const Model& model, const State& state, std::vector<PlacedPartIn<D>>& parts)
+{
+    std::size_t count = 0;
+    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
+        const PoseIn<D> pose = pose_in<D>(model.kinematics, state, b);
+        const auto& shapes = ShapeIn<D>::of(model.blocks[b]);
+        const double size = size_of(model, b);
+        for (int p = 0; p < static_cast<int>(shapes.size()); ++p, ++count) {
+            if (count == parts.size()) parts.emplace_back();
+            PlacedPartIn<D>& placed = parts[count];
+            placed.block = b;
+            placed.part = p;
+            placed.shape = &shapes[p];
+            placed.size = size;
+            placed.vertices.resize(shapes[p].vertices.size());
+            for (std::size_t v = 0; v < placed.vertices.size(); ++v)
+                placed.vertices[v] = pose.centroid + pose.map * shapes[p].vertices[v];
+            placed.lower = placed.upper = placed.vertices.front();
+            for (const VectorIn<D>& x : placed.vertices) {
+                placed.lower = placed.lower.cwiseMin(x);
+                placed.upper = placed.upper.cwiseMax(x);
+            }
+            place_normals(placed);
+        }
+    }
+    parts.resize(count);
+}
+
+template void place_parts(const Model&, const State&, std::vector<PlacedPart>&);
+template void place_parts(const Model&, const State&, std::vector<PlacedOutline>&);
+
+}  // namespace voussoir
