@@ -59,12 +59,12 @@ struct StepReport {
     int factorisations = 0;
     int linear_iterations = 0;
     std::int64_t factor_entries = 0;
-    double unbalanced = 0;        // largest block residual / block load at acceptance
-    int worst_block = -1;         // the block of `unbalanced`
-    double max_penetration = 0;   // m
-    double max_displacement = 0;  // m, of a block centroid in this step
-    double inertia_ratio = 0;     // static: largest unbalanced force / load of a block
-    bool contact_state_changed = false;
+    double unbalanced = 0;               // largest block residual / block load at acceptance
+    int worst_block = -1;                // the block of `unbalanced`
+    double max_penetration = 0;          // m
+    double max_displacement = 0;         // m, of a block centroid in this step
+    double inertia_ratio = 0;            // static: largest unbalanced force / load of a block
+    bool contact_state_changed = false;  // of a point that carries more than the unbalanced tolerance
     int closed_points = 0;
     std::array<double, static_cast<int>(Part::count)> seconds{};
 };

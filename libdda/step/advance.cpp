@@ -228,8 +228,8 @@ void update_blocks(const StepSystem<K>& system, State& state)
 
 /// Stores the contacts with the forces, gaps and slips of the end of the step. Slips turn with the reference body.
 template <class K>
-void update_contacts(const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts, State& state,
-                     StepReport& report)
+void update_contacts(const Stage& stage, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
+                     State& state, StepReport& report)
 {
     constexpr int n = K::unknowns, dimension = K::dimension;
     using Vector = typename K::Vector;
@@ -244,6 +244,10 @@ void update_contacts(const StepSystem<K>& system, const ContactSetIn<K::dimensio
         if (patch.row_a >= 0) d_a = system.d.template segment<n>(n * patch.row_a);
         if (patch.row_b >= 0) d_b = system.d.template segment<n>(n * patch.row_b);
         const typename K::Matrix turn = rotation_of_step(reference, d_b);
+        // A point that carries next to nothing flickers by rounding; its state is no change of the structure.
+        const double load = std::max(patch.row_a >= 0 ? system.load[patch.row_a] : 0,
+                                     patch.row_b >= 0 ? system.load[patch.row_b] : 0);
+        const double enough = stage.unbalanced_tolerance * load;
         kept.intact = patch.intact;
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             const PointStep<dimension>& p = system.contacts.points[i];
@@ -254,7 +258,9 @@ void update_contacts(const StepSystem<K>& system, const ContactSetIn<K::dimensio
             if (p.status != ContactStatus::open) point.plastic_slip += sliding;
             point.plastic_slip = turn * point.plastic_slip;
             point.elastic_slip = turn * slip;
-            report.contact_state_changed = report.contact_state_changed || point.status != p.status;
+            const double carried = std::max(p.normal, -p.normal_stiffness * p.gap_start);
+            report.contact_state_changed =
+                report.contact_state_changed || (point.status != p.status && carried > enough);
             point.status = p.status;
             point.gap = p.gap;
             point.normal_force = p.normal;
@@ -335,7 +341,7 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
     energy.redetection += energy.contact - spring_energy(model, work.contacts);
     update_blocks(system, state);
     book_step(state, system, work.contacts, energy);
-    update_contacts(system, work.contacts, state, report);
+    update_contacts(stage, system, work.contacts, state, report);
     state.time += h;
     state.stage_time += h;
     ++state.step;

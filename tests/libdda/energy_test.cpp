@@ -16,11 +16,7 @@ using Eigen::Vector3d;
 class Energy : public ::testing::TestWithParam<Kinematics>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Kinematics, Energy,
-                         ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid),
-                         [](const auto& info) {
-                             return info.param == Kinematics::spatial_rigid ? "rigid" : "deformable";
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinematics, Energy, every_kinematics(), test_name);
 
 }  // namespace
 

@@ -23,11 +23,7 @@ std::shared_ptr<const GroundMotion> sine(double amplitude, double frequency)
 class Foundations : public ::testing::TestWithParam<Kinematics>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Kinematics, Foundations,
-                         ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid),
-                         [](const auto& info) {
-                             return info.param == Kinematics::spatial_rigid ? "rigid" : "deformable";
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinematics, Foundations, spatial_kinematics(), test_name);
 
 }  // namespace
 

@@ -15,11 +15,7 @@ using Eigen::Vector3d;
 class GivingUp : public ::testing::TestWithParam<Kinematics>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Kinematics, GivingUp,
-                         ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid),
-                         [](const auto& info) {
-                             return info.param == Kinematics::spatial_rigid ? "rigid" : "deformable";
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinematics, GivingUp, every_kinematics(), test_name);
 
 /// A block that knocks against a floor within the first step.
 struct Knock {

@@ -59,11 +59,7 @@ void expect_same(const Ending& a, const Ending& b, double tolerance, const char*
 class Invariance : public ::testing::TestWithParam<Kinematics>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Kinematics, Invariance,
-                         ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid),
-                         [](const auto& info) {
-                             return info.param == Kinematics::spatial_rigid ? "rigid" : "deformable";
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinematics, Invariance, spatial_kinematics(), test_name);
 
 }  // namespace
 

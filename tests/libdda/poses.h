@@ -18,6 +18,15 @@ inline void set_pose(const Model& model, State& state, int block, const Eigen::V
                      const Eigen::Matrix3d& rotation)
 {
     double* x = state.coordinates.data() + block * coordinates_per_block(model.kinematics);
+    if (is_planar(model.kinematics)) {
+        Eigen::Map<Eigen::Vector2d>{x} = from_space<2>(centroid);
+        const Eigen::Matrix2d own = from_space<2>(rotation);
+        if (is_deformable(model.kinematics))
+            Eigen::Map<Eigen::Matrix2d>{x + 2} = own;
+        else
+            x[2] = std::atan2(own(1, 0), own(0, 0));
+        return;
+    }
     Eigen::Map<Eigen::Vector3d>{x} = centroid;
     if (is_deformable(model.kinematics)) {
         Eigen::Map<Eigen::Matrix3d>{x + 3} = rotation;

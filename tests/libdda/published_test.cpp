@@ -26,11 +26,7 @@ constexpr double slope_acceleration()
 class Published : public ::testing::TestWithParam<Kinematics>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Kinematics, Published,
-                         ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid),
-                         [](const auto& info) {
-                             return info.param == Kinematics::spatial_rigid ? "rigid" : "deformable";
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinematics, Published, spatial_kinematics(), test_name);
 
 }  // namespace
 

@@ -1,7 +1,10 @@
 // Small scenes that several tests share.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -32,11 +35,15 @@ inline JointMaterial dry(double friction_degrees)
     return joint;
 }
 
-/// Adds a box to a model; its group is 0.
+/// Adds a box to a model; its group is 0. A planar scene takes its section in x and z, whatever its extent in y.
 inline int add_box(Model& model, const std::string& name, const Eigen::Vector3d& lower,
                    const Eigen::Vector3d& upper)
 {
-    model.blocks.push_back(make_block(name, 0, 0, {make_box(lower, upper)}));
+    if (is_planar(model.kinematics))
+        model.blocks.push_back(make_planar_block(
+            name, 0, 0, {make_rectangle(from_space<2>(lower), from_space<2>(upper))}, model.thickness));
+    else
+        model.blocks.push_back(make_block(name, 0, 0, {make_box(lower, upper)}));
     return static_cast<int>(model.blocks.size()) - 1;
 }
 
@@ -88,19 +95,44 @@ inline Eigen::Vector3d centroid(const Model& model, const State& state, int bloc
     return pose_of(model.kinematics, state, block).centroid;
 }
 
+/// Of a planar scene what lies in its plane counts.
 inline void set_velocity(const Model& model, State& state, int block, const Eigen::Vector3d& v,
                          const Eigen::Vector3d& spin = Eigen::Vector3d::Zero())
 {
-    const int n = unknowns_per_block(model.kinematics);
+    const int n = unknowns_per_block(model.kinematics), dimension = dimension_of(model.kinematics);
     double* rates = state.velocities.data() + block * n;
-    Eigen::Map<Eigen::Vector3d>{rates} = v;
-    if (!is_deformable(model.kinematics)) {
-        Eigen::Map<Eigen::Vector3d>{rates + 3} = spin;
-        return;
-    }
     const Eigen::Matrix3d map = pose_of(model.kinematics, state, block).map;
-    for (int j = 0; j < 3; ++j)
-        Eigen::Map<Eigen::Vector3d>{rates + 3 + 3 * j} = spin.cross(Eigen::Vector3d(map.col(j)));
+    Eigen::Matrix3d rate;
+    for (int j = 0; j < 3; ++j) rate.col(j) = spin.cross(Eigen::Vector3d(map.col(j)));
+    const auto axis = [&](int k) { return dimension == 3 ? k : axis_in_space<2>(k); };
+    for (int k = 0; k < dimension; ++k) rates[k] = v[axis(k)];
+    if (is_deformable(model.kinematics)) {
+        for (int j = 0; j < dimension; ++j)
+            for (int i = 0; i < dimension; ++i) rates[dimension * (1 + j) + i] = rate(axis(i), axis(j));
+    } else if (dimension == 3) {
+        Eigen::Map<Eigen::Vector3d>{rates + 3} = spin;
+    } else {
+        rates[2] = -spin.y();
+    }
+}
+
+/// For tests that run on every kinematics, or on the spatial ones alone.
+inline auto every_kinematics()
+{
+    return ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid,
+                             Kinematics::planar_deformable, Kinematics::planar_rigid);
+}
+inline auto spatial_kinematics()
+{
+    return ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid);
+}
+
+/// The name of a kinematics within a test's name.
+inline std::string test_name(const ::testing::TestParamInfo<Kinematics>& info)
+{
+    std::string name(name_of(info.param));
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
 }
 
 inline RunReport run_quietly(const Model& model, const std::vector<Stage>& stages, State& state)

@@ -9,11 +9,7 @@ namespace voussoir::testing
 class Sliding : public ::testing::TestWithParam<Kinematics>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Kinematics, Sliding,
-                         ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid),
-                         [](const auto& info) {
-                             return info.param == Kinematics::spatial_rigid ? "rigid" : "deformable";
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinematics, Sliding, every_kinematics(), test_name);
 
 // s = g (sin a - cos a tan phi) t^2 / 2 from rest.
 TEST_P(Sliding, incline_follows_the_closed_form)

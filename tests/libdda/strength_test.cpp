@@ -81,11 +81,7 @@ std::vector<Eigen::Vector2d> regular_polygon(int corners)
 class Strength : public ::testing::TestWithParam<Kinematics>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Kinematics, Strength,
-                         ::testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid),
-                         [](const auto& info) {
-                             return info.param == Kinematics::spatial_rigid ? "rigid" : "deformable";
-                         });
+INSTANTIATE_TEST_SUITE_P(Kinematics, Strength, spatial_kinematics(), test_name);
 
 }  // namespace
 
