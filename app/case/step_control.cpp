@@ -46,7 +46,11 @@ StepControl read_step_control(YamlCursor& stage, StageType type)
         stage.quantity_or("min_time_step", dimension::time, Range::positive(), control.min_time_step);
     if (control.min_time_step > control.time_step)
         stage.fault("min_time_step exceeds time_step", "it must be the smaller one");
-    if (!is_static) read_integrator(stage, control);
+    if (!is_static) {
+        read_integrator(stage, control);
+        control.divide_up_to_blocks =
+            stage.integer_or("divide_up_to_blocks", 0, 1'000'000'000, control.divide_up_to_blocks);
+    }
     read_open_close(stage, control);
     using Kind = LinearSolverKind;
     control.linear_solver = stage.choice_or<Kind>("linear_solver",

@@ -28,6 +28,7 @@ void add_step(const StepReport& step, RunReport& report)
 {
     ++report.steps;
     report.step_cuts += step.cuts;
+    report.divided_steps += step.divided;
     report.open_close_iterations += step.open_close_iterations;
     report.factorisations += step.factorisations;
     report.linear_iterations += step.linear_iterations;
@@ -137,7 +138,8 @@ bool run_dynamic(const Stage& stage, Progress& progress)
             state.stage_time = next;
             ++state.grid;
         }
-        state.next_time_step = step.cuts == 0 && on_grid ? 0 : regrowth * step.time_step;
+        // After a division the rest of the step is done at once.
+        state.next_time_step = step.divided || (step.cuts == 0 && on_grid) ? 0 : regrowth * step.time_step;
         if (!observe(step, progress)) return false;
         if (!on_grid || !progress.observer.frame) continue;
         const bool last = state.grid == grid_steps;

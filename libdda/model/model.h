@@ -144,6 +144,10 @@ struct StepControl {
     Integrator integrator = Integrator::newmark;
     double dissipation = 0.1;  // 0..1, of energy_decaying
     OpenClose open_close = OpenClose::newton;
+    // Steps end where a sliding joint turns round, and the rest of the step follows, in scenes of at most this
+    // many blocks with unknowns. In a large structure some joint turns in nearly every step, and none of them
+    // decides.
+    int divide_up_to_blocks = 10;
     int max_open_close = 40;        // Newton iterations (published: 6) before the step is cut
     double force_tolerance = 1e-5;  // unbalanced force of a block / (its weight + its contact forces)
     LinearSolverKind linear_solver = LinearSolverKind::automatic;

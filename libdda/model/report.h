@@ -56,6 +56,7 @@ struct StepReport {
     double time_step = 0;  // s, of the accepted step
     int open_close_iterations = 0;
     int cuts = 0;
+    bool divided = false;  // ended where a sliding joint turned round
     int factorisations = 0;
     int linear_iterations = 0;
     std::int64_t factor_entries = 0;
@@ -76,6 +77,7 @@ struct RunReport {
     Outcome outcome = Outcome::completed;
     std::string message;  // why, and the remedy, when not completed
     std::int64_t steps = 0, step_cuts = 0, unconverged_steps = 0;
+    std::int64_t divided_steps = 0;  // that ended where a sliding joint turned round
     std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;
     std::int64_t factor_entries = 0;  // of the last factorisation
     double simulated_time = 0;        // s, dynamic stages only

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <variant>
 
+#include "libdda/step/reversal.h"
 #include "libdda/step/step_system.h"
 
 namespace voussoir
@@ -323,13 +325,23 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
         find_reach<K>(model, stage, state, h, work.reach);
         find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts);
     }
+    const bool may_divide = stage.type == StageType::dynamic && stage.control.open_close == OpenClose::newton;
+    ReversalSearch reversal;
     while (true) {
         {
             const Stopwatch watch(report, Part::assembly);
             assemble_blocks(model, stage, state, work.contacts, h, system);
         }
-        if (iterate_open_close(model, stage, work.contacts, system, report)) break;
+        if (iterate_open_close(model, stage, work.contacts, system, report)) {
+            std::optional<double> shorter;
+            if (may_divide && static_cast<int>(system.block_of_row.size()) <= stage.control.divide_up_to_blocks)
+                shorter = step_to_reversal(work.contacts, system, reversal);
+            if (!shorter) break;
+            h = *shorter;
+            continue;
+        }
         ++report.cuts;
+        reversal = {};
         h *= cut_factor;
         if (h < stage.control.min_time_step) {
             report.outcome = StepOutcome::gave_up;
@@ -338,6 +350,7 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
     }
     const Stopwatch watch(report, Part::update);
     report.time_step = h;
+    report.divided = reversal.passes > 0;
     energy.redetection += energy.contact - spring_energy(model, work.contacts);
     update_blocks(system, state);
     book_step(state, system, work.contacts, energy);

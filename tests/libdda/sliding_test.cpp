@@ -75,4 +75,35 @@ TEST_P(Sliding, box_passes_the_joint_of_a_flush_floor)
     }
 }
 
+// Thrown along a level floor a box stops after v^2 / (2 mu g), wherever in a step that is, and stays.
+TEST_P(Sliding, box_stops_inside_a_step)
+{
+    for (const bool divide : {true, false}) {
+        const Model model = block_on_plane(GetParam(), std::atan(0.3) / degrees);
+        State state = initial_state(model);
+        ASSERT_EQ(run_quietly(model, {static_stage(0.1)}, state).outcome, Outcome::completed);
+        set_velocity(model, state, 1, {1, 0, 0});
+        begin_stage(model, 0, state);
+        const double x0 = centroid(model, state, 1).x();
+        Stage stage = dynamic_stage(0.5, 1e-2);
+        if (!divide) stage.control.divide_up_to_blocks = 0;
+        const RunReport report = run_quietly(model, {stage}, state);
+        const double exact = 1 / (2 * 0.3 * gravity);
+        const double error = std::abs(centroid(model, state, 1).x() - x0 - exact) / exact;
+        const double speed = velocity_of(model.kinematics, state, 1).norm();
+        std::printf("stopping box, 10 ms, %s: relative error %.1e, speed left %.1e m/s, %lld steps divided\n",
+                    divide ? "divided" : "not divided", error, speed,
+                    static_cast<long long>(report.divided_steps));
+        EXPECT_EQ(state.stage_time, 0.5);
+        EXPECT_LT(report.energy.relative_residual(), 1e-6);
+        if (!divide) {
+            EXPECT_EQ(report.divided_steps, 0);
+            continue;
+        }
+        EXPECT_GE(report.divided_steps, 1);
+        EXPECT_LT(error, 1e-4);
+        EXPECT_LT(speed, 1e-3);
+    }
+}
+
 }  // namespace voussoir::testing
