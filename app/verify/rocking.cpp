@@ -20,9 +20,11 @@ namespace
 constexpr double half_width = 0.2, half_height = 0.6;  // m, printed
 constexpr double frequency = 1;                        // Hz, printed: omega = 2 pi, 0.5 s of it
 constexpr double printed_amplitude = 5.43;             // m/s2, of the printed rotation history
-constexpr double density = 2500, young = 1e10;         // not printed; rigid-body motion does not know them
-constexpr double friction = 60;                        // degrees, not printed: "no sliding occurs"
-constexpr double contact_damping = 0.5;                // xi of the documented rule for rocking (numerics note, 8)
+// Not printed. The theory is of a rigid block: at 1e10 Pa its own compliance moves the angle before impact by 0.9
+// %.
+constexpr double density = 2500, young = 1e12;
+constexpr double friction = 60;          // degrees, not printed: "no sliding occurs"
+constexpr double contact_damping = 0.5;  // xi of the documented rule for rocking (numerics note, 8)
 
 reference::RockingBlock rigid_block(double amplitude)
 {
@@ -209,6 +211,7 @@ std::vector<Benchmark> rocking_benchmarks()
     row.title = "A rocking block up to its first impact";
     row.quantity = "largest |angle - reference| / peak angle";
     row.paper_error = "below 10 % after 0.3 s, below 1 % after 0.5 s";
+    row.setting.time_step = 1e-4;  // 15 per second times the step is what the first-order integrator leaves
     row.run = run_before_impact;
     rows.push_back(row);
 
@@ -216,6 +219,7 @@ std::vector<Benchmark> rocking_benchmarks()
     row.title = "A rocking block over 5 s, impacts by Housner";
     row.paper_error = "grows after the first impact; figure not available";
     row.tolerance = 0.10;
+    row.setting.time_step = 5e-4;
     row.run = run_history;
     rows.push_back(row);
     return rows;

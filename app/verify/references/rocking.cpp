@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr double tolerance = 1e-12;  // of an integration step
-constexpr double at_rest = 1e-9;     // rad/s, slower than this the block stands
+constexpr double at_rest = 1e-6;     // rad/s, slower than this the block stands
 constexpr double fallen = 0.5 * std::numbers::pi;
 constexpr double horizon = 20;  // s, to see an overturning that hesitates
 
@@ -78,6 +78,9 @@ void rock(const RockingBlock& block, double end, Rocking& now)
         now.last_impact = now.point.time;
         now.point.y = VectorXd{{0, housner_restitution(block) * now.point.y[1]}};
         now.side = std::abs(now.point.y[1]) < at_rest ? 0 : -side;
+        // A first step well inside the next swing, or the swing would come and go unseen.
+        const double pull = std::abs(turning(block, -side, 0, ground(block, now.point.time)));
+        now.point.next_step = 0.1 * std::abs(now.point.y[1]) / pull;
     }
 }
 
@@ -89,7 +92,6 @@ void advance(const RockingBlock& block, double end, Rocking& now)
     for (const double stop : {std::min(lift, end), std::min(pause, end), end}) {
         if (stop > now.point.time) {
             rock(block, stop, now);
-            now.point.next_step = 0;
         }
         if (now.point.time == lift && now.side == 0 && now.impacts == 0)
             now.side = -1;  // away from the acceleration
