@@ -8,6 +8,7 @@
 #include "app/verify/references/kinetic_damping.h"
 #include "app/verify/references/layered_site.h"
 #include "app/verify/references/mode_chart.h"
+#include "app/verify/references/newmark_rebound.h"
 #include "app/verify/references/rebound.h"
 #include "app/verify/references/rocking.h"
 #include "app/verify/references/shear_wave.h"
@@ -87,6 +88,16 @@ TEST(Rebound, of_a_stiff_cube_is_that_of_a_mass_on_a_spring)
     EXPECT_NEAR(rebound.penetration, d0 + std::sqrt(d0 * d0 + 2 * d0 * 3), 1e-4 * rebound.penetration);
     EXPECT_NEAR(rebound.height, 3, 1e-3);
     EXPECT_NEAR(settled_penetration(cube), 1.308e-4, 1e-8);
+}
+
+// A stiff cube loses by the integrator only: exp(-pi omega h / 2) of the height is left for small omega h; and for
+// small steps the scheme finds the exact rebound.
+TEST(Rebound, of_the_papers_scheme)
+{
+    const DroppedCube stiff{2, 2000, 3e14, 0.15, 1.2e9, 3, 9.81}, soft{2, 2000, 3e9, 0.15, 1.2e9, 3, 9.81};
+    const double omega = std::sqrt(1.2e9 / 16000);
+    EXPECT_NEAR(newmark_loss(stiff, 2e-4), 1 - std::exp(-pi * omega * 2e-4 / 2), 0.01);
+    EXPECT_NEAR(newmark_loss(soft, 1e-5), 1 - first_rebound(soft).height / 3, 0.02);
 }
 
 // In every point of the chart exactly the mode of the chart keeps all its own conditions.
