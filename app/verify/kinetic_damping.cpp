@@ -45,7 +45,10 @@ VerifyResult run_factor(const VerifySetting& setting)
         result.error = std::max(result.error, std::abs(moved / exact - 1));
         result.note += fmt::format(" {:.4g} at {:g} s,", moved / undamped, h);
     }
-    result.note += fmt::format(" for the same factor {:g} per step", factor);
+    // Its 197 blocks ran with this factor at 1e-5 s.
+    result.note +=
+        fmt::format(" for the same factor {:g} per step; at the paper's 1e-5 s it is a rate of {:.0f} /s", factor,
+                    -std::log(factor) / 1e-5);
     return result;
 }
 

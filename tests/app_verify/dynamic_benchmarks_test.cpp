@@ -38,6 +38,16 @@ TEST(DynamicBenchmarks, mode_chart)
 {
     run_and_judge(mode_chart_benchmarks(1));
 }
+// No point of the charts of ten seeds disagrees.
+TEST(DynamicBenchmarks, mode_chart_of_other_seeds)
+{
+    for (std::uint64_t seed = 2; seed < 12; ++seed)
+        for (const Benchmark& chart : mode_chart_benchmarks(seed)) {
+            const VerifyResult result = chart.run(chart.setting);
+            EXPECT_EQ(result.error, 0) << chart.name << ", seed " << seed << ": " << result.note;
+        }
+}
+
 TEST(DynamicBenchmarks, waves)
 {
     run_and_judge(wave_benchmarks());
