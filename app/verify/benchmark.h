@@ -1,0 +1,51 @@
+// A benchmark: small data, one reference that knows nothing of the engine, and a run of the engine beside it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libdda/model/model.h"
+
+namespace voussoir
+{
+
+/// What a row of a work-precision diagram varies.
+struct VerifySetting {
+    Kinematics kinematics = Kinematics::spatial_rigid;
+    Integrator integrator = Integrator::newmark;
+    OpenClose open_close = OpenClose::newton;
+    double time_step = 1e-3;                // s
+    std::optional<double> stiffness_factor; // times the documented default contact stiffness
+};
+
+/// What one run gave.
+struct VerifyResult {
+    double error = 0;                     // -, the benchmark's measure against its reference
+    std::optional<double> paper_measure;  // the same run by the paper's own measure
+    double simulated_time = 0;            // s
+    double cpu_time = 0;                  // s, process clock
+    std::int64_t steps = 0, step_cuts = 0, iterations = 0;
+    std::string failure;  // why there is no error: the run gave up; empty when it did not
+    std::string note;     // what else the run showed, one line
+};
+
+/// One line of the verification table.
+struct Benchmark {
+    std::string name;         // as typed: incline-gravity-3d
+    std::string title;        // A block on an incline, from rest
+    std::string source;       // yagoda-biran-hatzor, section 3.1.1.2 (a)
+    std::string quantity;     // largest distance from the closed form / largest displacement
+    std::string paper_error;  // as printed: "below 1 % after 0.2 s"; empty when the paper gives none
+    VerifySetting setting;    // the default one, on which `tolerance` is held
+    double tolerance = 0;     // of `error`
+    std::vector<VerifySetting> sweep;  // of the work-precision diagram; at least 4 time steps x methods
+    std::function<VerifyResult(const VerifySetting&)> run;
+};
+
+/// All benchmarks, in the order of the papers. Each family is a function of its own in a file of its own.
+std::vector<Benchmark> all_benchmarks();
+
+}  // namespace voussoir
