@@ -53,13 +53,13 @@ class SlipPaths
     {
         std::vector<Eigen::Vector3d> now(courses, Eigen::Vector3d::Zero());
         std::vector<double> area(courses, 0);
-        for (const ContactPatch& patch : state.patches) {
+        for (const ContactPatch& patch : state.contacts.patches) {
             if (std::abs(patch.block_a - patch.block_b) != 1) continue;
             const int joint = std::min(patch.block_a, patch.block_b);
             const double sign = patch.block_a > patch.block_b ? 1 : -1;
             for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-                now[joint] += sign * state.contact_points[i].area * state.contact_points[i].plastic_slip;
-                area[joint] += state.contact_points[i].area;
+                now[joint] += sign * state.contacts.points[i].area * state.contacts.points[i].plastic_slip;
+                area[joint] += state.contacts.points[i].area;
             }
         }
         for (int j = 0; j < courses; ++j) {
