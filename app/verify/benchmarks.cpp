@@ -1,0 +1,18 @@
+#include <iterator>
+
+#include "app/verify/families.h"
+
+namespace voussoir
+{
+
+std::vector<Benchmark> all_benchmarks([[maybe_unused]] std::uint64_t seed)
+{
+    std::vector<Benchmark> all;
+    const auto add = [&](std::vector<Benchmark> family) {
+        all.insert(all.end(), std::make_move_iterator(family.begin()), std::make_move_iterator(family.end()));
+    };
+    add(incline_benchmarks());
+    return all;
+}
+
+}  // namespace voussoir
