@@ -12,6 +12,13 @@ std::vector<Benchmark> all_benchmarks([[maybe_unused]] std::uint64_t seed)
         all.insert(all.end(), std::make_move_iterator(family.begin()), std::make_move_iterator(family.end()));
     };
     add(incline_benchmarks());
+    add(two_direction_benchmarks());
+    add(wedge_benchmarks());
+    add(foundation_benchmarks());
+    add(three_sines_benchmarks());
+    add(shaking_table_benchmarks());
+    add(other_incline_benchmarks());
+    add(two_blocks_benchmarks());
     return all;
 }
 

@@ -60,6 +60,7 @@ Scene block_on_base(const VerifySetting& setting, const SlidingBlock& block)
 {
     Scene scene;
     scene.model = make_model(setting.kinematics, block.material, dry_joint(block.friction, block.stiffness));
+    scene.model.joints[0].shear_to_normal_stiffness = block.shear_to_normal_stiffness;
     const Vector3d lower(block.travel_from.x(), block.travel_from.y(), -1);
     const Vector3d upper(block.travel_to.x(), block.travel_to.y(), 0);
     hold(scene.model, add_block(scene.model, "base", make_box(lower, upper)));

@@ -32,6 +32,7 @@ struct SlidingBlock {
     BlockMaterial material{"stone", 2500, 1e10, 0.2};
     double friction = 0;  // rad
     ContactStiffness stiffness{};
+    double shear_to_normal_stiffness = JointMaterial{}.shear_to_normal_stiffness;
     Eigen::Vector2d travel_from{-5, -5}, travel_to{25, 5};  // m, how far its base reaches from the block's centre
 };
 
