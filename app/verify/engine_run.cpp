@@ -19,7 +19,7 @@ Stage stage_of(const Scene& scene, const VerifySetting& setting, StageType type)
     Stage stage;
     stage.name = at_rest ? "rest" : "motion";
     stage.type = type;
-    stage.gravity = at_rest ? scene.rest_gravity : scene.gravity;
+    stage.gravity = at_rest ? scene.rest_gravity.value_or(scene.gravity) : scene.gravity;
     stage.control.time_step = at_rest ? static_step : setting.time_step;
     stage.control.integrator = setting.integrator;
     if (at_rest) return stage;

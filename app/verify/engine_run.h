@@ -22,7 +22,7 @@ struct EngineRun {
     VerifyResult result;  // counts and times; `failure` says why the history ends early
 };
 
-/// Brings the scene to rest under `scene.rest_gravity`, then moves it. CPU time covers both stages.
+/// Brings the scene to rest under its weight, then moves it. CPU time covers both stages.
 EngineRun run_engine(const Scene& scene, const VerifySetting& setting);
 
 /// max |u - u_ref| / max |u_ref| over all times; both histories at the same times.

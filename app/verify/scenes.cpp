@@ -1,5 +1,6 @@
 #include "app/verify/scenes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -98,9 +99,12 @@ Vector3d inclined_gravity(double angle)
     return standard_gravity * Vector3d(std::sin(angle), 0, -std::cos(angle));
 }
 
-Vector3d pressing_gravity(double angle)
+Vector3d held_gravity(double angle, double friction)
 {
-    return standard_gravity * Vector3d(0, 0, -std::cos(angle));
+    constexpr double mobilised = 1 - 1e-6;  // a static stage has no answer at the limit itself
+    Vector3d gravity = inclined_gravity(angle);
+    gravity.x() = std::min(gravity.x(), mobilised * friction * -gravity.z());
+    return gravity;
 }
 
 void add_horizontal(Scene& scene, const GroundMotion& horizontal, double angle)

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "app/verify/benchmark.h"
@@ -19,7 +20,7 @@ struct Scene {
     Model model;
     int block = 0;                                             // the measured one
     Eigen::Vector3d gravity{0, 0, -standard_gravity};          // m/s2
-    Eigen::Vector3d rest_gravity{0, 0, -standard_gravity};     // m/s2, under which it comes to rest first
+    std::optional<Eigen::Vector3d> rest_gravity;               // m/s2, while it comes to rest; if not `gravity`
     Eigen::Vector3d start_velocity = Eigen::Vector3d::Zero();  // m/s
     double duration = 0;                                       // s, of the motion
     std::vector<FoundationMotion> motions;
@@ -45,8 +46,12 @@ Scene wedge_in_trough(const VerifySetting& setting, double left, double right, d
 /// Gravity as seen from a plane that dips by `angle` [rad] towards +x.
 Eigen::Vector3d inclined_gravity(double angle);
 
-/// Only its part normal to the plane: what a block rests under before it is let go.
-Eigen::Vector3d pressing_gravity(double angle);
+/// Gravity on a block that cannot stay on such a plane while it is held: what friction cannot carry is taken off
+/// along the plane. So it begins where a rigid block does when it is let go: at rest, with its friction mobilised
+/// and its weight shared out as in sliding. (An unloaded shear spring would first give it sqrt(m/k) g sin(angle)
+/// of speed.)
+/// @param friction coefficient
+Eigen::Vector3d held_gravity(double angle, double friction);
 
 /// A horizontal acceleration down the dip in the frame of the plane: times cos along it, times sin off it.
 /// sin.

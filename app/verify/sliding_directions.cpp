@@ -43,7 +43,7 @@ VerifyResult shake(const VerifySetting& setting, const TwoDirections& loads)
 {
     Scene scene = block_on_base(
         setting, {.friction = loads.friction * degree, .travel_from = {-5, -15}, .travel_to = {25, 15}});
-    scene.gravity = scene.rest_gravity = inclined_gravity(loads.angle * degree);
+    scene.gravity = inclined_gravity(loads.angle * degree);
     scene.duration = 6;
     add_horizontal(scene, GroundMotion::sine_acceleration(loads.dip.amplitude, loads.dip.frequency, 0, 1e6),
                    loads.angle * degree);

@@ -22,7 +22,7 @@ VerifyResult slide_down(const VerifySetting& setting, double angle, double frict
     const Scene scene = [&] {
         Scene made = block_on_base(setting, {.friction = friction * degree});
         made.gravity = inclined_gravity(angle * degree);
-        made.rest_gravity = pressing_gravity(angle * degree);
+        made.rest_gravity = held_gravity(angle * degree, std::tan(friction * degree));
         made.start_velocity.x() = velocity;
         made.duration = duration;
         return made;
@@ -54,7 +54,7 @@ VerifyResult shaken(const VerifySetting& setting, const ShakenIncline& incline, 
 {
     const double angle = incline.angle * degree, omega = 2 * std::numbers::pi * incline.frequency;
     Scene scene = block_on_base(setting, {.friction = incline.friction * degree});
-    scene.gravity = scene.rest_gravity = inclined_gravity(angle);
+    scene.gravity = inclined_gravity(angle);
     scene.duration = incline.duration;
     add_horizontal(scene, GroundMotion::sine_acceleration(incline.amplitude, incline.frequency, 0, 1e6), angle);
     SlidingProblem problem;

@@ -1,6 +1,8 @@
 // The inclines of Li (time step and stiffness) and of Khan (a joint with a given stiffness).
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/verify/families.h"
 #include "app/verify/settings.h"
 #include "app/verify/sliding.h"
@@ -17,7 +19,7 @@ VerifyResult slide_down(const VerifySetting& setting, const SlidingBlock& block,
 {
     Scene scene = block_on_base(setting, block);
     scene.gravity = inclined_gravity(angle);
-    scene.rest_gravity = pressing_gravity(angle);
+    scene.rest_gravity = held_gravity(angle, std::tan(block.friction));
     scene.duration = duration;
     return compare_sliding(scene, setting, paper_from, [&](double t) {
         return Eigen::Vector3d(incline_displacement(standard_gravity, angle, block.friction, 0, t), 0, 0);
@@ -91,16 +93,11 @@ Benchmark benchmark_of_khan_soft()
     benchmark.name = "incline-khan-soft";
     benchmark.title += ", joint of 50 MPa/m";
     benchmark.choices =
-        "As incline-khan with the paper's joint: 50 MPa/m, normal and shear. The closed form is of a joint "
-        "without "
-        "elasticity: one that is this soft slips elastically by mu sigma / k_s (0.3 mm) before it slides, which "
-        "is most "
-        "of the error and weighs most at 29.9 degrees, where the block has moved 0.25 m in 5 s. Held to the "
-        "paper's 1 "
-        "%, therefore.";
+        "As incline-khan with the paper's joint: 50 MPa/m, normal and shear. The block begins with its friction "
+        "mobilised, "
+        "so that the elastic slip of the joint (0.3 mm) is behind it.";
     benchmark.paper_error = "below 1 % (soft contact)";
     benchmark.paper_level = 0.01;
-    benchmark.tolerance = 1e-2;
     benchmark.run = [](const VerifySetting& setting) {
         return khan(setting, {ContactStiffness::Kind::per_area, 50e6}, 1);
     };

@@ -27,7 +27,8 @@ VerifyResult shake(const VerifySetting& setting, double first, double duration)
 {
     Scene scene =
         block_on_base(setting, {.material = {"rock", 2700, 5e9, 0.25}, .friction = angle, .travel_to = {50, 5}});
-    scene.gravity = scene.rest_gravity = inclined_gravity(angle);
+    scene.gravity = inclined_gravity(angle);
+    scene.rest_gravity = held_gravity(angle, std::tan(angle));
     scene.duration = duration;
     const Terms terms = set_of(first);
     for (const Eigen::Vector2d& term : terms)

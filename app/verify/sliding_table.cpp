@@ -69,7 +69,7 @@ VerifyResult shake(const VerifySetting& setting, const TableTest& test, double f
                                           .friction = friction,
                                           .travel_from = {-0.2, -0.2},
                                           .travel_to = {0.5, 0.2}});
-    scene.gravity = scene.rest_gravity = inclined_gravity(angle);
+    scene.gravity = inclined_gravity(angle);
     scene.duration = duration;
     add_horizontal(scene, sampled(test), angle);
     EngineRun run = run_engine(scene, setting);

@@ -16,6 +16,7 @@ constexpr double local_error = 1e-13;     // m and m/s per step
 constexpr double longest_step = 2e-3;     // s
 constexpr double scan_step = 1e-4;        // s, between looks at the load of a block that sticks
 constexpr double first_time_step = 1e-6;  // s
+constexpr double first_moment = 5e-5;     // s, see start()
 constexpr double least_excess = 1e-9;     // m/s2; below it a load has not overcome friction
 
 /// A block and the clock it lives by.
@@ -71,6 +72,22 @@ void let_go(Slider& slider)
     slider.next_step = 1e-12;
 }
 
+/// Starts from a stand as the load overcomes friction. While it is slow its slip follows the direction of the load
+/// (its lag, velocity over load, is of the order of 1e-8), which makes the full equation stiff: so the first
+/// moment is taken with that direction, the speed by Simpson's rule.
+void start(Slider& slider, double end)
+{
+    const double t = slider.time, h = std::min(first_moment, end - t);
+    const double speed = h / 6 * (slider.excess(t) + 4 * slider.excess(t + h / 2) + slider.excess(t + h));
+    slider.time = t + h;
+    if (speed <= stopped) return;
+    const Vector2d direction = slider.problem.driving(slider.time).normalized();
+    slider.state.head<2>() += speed * h / 3 * direction;
+    slider.state.tail<2>() = speed * direction;
+    slider.slips = true;
+    slider.next_step = 1e-9;
+}
+
 /// Stands until `end` or until the load exceeds friction.
 void stand(Slider& slider, double end)
 {
@@ -87,7 +104,7 @@ void stand(Slider& slider, double end)
             (slider.excess(middle) > 0 ? fails : holds) = middle;
         }
         slider.time = fails;
-        return let_go(slider);
+        return start(slider, end);
     }
 }
 
