@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/verify/pen.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -18,9 +19,6 @@ namespace
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-struct Color {
-    double red, green, blue;
-};
 constexpr Color ink{0.13, 0.14, 0.17}, faint_ink{0.42, 0.44, 0.48}, grid_ink{0.91, 0.92, 0.94};
 constexpr Color tolerance_ink{0.10, 0.45, 0.25}, paper_ink{0.75, 0.22, 0.17};
 // Okabe and Ito's colours: told apart by the colour-blind.
@@ -46,53 +44,6 @@ struct Panel {
     double at_x(double value) const { return left + width * x.share(value); }
     double at_y(double value) const { return top + height * (1 - y.share(value)); }
 };
-
-void use(cairo_t* pen, const Color& color, double opacity = 1)
-{
-    cairo_set_source_rgba(pen, color.red, color.green, color.blue, opacity);
-}
-
-void font(cairo_t* pen, double size, bool bold = false)
-{
-    cairo_select_font_face(pen, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(pen, size);
-}
-
-double width_of(cairo_t* pen, const std::string& text)
-{
-    cairo_text_extents_t extents;
-    cairo_text_extents(pen, text.c_str(), &extents);
-    return extents.x_advance;
-}
-
-/// @param anchor 0 left, 0.5 middle, 1 right end of the text at x
-void write(cairo_t* pen, const std::string& text, double x, double y, double anchor = 0)
-{
-    cairo_move_to(pen, x - anchor * width_of(pen, text), y);
-    cairo_show_text(pen, text.c_str());
-}
-
-void line(cairo_t* pen, double x0, double y0, double x1, double y1)
-{
-    cairo_move_to(pen, x0, y0);
-    cairo_line_to(pen, x1, y1);
-    cairo_stroke(pen);
-}
-
-/// "10" with a raised exponent, its right end or middle at x.
-void write_power(cairo_t* pen, int exponent, double x, double y, double anchor)
-{
-    const std::string raised = fmt::format("{}", exponent);
-    font(pen, 8.5);
-    const double small = width_of(pen, raised);
-    font(pen, 12);
-    const double start = x - anchor * (width_of(pen, "10") + small);
-    write(pen, "10", start, y);
-    const double after = start + width_of(pen, "10");
-    font(pen, 8.5);
-    write(pen, raised, after, y - 5);
-}
 
 /// Room for all values with a margin, and for at least two decades' ticks.
 Decades decades_of(const std::vector<double>& values)
@@ -167,19 +118,6 @@ void draw_frame(cairo_t* pen, const Diagram& diagram, const Panel& panel)
     cairo_restore(pen);
 }
 
-/// Text that ends at x, with a white rim that keeps it clear of the curves.
-void write_on_white(cairo_t* pen, const std::string& text, double x, double y)
-{
-    cairo_move_to(pen, x - width_of(pen, text), y);
-    cairo_text_path(pen, text.c_str());
-    cairo_save(pen);
-    cairo_set_source_rgba(pen, 1, 1, 1, 0.85);
-    cairo_set_line_width(pen, 4);
-    cairo_stroke_preserve(pen);
-    cairo_restore(pen);
-    cairo_fill(pen);
-}
-
 void draw_levels(cairo_t* pen, const Diagram& diagram, const Panel& panel)
 {
     const double dash[] = {7, 4};
@@ -194,29 +132,6 @@ void draw_levels(cairo_t* pen, const Diagram& diagram, const Panel& panel)
         const double below = y < panel.top + 16 ? y + 13 : y - 5;
         write_on_white(pen, diagram.levels[i].name, panel.left + panel.width - 6, below);
     }
-}
-
-/// A circle, a square, a triangle, a diamond: curves are told apart without colour too.
-void mark(cairo_t* pen, std::size_t shape, double x, double y)
-{
-    constexpr double r = 4.2;
-    cairo_new_path(pen);
-    if (shape % 4 == 0) cairo_arc(pen, x, y, r, 0, 6.2831853);
-    if (shape % 4 == 1) cairo_rectangle(pen, x - 0.85 * r, y - 0.85 * r, 1.7 * r, 1.7 * r);
-    if (shape % 4 >= 2) {
-        const double side = shape % 4 == 2 ? 0.9 * r : 0;
-        cairo_move_to(pen, x, y - 1.2 * r);
-        cairo_line_to(pen, x + 1.1 * r, y + side);
-        if (side == 0) cairo_line_to(pen, x, y + 1.2 * r);
-        cairo_line_to(pen, x - 1.1 * r, y + side);
-        cairo_close_path(pen);
-    }
-    cairo_fill_preserve(pen);
-    cairo_save(pen);
-    cairo_set_source_rgb(pen, 1, 1, 1);
-    cairo_set_line_width(pen, 0.8);
-    cairo_stroke(pen);
-    cairo_restore(pen);
 }
 
 void draw_curve(cairo_t* pen, const Curve& curve, std::size_t number, const Panel& panel)

@@ -101,7 +101,7 @@ Vector3d inclined_gravity(double angle)
 
 Vector3d held_gravity(double angle, double friction)
 {
-    constexpr double mobilised = 1 - 1e-6;  // a static stage has no answer at the limit itself
+    constexpr double mobilised = 1 - 1e-5;  // a static stage has no answer at the limit itself
     Vector3d gravity = inclined_gravity(angle);
     gravity.x() = std::min(gravity.x(), mobilised * friction * -gravity.z());
     return gravity;

@@ -19,6 +19,6 @@ std::vector<VerifySetting> standard_sweep(const std::vector<double>& time_steps,
                                           const std::vector<double>& stiffness_factors = {});
 
 /// Time steps of the sliding benchmarks [s].
-inline const std::vector<double> sliding_steps{1e-2, 5e-3, 2.5e-3, 1e-3, 5e-4, 2e-4, 1e-4};
+inline const std::vector<double> sliding_steps{1e-2, 5e-3, 2.5e-3, 1e-3, 5e-4, 2.5e-4};
 
 }  // namespace voussoir

@@ -93,7 +93,7 @@ void add_both(std::vector<Benchmark>& list, const Words& words, const Motion& mo
         .paper_level = words.paper_level,
         .setting = {},
         .tolerance = words.tolerance,
-        .sweep = standard_sweep(sliding_steps, factors),
+        .sweep = standard_sweep({5e-3, 2.5e-3, 1e-3, 5e-4, 2.5e-4, 1e-4}, factors),
         .run = [motion](const VerifySetting& setting) { return shake(setting, motion); }};
     list.push_back(benchmark);
     benchmark.name += "-fine";
