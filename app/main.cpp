@@ -112,6 +112,23 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
     command->callback([arguments, &chosen] { chosen = [arguments] { return render_command(*arguments); }; });
 }
 
+void add_verify(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<VerifyArguments>();
+    CLI::App* command = app.add_subcommand("verify", "Rerun the benchmarks of the papers: error against run time");
+    command->add_option("name", arguments->names, "Benchmarks (all)")->type_name("NAME");
+    command->add_flag("--list", arguments->list, "List the benchmarks, run nothing");
+    command->add_flag("--sweep", arguments->sweep,
+                      "Also over time steps, methods and stiffnesses; CPU times as medians of 3");
+    command->add_option("--seed", arguments->seed, "Of the benchmarks that draw their points")
+        ->capture_default_str();
+    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+        ->type_name("FILE");
+    command->add_option("-o,--output", arguments->folder, "Folder for the page, and with --sweep for the diagrams")
+        ->type_name("DIR");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return verify_command(*arguments); }; });
+}
+
 /// Runs the chosen command; what it throws becomes a message and an exit code.
 int guarded(const std::function<int()>& command)
 {
@@ -142,6 +159,7 @@ int run_program(int argument_count, char** arguments)
     add_import(app, chosen);
     add_record(app, chosen);
     add_render(app, chosen);
+    add_verify(app, chosen);
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {

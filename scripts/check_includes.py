@@ -32,7 +32,8 @@ FOREIGN_RULES = (
     ("CGAL", r"(CGAL/|boost/|gmp|mpfr)", ("importers/exact/",), False),
     ("yaml-cpp", r"yaml-cpp/", ("app/case/",), False),
     ("HDF5", r"(hdf5|H5)", ("app/results/",), False),
-    ("OSMesa, OpenGL, Cairo, PNG", r"(GL/|EGL/|cairo|png\.h|ft2build|freetype)", ("app/render/",), False),
+    ("Cairo", r"cairo", ("app/render/", "app/verify/"), False),
+    ("OSMesa, OpenGL, PNG", r"(GL/|EGL/|png\.h|ft2build|freetype)", ("app/render/",), False),
     ("nlohmann-json", r"nlohmann/", ("app/", "tests/"), False),
     ("fmt", r"fmt/", ("app/",), False),
     ("CLI11", r"CLI/", ("app/",), False),
@@ -40,7 +41,7 @@ FOREIGN_RULES = (
 TESTS_OF = {"libdda/solve/": ("tests/libdda",), "libdda/": ("tests/libdda",),
             "importers/mesh/": ("tests/importers",), "importers/exact/": ("tests/importers",),
             "app/case/": ("tests/app",), "app/results/": ("tests/app", "tests/verification"),
-            "app/render/": ("tests/app",), "app/": ("tests/app", "tests/verification")}
+            "app/render/": ("tests/app",), "app/verify/": ("tests/app_verify",), "app/": ("tests/app", "tests/verification")}
 
 # The system's own headers beside those of the C++ standard (which have no slash and no ".h").
 POSIX = re.compile(r"(sys/.*|unistd|fcntl|getopt|spawn|poll|signal|pthread|dlfcn|fenv|ftw|termios|time)\.h$")
@@ -129,6 +130,9 @@ PLANTED = (
     ("app/render/b.cpp", "#include <GL/osmesa.h>", False),
     ("app/results/a.cpp", "#include <hdf5.h>", False),
     ("app/results/b.cpp", "#include <cairo/cairo.h>", True),
+    ("app/verify/a.cpp", "#include <cairo.h>", False),
+    ("app/verify/a.h", "#include <cairo.h>", True),
+    ("app/verify/b.cpp", "#include <GL/osmesa.h>", True),
     ("app/results/c.cpp", "#include <openssl/md5.h>", True),
     ("app/results/d.cpp", '#include "case_file.h"', True),
     ("app/results/e.cpp", '#include "app/results/a.cpp"', True),

@@ -1,6 +1,7 @@
 // What the program can do: one function per command, called by main with the parsed command line.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -67,5 +68,18 @@ struct RenderArguments {
 
 /// Pictures from a results file, without a run.
 int render_command(const RenderArguments& arguments);
+
+constexpr std::uint64_t default_verify_seed = 1;
+
+struct VerifyArguments {
+    std::vector<std::string> names;  // empty: all
+    bool list = false, sweep = false;
+    std::uint64_t seed = default_verify_seed;
+    std::optional<std::filesystem::path> json, folder;
+};
+
+/// Reruns the benchmarks the method is judged by, beside their references. @returns exit_failure when a row fails
+/// @throws InputError for an unknown name
+int verify_command(const VerifyArguments& arguments);
 
 }  // namespace voussoir

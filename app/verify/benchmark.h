@@ -17,8 +17,8 @@ struct VerifySetting {
     Kinematics kinematics = Kinematics::spatial_rigid;
     Integrator integrator = Integrator::newmark;
     OpenClose open_close = OpenClose::newton;
-    double time_step = 1e-3;                // s
-    std::optional<double> stiffness_factor; // times the documented default contact stiffness
+    double time_step = 1e-3;                 // s
+    std::optional<double> stiffness_factor;  // times the documented default contact stiffness
 };
 
 /// What one run gave.
@@ -38,14 +38,17 @@ struct Benchmark {
     std::string title;        // A block on an incline, from rest
     std::string source;       // yagoda-biran-hatzor, section 3.1.1.2 (a)
     std::string quantity;     // largest distance from the closed form / largest displacement
+    std::string choices;      // what the paper leaves out, what we took, and how the run shows it does not matter
     std::string paper_error;  // as printed: "below 1 % after 0.2 s"; empty when the paper gives none
-    VerifySetting setting;    // the default one, on which `tolerance` is held
-    double tolerance = 0;     // of `error`
-    std::vector<VerifySetting> sweep;  // of the work-precision diagram; at least 4 time steps x methods
+    std::optional<double> paper_level;  // the number in it, for the line in the diagram
+    VerifySetting setting;              // the default one, on which `tolerance` is held
+    double tolerance = 0;               // of `error`
+    std::vector<VerifySetting> sweep;   // of the work-precision diagram; at least 4 time steps x methods
     std::function<VerifyResult(const VerifySetting&)> run;
 };
 
 /// All benchmarks, in the order of the papers. Each family is a function of its own in a file of its own.
-std::vector<Benchmark> all_benchmarks();
+/// @param seed of the benchmarks that draw their points (the mode chart)
+std::vector<Benchmark> all_benchmarks(std::uint64_t seed);
 
 }  // namespace voussoir

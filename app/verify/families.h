@@ -1,4 +1,5 @@
-// The families of benchmarks, each made in files of its own.
+// The families of benchmarks: one function each, in files of their own. To add one: its line here, its line in
+// benchmarks.cpp, its sources in CMakeLists.txt.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,15 @@
 
 namespace voussoir
 {
+
+std::vector<Benchmark> incline_benchmarks();        // gravity, start velocity, sine
+std::vector<Benchmark> two_direction_benchmarks();  // dip and strike at once
+std::vector<Benchmark> wedge_benchmarks();          // on two planes at once
+std::vector<Benchmark> foundation_benchmarks();     // on a base that moves in one, two, three directions
+std::vector<Benchmark> three_sines_benchmarks();    // of Tsesarsky
+std::vector<Benchmark> shaking_table_benchmarks();  // Wartman's tests in Tsesarsky
+std::vector<Benchmark> two_blocks_benchmarks();     // of Ma
+std::vector<Benchmark> other_incline_benchmarks();  // of Li and Khan
 
 /// A block dropped from 3 m: what a bounce costs; and the settled penetration. Source: li.
 std::vector<Benchmark> impact_benchmarks();

@@ -61,6 +61,7 @@ TEST_P(GivingUp, keeps_the_last_good_state_in_the_middle_of_a_run)
 {
     FewBlocks scene(GetParam(), {});
     Stage good = shaking(0.02, 1e-3), bad = shaking(0.02, 1e-3);
+    good.control.divide_up_to_blocks = bad.control.divide_up_to_blocks = 0;  // every step is a nominal one
     bad.control.max_open_close = 0;
     bad.control.min_time_step = 1e-3;
     State reference = scene.state;

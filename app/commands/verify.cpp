@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/case/nearest_word.h"
+#include "app/commands/commands.h"
+#include "app/commands/json_output.h"
+#include "app/results/atomic_file.h"
+#include "app/verify/page.h"
+#include "app/verify/plots.h"
+#include "app/verify/runner.h"
+#include "app/verify/table.h"
+#include "app/verify/verify_json.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// The named ones in the order of the papers; all of them without names.
+/// @throws InputError with every name that is none
+std::vector<Benchmark> chosen(const std::vector<std::string>& names, std::vector<Benchmark> all)
+{
+    std::vector<std::string> known;
+    for (const Benchmark& benchmark : all) known.push_back(benchmark.name);
+    std::vector<Fault> faults;
+    for (const std::string& name : names)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            faults.push_back({"verify " + name, "there is no such benchmark", suggestion(name, known)});
+    if (!faults.empty()) throw InputError(std::move(faults));
+    if (names.empty()) return all;
+    std::erase_if(all, [&](const Benchmark& benchmark) {
+        return std::find(names.begin(), names.end(), benchmark.name) == names.end();
+    });
+    return all;
+}
+
+void list(const std::vector<Benchmark>& benchmarks)
+{
+    for (const Benchmark& benchmark : benchmarks)
+        fmt::print("{:<30} {} ({})\n", benchmark.name, benchmark.title, benchmark.source);
+}
+
+std::string command_line(const VerifyArguments& arguments)
+{
+    std::string text = "voussoir verify";
+    for (const std::string& name : arguments.names) text += " " + name;
+    if (arguments.sweep) text += " --sweep";
+    if (arguments.seed != default_verify_seed) text += fmt::format(" --seed {}", arguments.seed);
+    return text + " -o " + arguments.folder->filename().string();
+}
+
+/// DIR/verification.md and, of the benchmarks that were swept, DIR/verification/NAME.png.
+void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcome>& outcomes,
+                const std::string& json)
+{
+    const fs::path folder = *arguments.folder;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw InputError("-o " + folder.string(), error.message(), "name a folder that can be made");
+    std::vector<std::string> plots;
+    if (arguments.sweep) plots = draw_plots(json, folder / "verification");
+    write_atomically(folder / "verification.md", verification_page(outcomes, command_line(arguments), plots));
+}
+
+}  // namespace
+
+int verify_command(const VerifyArguments& arguments)
+{
+    const std::vector<Benchmark> benchmarks = chosen(arguments.names, all_benchmarks(arguments.seed));
+    if (arguments.list) {
+        list(benchmarks);
+        return exit_done;
+    }
+    const bool to_stdout = arguments.json && *arguments.json == "-";
+    const bool on_terminal = isatty(STDERR_FILENO) == 1;
+    std::vector<VerifyOutcome> outcomes;
+    if (!to_stdout) fmt::print("{}", table_head());
+    for (std::size_t i = 0; i < benchmarks.size(); ++i) {
+        // A short line that the next one overwrites.
+        if (on_terminal) fmt::print(stderr, "{} of {}: {}", i + 1, benchmarks.size(), benchmarks[i].name);
+        outcomes.push_back(run_benchmark(benchmarks[i], arguments.sweep));
+        if (on_terminal) fmt::print(stderr, "\r\033[K");
+        if (to_stdout) continue;
+        fmt::print("{}{}", table_line(outcomes.back()), sweep_lines(outcomes.back()));
+        std::fflush(stdout);
+    }
+    const auto passed =
+        std::count_if(outcomes.begin(), outcomes.end(), [](const auto& each) { return each.pass; });
+    if (!to_stdout) fmt::print("{} of {} passed\n", passed, outcomes.size());
+    const std::string json = verify_json(outcomes);
+    if (arguments.json) write_json_text(*arguments.json, json);
+    if (arguments.folder) write_page(arguments, outcomes, json);
+    return passed == static_cast<std::ptrdiff_t>(outcomes.size()) ? exit_done : exit_failure;
+}
+
+}  // namespace voussoir

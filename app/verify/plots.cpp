@@ -1,0 +1,33 @@
+#include "app/verify/plots.h"
+
+#include <sstream>
+
+#include "app/geometry/child_process.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+std::vector<std::string> draw_plots(const std::string& verify_json, const std::filesystem::path& folder)
+{
+    constexpr double seconds_allowed = 120;
+    constexpr std::size_t most_output = std::size_t{1} << 20;  // bytes, a list of names
+    const std::filesystem::path helper = helper_folder() / "voussoir-plot";
+    if (!std::filesystem::exists(helper)) {
+        throw InputError(helper.string(), "there is no such program",
+                         "build voussoir with VOUSSOIR_RENDER=ON, or ask for no sweep");
+    }
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw InputError(folder.string(), error.message(), "name a folder that can be made");
+    const std::string request = std::filesystem::absolute(folder).string() + "\n" + verify_json;
+    const ChildAnswer answer = ask_child(helper, request, seconds_allowed, most_output);
+    if (!answer.failure.empty())
+        throw InputError(folder.string(), "voussoir-plot drew no diagrams: " + answer.failure, "see what it said");
+    std::vector<std::string> names;
+    std::istringstream lines(answer.output);
+    for (std::string line; std::getline(lines, line);) names.push_back(line);
+    return names;
+}
+
+}  // namespace voussoir

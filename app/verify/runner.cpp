@@ -1,0 +1,100 @@
+#include "app/verify/runner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+
+#include "app/verify/settings.h"
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr double rounding = 1e-9;  // errors below this are not the method's: they have no order
+
+/// Whatever goes wrong becomes a row that says so.
+VerifyResult run_once(const Benchmark& benchmark, const VerifySetting& setting)
+{
+    VerifyResult result;
+    try {
+        result = benchmark.run(setting);
+    } catch (const std::exception& error) {
+        result.failure = error.what();
+    }
+    if (result.failure.empty() && !std::isfinite(result.error)) result.failure = "the error is not a number";
+    return result;
+}
+
+VerifyResult median_of_three(const Benchmark& benchmark, const VerifySetting& setting)
+{
+    VerifyResult result = run_once(benchmark, setting);
+    if (!result.failure.empty()) return result;
+    std::array<double, 3> times{result.cpu_time, run_once(benchmark, setting).cpu_time,
+                                run_once(benchmark, setting).cpu_time};
+    std::sort(times.begin(), times.end());
+    result.cpu_time = times[1];
+    return result;
+}
+
+/// Least squares over (log h, log error).
+double slope(const std::vector<const VerifyRow*>& rows)
+{
+    double x_mean = 0, y_mean = 0, above = 0, below = 0;
+    const auto n = static_cast<double>(rows.size());
+    for (const VerifyRow* row : rows) {
+        x_mean += std::log(row->setting.time_step) / n;
+        y_mean += std::log(row->result.error) / n;
+    }
+    for (const VerifyRow* row : rows) {
+        const double x = std::log(row->setting.time_step) - x_mean;
+        above += x * (std::log(row->result.error) - y_mean);
+        below += x * x;
+    }
+    return above / below;
+}
+
+std::vector<ObservedOrder> observed_orders(const std::vector<VerifyRow>& rows)
+{
+    std::vector<ObservedOrder> orders;
+    for (const VerifyRow& first : rows) {
+        const std::string method = method_name(first.setting);
+        const auto same = [&](const ObservedOrder& order) { return order.method == method; };
+        if (first.setting.stiffness_factor || std::any_of(orders.begin(), orders.end(), same)) continue;
+        std::vector<const VerifyRow*> of_method;
+        for (const VerifyRow& row : rows) {
+            const bool sound = row.result.failure.empty() && row.result.error > rounding;
+            if (sound && !row.setting.stiffness_factor && method_name(row.setting) == method)
+                of_method.push_back(&row);
+        }
+        if (of_method.size() >= 3) orders.push_back({method, slope(of_method)});
+    }
+    return orders;
+}
+
+}  // namespace
+
+VerifyOutcome run_benchmark(const Benchmark& benchmark, bool sweep)
+{
+    VerifyOutcome outcome;
+    outcome.benchmark = benchmark;
+    outcome.row = {benchmark.setting,
+                   sweep ? median_of_three(benchmark, benchmark.setting) : run_once(benchmark, benchmark.setting)};
+    outcome.pass = outcome.row.result.failure.empty() && outcome.row.result.error <= benchmark.tolerance;
+    if (!sweep || benchmark.sweep.empty()) {
+        outcome.rows = {outcome.row};
+        return outcome;
+    }
+    for (const VerifySetting& setting : benchmark.sweep)
+        outcome.rows.push_back({setting, median_of_three(benchmark, setting)});
+    outcome.orders = observed_orders(outcome.rows);
+    return outcome;
+}
+
+double cpu_share(const VerifyResult& result)
+{
+    return result.simulated_time > 0 ? result.cpu_time / result.simulated_time : 0;
+}
+
+}  // namespace voussoir

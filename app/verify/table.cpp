@@ -1,0 +1,61 @@
+#include "app/verify/table.h"
+
+#include <fmt/format.h>
+
+#include "app/verify/settings.h"
+
+namespace voussoir
+{
+
+std::string error_in_words(double error)
+{
+    return error >= 1e-3 ? fmt::format("{:.3g} %", 100 * error) : fmt::format("{:.2e}", error);
+}
+
+std::string step_in_words(double time_step)
+{
+    return fmt::format("{:.4g} ms", 1e3 * time_step);
+}
+
+std::string table_head()
+{
+    return fmt::format("{:<30} {:<34} {:>10} {:>10} {:>9} {:>9}  {}\n", "benchmark", "paper's error", "ours",
+                       "tolerance", "step", "CPU s/s", "pass");
+}
+
+std::string table_line(const VerifyOutcome& outcome)
+{
+    const Benchmark& benchmark = outcome.benchmark;
+    const VerifyResult& result = outcome.row.result;
+    const bool failed = !result.failure.empty();
+    std::string text =
+        fmt::format("{:<30} {:<34} {:>10} {:>10} {:>9} {:>9.3g}  {}\n", benchmark.name,
+                    benchmark.paper_error.empty() ? "none given" : benchmark.paper_error,
+                    failed ? "failed" : error_in_words(result.error), error_in_words(benchmark.tolerance),
+                    step_in_words(outcome.row.setting.time_step), cpu_share(result), outcome.pass ? "yes" : "NO");
+    if (failed) text += "    failed: " + result.failure + "\n";
+    if (result.paper_measure)
+        text += fmt::format("    by the paper's measure: {}\n", error_in_words(*result.paper_measure));
+    if (!result.note.empty()) text += "    " + result.note + "\n";
+    return text;
+}
+
+std::string sweep_lines(const VerifyOutcome& outcome)
+{
+    if (outcome.rows.size() < 2) return {};
+    std::string text;
+    for (const VerifyRow& row : outcome.rows) {
+        const VerifyResult& result = row.result;
+        const std::string stiffness =
+            row.setting.stiffness_factor ? fmt::format(", stiffness x {:g}", *row.setting.stiffness_factor) : "";
+        text += fmt::format("    {:<60} {:>9} {:>10} {:>8.3g} s CPU {:>8} steps {:>8} iterations\n",
+                            method_name(row.setting) + stiffness, step_in_words(row.setting.time_step),
+                            result.failure.empty() ? error_in_words(result.error) : "failed", result.cpu_time,
+                            result.steps, result.iterations);
+    }
+    for (const ObservedOrder& order : outcome.orders)
+        text += fmt::format("    observed order of convergence, {}: {:.2f}\n", order.method, order.order);
+    return text;
+}
+
+}  // namespace voussoir

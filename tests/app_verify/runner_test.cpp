@@ -1,0 +1,110 @@
+// The runner, the table and the JSON on benchmarks whose results are known.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "app/verify/engine_run.h"
+#include "app/verify/page.h"
+#include "app/verify/runner.h"
+#include "app/verify/settings.h"
+#include "app/verify/table.h"
+#include "app/verify/verify_json.h"
+
+namespace voussoir
+{
+namespace
+{
+
+/// The error is 100 h^2; a step of 5 ms throws, one of 10 ms gives up.
+Benchmark second_order()
+{
+    Benchmark benchmark;
+    benchmark.name = "second-order";
+    benchmark.tolerance = 2e-4;
+    benchmark.sweep = standard_sweep({1e-2, 5e-3, 2e-3, 1e-3, 5e-4});
+    benchmark.run = [](const VerifySetting& setting) {
+        if (setting.time_step == 5e-3) throw std::runtime_error("no such thing");
+        VerifyResult result;
+        result.error = 100 * setting.time_step * setting.time_step;
+        result.simulated_time = 2;
+        result.cpu_time = 0.5;
+        if (setting.time_step == 1e-2) result.failure = "gave up";
+        return result;
+    };
+    return benchmark;
+}
+
+TEST(Runner, finds_the_order_and_keeps_failures_as_rows)
+{
+    const VerifyOutcome outcome = run_benchmark(second_order(), true);
+    EXPECT_TRUE(outcome.pass);
+    EXPECT_EQ(outcome.rows.size(), 20u);
+    ASSERT_EQ(outcome.orders.size(), 4u);
+    for (const ObservedOrder& order : outcome.orders) EXPECT_NEAR(order.order, 2, 1e-12) << order.method;
+    EXPECT_EQ(outcome.rows[0].result.failure, "gave up");
+    EXPECT_EQ(outcome.rows[1].result.failure, "no such thing");
+    EXPECT_NE(sweep_lines(outcome).find("failed"), std::string::npos);
+    EXPECT_NE(verification_page({outcome}, "voussoir verify", {}).find("failed: no such thing"),
+              std::string::npos);
+    EXPECT_DOUBLE_EQ(cpu_share(outcome.row.result), 0.25);
+}
+
+TEST(Runner, an_error_above_the_tolerance_or_none_at_all_does_not_pass)
+{
+    Benchmark benchmark = second_order();
+    benchmark.tolerance = 0.99e-4;
+    EXPECT_FALSE(run_benchmark(benchmark, false).pass);
+    benchmark.setting.time_step = 5e-3;
+    benchmark.tolerance = 1;
+    EXPECT_FALSE(run_benchmark(benchmark, false).pass);
+    benchmark.run = [](const VerifySetting&) {
+        VerifyResult result;
+        result.error = std::nan("");
+        return result;
+    };
+    EXPECT_FALSE(run_benchmark(benchmark, false).pass);
+}
+
+TEST(Runner, json_has_what_design_names_and_null_for_an_error_that_is_none)
+{
+    const VerifyOutcome outcome = run_benchmark(second_order(), true);
+    const nlohmann::json list = nlohmann::json::parse(verify_json({outcome}));
+    ASSERT_EQ(list.size(), 1u);
+    for (const char* key :
+         {"benchmark", "source", "quantity", "rows", "error", "tolerance", "paper_error", "pass"})
+        EXPECT_TRUE(list[0].contains(key)) << key;
+    for (const char* key : {"method", "time_step_s", "error", "cpu_time_s", "steps", "iterations"})
+        EXPECT_TRUE(list[0]["rows"][0].contains(key)) << key;
+    EXPECT_TRUE(list[0]["rows"][0]["error"].is_null());
+    EXPECT_NEAR(list[0]["error"].get<double>(), 1e-4, 1e-15);
+}
+
+TEST(Runner, runs_add_up_and_the_worst_error_counts)
+{
+    VerifyResult total, one;
+    one.error = 1e-3, one.steps = 5, one.cpu_time = 2, one.note = "a";
+    add_run(total, one);
+    one.error = 1e-4, one.failure = "why", one.note = "b";
+    add_run(total, one);
+    EXPECT_EQ(total.error, 1e-3);
+    EXPECT_EQ(total.steps, 10);
+    EXPECT_EQ(total.failure, "why");
+    EXPECT_EQ(total.note, "a; b");
+}
+
+TEST(Benchmarks, have_names_of_their_own_tolerances_and_sweeps_of_four_steps)
+{
+    std::set<std::string> names;
+    for (const Benchmark& benchmark : all_benchmarks(1)) {
+        EXPECT_TRUE(names.insert(benchmark.name).second) << benchmark.name;
+        EXPECT_GT(benchmark.tolerance, 0) << benchmark.name;
+        std::set<double> steps;
+        for (const VerifySetting& setting : benchmark.sweep) steps.insert(setting.time_step);
+        EXPECT_TRUE(steps.empty() || steps.size() >= 4) << benchmark.name;
+    }
+}
+
+}  // namespace
+}  // namespace voussoir
