@@ -11,14 +11,22 @@ namespace
 
 constexpr int most_passes = 4;
 constexpr double at_rest = 1e-3;     // of the speed at the start: near enough to the reversal
-constexpr double least_part = 0.01;  // of the step: a reversal this near an end of the step is left where it is
+constexpr double least_part = 0.01;  // of the step and of its braking: a smaller reversal is left where it is
 
-/// How a joint slides: along which direction, how fast at the start and at the end of the step.
-template <int D>
+/// How a joint slides.
 struct Slide {
-    double start = 0, end = 0;  // m/s, along the direction of the start
-    double force = 0;           // N, pressing at the end
+    double start = 0, end = 0;  // m/s, at the start and the end of the step along the direction of the start
+    double force = 0;           // N, pressing at the start
+    double braking = 0;         // m/s, what friction takes from the lighter block's speed in the step
 };
+
+/// Mass of the lighter of two blocks; a held one does not count [kg].
+template <class K>
+double lighter_mass(const BlockStep<K>& a, const BlockStep<K>& b)
+{
+    if (a.row < 0 || b.row < 0) return a.row < 0 ? b.mass : a.mass;
+    return std::min(a.mass, b.mass);
+}
 
 /// Velocity of a material point of a block at the start of the step [m/s].
 template <class K>
@@ -32,8 +40,7 @@ typename K::Vector start_velocity(const BlockStep<K>& block, const typename K::V
 /// the friction bounds; the mean velocity over the step is displacement / h, so the end is twice that less the
 /// start.
 template <class K>
-std::optional<Slide<K::dimension>> slide_of(const ContactSetIn<K::dimension>& contacts,
-                                            const StepSystem<K>& system, int k)
+std::optional<Slide> slide_of(const ContactSetIn<K::dimension>& contacts, const StepSystem<K>& system, int k)
 {
     using Vector = typename K::Vector;
     const auto& found = contacts.patches[k];
@@ -56,7 +63,8 @@ std::optional<Slide<K::dimension>> slide_of(const ContactSetIn<K::dimension>& co
     mean /= weight;
     const double speed = start.norm();
     if (speed == 0) return std::nullopt;
-    return Slide<K::dimension>{speed, 2 * mean.dot(start) / speed - speed, weight};
+    const double braking = patch.friction * weight / lighter_mass(a, b) * system.h;
+    return Slide{speed, 2 * mean.dot(start) / speed - speed, weight, braking};
 }
 
 /// The joint that turned round with the most momentum.
@@ -68,6 +76,7 @@ int worst_reversal(const ContactSetIn<K::dimension>& contacts, const StepSystem<
     for (int k = 0; k < static_cast<int>(contacts.patches.size()); ++k) {
         const auto slide = slide_of(contacts, system, k);
         if (!slide || slide->end >= 0) continue;
+        if (std::min(slide->start, -slide->end) <= least_part * slide->braking || slide->braking == 0) continue;
         const double part = slide->start / (slide->start - slide->end);  // of the step, up to the reversal
         if (part < least_part || part > 1 - least_part) continue;
         const double size = slide->force * std::min(slide->start, -slide->end);

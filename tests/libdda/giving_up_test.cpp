@@ -79,6 +79,7 @@ TEST_P(GivingUp, does_not_happen_while_the_step_can_be_cut)
     FewBlocks scene(GetParam(), {});
     Stage stage = shaking(0.02, 1e-3);
     stage.control.max_open_close = 1;
+    stage.control.divide_up_to_blocks = 0;
     const RunReport report = run_quietly(scene.model, {stage}, scene.state);
     EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
     EXPECT_GT(report.step_cuts, 0);
