@@ -21,6 +21,8 @@ constexpr double same_direction = 0.9;
 constexpr double rounding = 1e-10;
 // Two extrapolations may agree by luck: the reference is never surer than this share of the last correction.
 constexpr double least_uncertainty = 0.1;
+// Of the error that the last difference tells of when its order is not known (Roache's factor for two grids).
+constexpr double safety_without_order = 3;
 
 /// Three neighbouring runs, coarse to fine.
 struct Triple {
@@ -102,14 +104,15 @@ std::string extrapolate(const std::vector<Sample>& samples, const std::vector<do
     return {};
 }
 
-/// The finest run as reference, and as uncertain as the larger of the last two differences.
-void take_finest(const std::vector<Sample>& samples, Estimate& result)
+/// The finest run as reference. No order is known: first order is taken, and a threefold safety.
+void take_finest(const std::vector<Sample>& samples, const std::vector<double>& steps, Estimate& result)
 {
     result.reference = samples.back();
-    result.uncertainty = result.differences.empty() ? std::numeric_limits<double>::infinity() : 0;
-    const std::size_t count = std::min<std::size_t>(2, result.differences.size());
-    for (std::size_t i = 0; i < count; ++i)
-        result.uncertainty = std::max(result.uncertainty, *(result.differences.rbegin() + i));
+    const std::size_t n = samples.size();
+    result.uncertainty = std::numeric_limits<double>::infinity();
+    if (n < 2) return;
+    result.uncertainty = safety_without_order * result.differences[n - 2] / (steps[n - 2] / steps[n - 1] - 1);
+    if (n > 2) result.uncertainty = std::max(result.uncertainty, result.differences[n - 3]);
 }
 
 }  // namespace
@@ -125,7 +128,7 @@ Estimate estimate(const std::vector<Sample>& samples, const std::vector<double>&
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
         result.differences.push_back(size_of(samples[i + 1] - samples[i]));
     result.no_order = extrapolate(samples, steps, resolution, result);
-    if (!result.order) take_finest(samples, result);
+    if (!result.order) take_finest(samples, steps, result);
     result.uncertainty = std::max(result.uncertainty, resolution / 2);
     for (const Sample& sample : samples) result.errors.push_back(size_of(sample - result.reference));
 

@@ -32,11 +32,12 @@ struct Estimate {
 /// differences of the three finest runs show. It is trusted only where the differences fall, keep their direction,
 /// and the three runs before (where there are any) show nearly the same order; its uncertainty is then what those
 /// three would have made of it, or with three runs the whole correction. Else the finest run is the reference, and
-/// as uncertain as the larger of the last two differences.
+/// as uncertain as three times the error that the last difference d tells of at first order, d / (h_{n-1}/h_n -
+/// 1), and at least as the difference before.
 /// @param samples (runs) of equal shape, coarse to fine; at least one
 /// @param steps (runs) falling: time steps, or inverse stiffness factors
-/// @param resolution a sample is known to half of it, so that smaller differences say nothing [unit of the
-/// samples] Source: Richardson 1911; Roache 1994 for the order from three grids.
+/// @param resolution [unit of the samples] a sample is known to half of it: smaller differences say nothing
+/// Source: Richardson 1911; Roache 1994 (grid convergence index).
 Estimate estimate(const std::vector<Sample>& samples, const std::vector<double>& steps, double resolution = 0);
 
 }  // namespace voussoir

@@ -55,7 +55,7 @@ class Bisection
             fail(bracket, fmt::format("collapses already at {}", in_words(bracket.stands)));
         if (bracket.failure.empty() && !collapses(setting, bracket.collapses, bracket))
             fail(bracket, fmt::format("stands even at {}", in_words(bracket.collapses)));
-        while (bracket.failure.empty() && bracket.width() > threshold_.bracket * std::abs(bracket.middle())) {
+        while (bracket.failure.empty() && !settled(bracket)) {
             const double middle = bracket.middle();
             (collapses(setting, middle, bracket) ? bracket.collapses : bracket.stands) = middle;
         }
@@ -68,15 +68,21 @@ class Bisection
     {
         if (bracket.failure.empty()) bracket.failure = reason;
     }
-    std::string in_words(double value) const
+    std::string written(double value) const
     {
-        return fmt::format("{} = {:g}{}{}", threshold_.key, value, threshold_.unit.empty() ? "" : " ",
-                           threshold_.unit);
+        return fmt::format("{}{}{}", value, threshold_.unit.empty() ? "" : " ", threshold_.unit);
+    }
+    std::string in_words(double value) const { return threshold_.key + " = " + written(value); }
+    /// Narrow enough: as a share of its middle, or, where that is next to 0, of a share of where it began.
+    bool settled(const Bracket& bracket) const
+    {
+        const double least = threshold_.bracket * std::abs(threshold_.collapses - threshold_.stands);
+        return bracket.width() <= threshold_.bracket * std::max(std::abs(bracket.middle()), least);
     }
     bool collapses(const ConvergeSetting& setting, double value, Bracket& bracket) const
     {
         std::vector<std::string> overrides = base_.overrides;
-        overrides.push_back(fmt::format("{}={} {}", threshold_.key, value, threshold_.unit));
+        overrides.push_back(threshold_.key + "=" + written(value));
         Case the_case = read_case(base_.file, overrides);
         for (Stage& stage : the_case.stages) stage.control.threads = threads_;
         const MeasuredRun run = run_setting(the_case, setting, {}, rule_, watch_);

@@ -29,8 +29,8 @@ std::string order_in_words(const QuantityStudy& study, const Series& series)
                            series.vanishes ? "; it cannot be told from 0: shares are of the finest run" : "");
     if (std::isinf(series.uncertainty))
         return fmt::format("no order: {}; nothing to compare with", series.no_order);
-    return fmt::format("no order: {}; reference: the finest run, {}, uncertain by {} or more", series.no_order,
-                       reference, share_in_words(series.uncertainty));
+    return fmt::format("no order: {}; reference: the finest run, {}, uncertain by {}", series.no_order, reference,
+                       share_in_words(series.uncertainty));
 }
 
 std::string cheapest_in_words(const Series& series, double tolerance)

@@ -120,6 +120,14 @@ TEST(CaseFile, contact_stiffness_needs_its_unit)
     EXPECT_NE(faults_of(two_boxes, {"joints.dry.contact_stiffness=1e8"}).find("no unit"), std::string::npos);
 }
 
+TEST(CaseFile, contact_stiffness_factor_is_one_and_positive)
+{
+    const std::string key = "joints.dry.contact_stiffness_factor";
+    EXPECT_EQ(read(two_boxes).model.joints[0].stiffness.factor, 1);
+    EXPECT_EQ(read(two_boxes, {key + "=4"}).model.joints[0].stiffness.factor, 4);
+    EXPECT_EQ(faults_of(two_boxes, {key + "=0"}), "--set " + key + ": 0; must be > 0");
+}
+
 TEST(CaseFile, overlapping_boxes_are_refused_and_touching_ones_are_not)
 {
     EXPECT_EQ(faults_of(with(two_boxes, "[-0.5, -0.5, 0]", "[-0.5, -0.5, -0.1]")),

@@ -82,10 +82,12 @@ TEST(Estimate, refuses_what_shows_no_order)
     EXPECT_EQ(reason({1, 2}), "an order takes three runs");
 }
 
-// Where the differences do not fall, the finest run is no better than they are.
-TEST(Estimate, without_an_order_takes_the_larger_of_the_last_differences)
+// Three times the last difference at a ratio of 2, more at a smaller one, and no less than the difference before.
+TEST(Estimate, without_an_order_is_cautious)
 {
-    EXPECT_NEAR(estimate(scalars({1, 3, 2, 2.5}), {8, 4, 2, 1}).uncertainty, 1 / 2.5, 1e-12);
+    EXPECT_NEAR(estimate(scalars({1, 3, 2, 2.5}), {8, 4, 2, 1}).uncertainty, 3 * 0.5 / 2.5, 1e-12);
+    EXPECT_NEAR(estimate(scalars({2, 2.5}), {1.5, 1}).uncertainty, 3 * 0.5 / 0.5 / 2.5, 1e-12);
+    EXPECT_NEAR(estimate(scalars({1, 3, 2, 2.1}), {8, 4, 2, 1}).uncertainty, 1 / 2.1, 1e-12);
     EXPECT_TRUE(std::isinf(estimate(scalars({1}), {1}).uncertainty));
 }
 
@@ -94,7 +96,7 @@ TEST(Estimate, does_not_read_an_order_out_of_the_resolution)
     const std::vector<double> steps{4, 2, 1};
     const Estimate found = estimate(scalars({7, 5, 4}), steps, 1.5);
     EXPECT_FALSE(found.order);
-    EXPECT_NEAR(found.uncertainty, 2 / 4.0, 1e-12);
+    EXPECT_NEAR(found.uncertainty, 3 / 4.0, 1e-12);
     EXPECT_NEAR(estimate(scalars({4, 4, 4}), steps, 1.5).uncertainty, 0.75 / 4, 1e-12);
 }
 

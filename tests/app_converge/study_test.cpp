@@ -145,6 +145,19 @@ TEST(Threshold, that_is_not_between_the_values_is_a_failure_of_the_setting)
     EXPECT_EQ(failure("joints.dry.friction=40 deg..30 deg"), "collapses already at joints.dry.friction = 40 deg");
 }
 
+// 285 Pa of 1 MPa hold the block (its shear stress less the friction): a bracket of 1 % of that is not worth it.
+TEST(Threshold, next_to_zero_ends)
+{
+    const Case the_case = incline({"joints.dry.friction=44 deg", "joints.dry.tensile_strength=1 MPa"});
+    const SettingList list = list_settings(plan_of({{"4 ms", "2 ms"}, {1}, {}}, the_case));
+    const Threshold threshold = read_threshold("joints.dry.cohesion=1 MPa..0 MPa");
+    const ConvergeStudy study = run_threshold_study(the_case, list, threshold, {{}, 0.001}, 1, {});
+    for (const SeriesRow& row : study.quantities[0].series[0].rows) {
+        ASSERT_TRUE(row.value) << row.failure;
+        EXPECT_LT(*row.value, 0.01);
+    }
+}
+
 TEST(Threshold, is_read_strictly)
 {
     for (const char* text : {"a", "a=1", "=1..2", "a=x..2", "a=1..", "a=1 m..2 s", "a=3..3"})
