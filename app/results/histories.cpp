@@ -30,18 +30,6 @@ int block_named(const Model& model, const HistoryPoint& point)
     return static_cast<int>(found - model.blocks.begin());
 }
 
-/// Velocity of a material point: dc/dt + dA/dt X, or dc/dt + omega x (R X) in a rigid scene.
-Vector3d point_velocity(const Model& model, const State& state, int block, const Vector3d& lever)
-{
-    const Vector3d centre = velocity_of(model.kinematics, state, block);
-    if (is_deformable(model.kinematics)) {
-        const double* rate = state.velocities.data() + block * unknowns_per_block(model.kinematics) + 3;
-        return centre + Eigen::Map<const Eigen::Matrix3d>(rate) * lever;
-    }
-    const Vector3d turned = pose_of(model.kinematics, state, block).map * lever;
-    return centre + angular_velocity_of(model, state, block).cross(turned);
-}
-
 void append_three(std::vector<double>& values, const Vector3d& v)
 {
     values.insert(values.end(), v.data(), v.data() + 3);
@@ -58,15 +46,19 @@ std::string csv_safe(std::string name)
 
 }  // namespace
 
+MaterialPoint material_point(const Model& model, const HistoryPoint& history)
+{
+    const int block = block_named(model, history);
+    if (!history.point) return {block, Vector3d::Zero()};
+    return {block, *history.point - model.origin - model.blocks[block].moments.centroid};
+}
+
 Histories::Histories(const Case& the_case, const std::filesystem::path& path) : model_(the_case.model), path_(path)
 {
     if (the_case.output.histories.empty()) return;
     columns = {"time [s]"};
     for (const HistoryPoint& point : the_case.output.histories) {
-        const int block = block_named(model_, point);
-        const Vector3d centroid = model_.blocks[block].moments.centroid;
-        const Vector3d place = point.point ? Vector3d(*point.point - model_.origin) : centroid;
-        points_.push_back({block, place - centroid});
+        points_.push_back(material_point(model_, point));
         for (const char* quantity : {"ux [m]", "uy [m]", "uz [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]"}) {
             columns.push_back(csv_safe(point.name) + " " + quantity);
         }
@@ -83,11 +75,9 @@ void Histories::line(const State& state)
 {
     if (columns.empty()) return;
     pending_.push_back(state.time);
-    for (const Point& point : points_) {
-        const Pose pose = pose_of(model_.kinematics, state, point.block);
-        const Vector3d moved = pose.centroid - model_.blocks[point.block].moments.centroid;
-        append_three(pending_, moved + pose.map * point.lever - point.lever);
-        append_three(pending_, point_velocity(model_, state, point.block, point.lever));
+    for (const MaterialPoint& point : points_) {
+        append_three(pending_, displacement_of(model_, state, point));
+        append_three(pending_, velocity_of(model_, state, point));
     }
     if (!model_.foundations.empty()) append_three(pending_, ground_displacement(model_, state));
 }
