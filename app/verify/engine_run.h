@@ -28,10 +28,17 @@ EngineRun run_engine(const Scene& scene, const VerifySetting& setting);
 /// max |u - u_ref| / max |u_ref| over all times; both histories at the same times.
 double worst_error(const History& ours, const History& reference);
 
+/// What is compared between unknowns: where the block is at the end [m].
+std::vector<double> answer_of(const History& history);
+
+/// Displacement against time, the reference beside it, along each axis on which it moves.
+VerifyPicture picture_of(const History& ours, const History& reference);
+
 /// The papers' measure: the largest |(|u_ref| - |u|) / |u_ref|| from `from` [s] on.
 double worst_relative(const History& ours, const History& reference, double from);
 
-/// Adds one more run of the same benchmark: the worst error counts, times and steps add up.
+/// Adds one more run of the same benchmark: the worst error counts, times and steps add up; the first picture
+/// stays.
 void add_run(VerifyResult& total, const VerifyResult& one);
 
 }  // namespace voussoir

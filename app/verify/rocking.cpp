@@ -63,7 +63,7 @@ Scene rocking_scene(const VerifySetting& setting, const Choices& choices, double
     joint.stiffness = stiffness_by_rule(setting, 2 * half_height / choices.young);
     joint.dashpot = dashpot_by_rule(setting, choices);
     Scene scene;
-    scene.model = make_model(setting.kinematics, {"stone", choices.density, choices.young, 0.2}, joint);
+    scene.model = make_scene_model(setting, {"stone", choices.density, choices.young, 0.2}, joint, 1);
     hold(scene.model, add_box(scene.model, "base", {-3, -0.5, -1}, {3, 0.5, 0}));
     add_box(scene.model, "block", {-half_width, -0.5, 0}, {half_width, 0.5, 2 * half_height});
     Stage shaking = dynamic_stage(setting, duration);
@@ -128,6 +128,7 @@ VerifyResult run_threshold(const VerifySetting& setting)
         (falls(setting, middle, result) ? over : stands) = middle;
     }
     const double threshold = 0.5 * (stands + over);
+    result.answer = {threshold};
     result.error = std::abs(threshold / exact - 1);
     result.paper_measure = threshold;
     result.note =
@@ -147,13 +148,24 @@ double difference(const Record& record, const std::vector<double>& exact, double
     return worst / peak;
 }
 
+VerifyPicture picture_of(const Record& record, const std::vector<double>& exact)
+{
+    return {"time [s]",
+            "rotation [rad]",
+            {curve_of("reference", record.times, exact, true), curve_of("engine", record.times, record.angles)}};
+}
+
 /// Error up to the first impact of the reference.
 double before_impact(const VerifySetting& setting, const Choices& choices, VerifyResult& result)
 {
     const reference::RockingBlock block = rigid_block(printed_amplitude);
     const double impact = *reference::first_impact(block);
     const Record record = watch(setting, choices, printed_amplitude, impact, result, {});
-    return difference(record, reference::rocking_angles(block, record.times), impact);
+    result.answer.push_back(*std::max_element(record.angles.begin(), record.angles.end(),
+                                              [](double a, double b) { return std::abs(a) < std::abs(b); }));
+    const std::vector<double> exact = reference::rocking_angles(block, record.times);
+    if (result.picture.curves.empty()) result.picture = picture_of(record, exact);
+    return difference(record, exact, impact);
 }
 
 VerifyResult run_before_impact(const VerifySetting& setting)
@@ -215,11 +227,14 @@ double history(const VerifySetting& setting, const Choices& choices, VerifyResul
     const std::vector<double> swings = apexes(record);
     for (std::size_t i = 1; i < swings.size() && i < 5; ++i)
         realised += fmt::format(" {:.3f}", reference::restitution_between(block, swings[i - 1], swings[i]));
+    result.answer.insert(result.answer.end(), swings.begin(), swings.end());
     result.note +=
         fmt::format("restitution of the first impacts{} (Housner {:.3f}), h omega {:.2f}, dashpot {:.1e} s",
                     realised, reference::housner_restitution(block),
                     contact_frequency(setting, choices) * setting.time_step, dashpot_by_rule(setting, choices));
-    return difference(record, reference::rocking_angles(block, record.times), 5);
+    const std::vector<double> exact = reference::rocking_angles(block, record.times);
+    if (result.picture.curves.empty()) result.picture = picture_of(record, exact);
+    return difference(record, exact, 5);
 }
 
 VerifyResult run_history(const VerifySetting& setting, bool landing_mode)

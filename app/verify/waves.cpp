@@ -33,7 +33,7 @@ Scene column_scene(const VerifySetting& setting, const Column& column, const Gro
     bond.friction_angle = 0.5;
     bond.cohesion = bond.tensile_strength = unbreakable;
     bond.shear_to_normal_stiffness = shear_to_normal;
-    model = make_model(setting.kinematics, {"base", column.density, 1e10, column.poisson}, bond);
+    model = make_scene_model(setting, {"base", column.density, 1e10, column.poisson}, bond, 1);
     const double half = 0.5 * column.width;
     hold(model, add_box(model, "base", {-half, -0.5, -1}, {half, 0.5, 0}));
     double z = 0;
@@ -139,6 +139,7 @@ WaveRecord climb(const VerifySetting& setting, const WaveChoice& wave, VerifyRes
             record.trace.push_back(pose_of(scene.model.kinematics, now, watched).centroid.x());
     };
     run_scene(scene, state, observer, result);
+    result.answer.insert(result.answer.end(), record.trace.begin(), record.trace.end());
     return record;
 }
 
@@ -162,9 +163,15 @@ VerifyResult run_amplitude(const VerifySetting& setting)
     const Extremes extremes = extremes_of(record, wave.amplitude);
     result.error = extremes.worst();
     double shape = 0;
-    for (std::size_t i = 0; i < record.trace.size(); ++i)
-        shape =
-            std::max(shape, std::abs(record.trace[i] - record.exact(static_cast<double>(i) * setting.time_step)));
+    std::vector<double> times, exact;
+    for (std::size_t i = 0; i < record.trace.size(); ++i) {
+        times.push_back(static_cast<double>(i) * setting.time_step);
+        exact.push_back(record.exact(times.back()));
+        shape = std::max(shape, std::abs(record.trace[i] - exact.back()));
+    }
+    result.picture = {"time [s]",
+                      "displacement [m]",
+                      {curve_of("d'Alembert", times, exact, true), curve_of("engine", times, record.trace)}};
     const double omega = 2 * std::numbers::pi * wave.frequency, travel = point_height / record.jointed_speed;
     result.note = fmt::format(
         "crest {:+.2f} %, trough {:+.2f} %; damping of the integrator alone -{:.2f} %; largest difference "
