@@ -69,7 +69,7 @@ class ConvergeLine
     void show(const ConvergeSetting& setting, double share)
     {
         if (!shown_) return;
-        if (number_ == 0 || !(setting == last_)) ++number_;
+        if (number_ == 0 || setting != last_) ++number_;
         const int percent = static_cast<int>(100 * share);
         if (setting == last_ && percent == percent_) return;
         last_ = setting;
