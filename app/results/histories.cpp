@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/results/atomic_file.h"
+#include "app/results/scene_vectors.h"
 #include "app/results/surface_mesh.h"
 #include "libdda/errors.h"
 
@@ -30,21 +31,10 @@ int block_named(const Model& model, const HistoryPoint& point)
     return static_cast<int>(found - model.blocks.begin());
 }
 
-/// Velocity of a material point: dc/dt + dA/dt X, or dc/dt + omega x (R X) in a rigid scene.
-Vector3d point_velocity(const Model& model, const State& state, int block, const Vector3d& lever)
+/// Velocity of a material point: dc/dt + dA/dt X.
+Vector3d point_velocity(Kinematics kinematics, const State& state, int block, const Vector3d& lever)
 {
-    const Vector3d centre = velocity_of(model.kinematics, state, block);
-    if (is_deformable(model.kinematics)) {
-        const double* rate = state.velocities.data() + block * unknowns_per_block(model.kinematics) + 3;
-        return centre + Eigen::Map<const Eigen::Matrix3d>(rate) * lever;
-    }
-    const Vector3d turned = pose_of(model.kinematics, state, block).map * lever;
-    return centre + angular_velocity_of(model, state, block).cross(turned);
-}
-
-void append_three(std::vector<double>& values, const Vector3d& v)
-{
-    values.insert(values.end(), v.data(), v.data() + 3);
+    return velocity_of(kinematics, state, block) + map_rate_of(kinematics, state, block) * lever;
 }
 
 /// A name that cannot break the line it stands in.
@@ -62,17 +52,18 @@ Histories::Histories(const Case& the_case, const std::filesystem::path& path) : 
 {
     if (the_case.output.histories.empty()) return;
     columns = {"time [s]"};
+    const std::vector<std::string> axes = axis_names(model_.kinematics);
     for (const HistoryPoint& point : the_case.output.histories) {
         const int block = block_named(model_, point);
         const Vector3d centroid = model_.blocks[block].moments.centroid;
         const Vector3d place = point.point ? Vector3d(*point.point - model_.origin) : centroid;
         points_.push_back({block, place - centroid});
-        for (const char* quantity : {"ux [m]", "uy [m]", "uz [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]"}) {
-            columns.push_back(csv_safe(point.name) + " " + quantity);
-        }
+        const std::string name = csv_safe(point.name);
+        for (const std::string& axis : axes) columns.push_back(fmt::format("{} u{} [m]", name, axis));
+        for (const std::string& axis : axes) columns.push_back(fmt::format("{} v{} [m/s]", name, axis));
     }
     if (!model_.foundations.empty()) {
-        for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("ground u{} [m]", axis));
+        for (const std::string& axis : axes) columns.push_back(fmt::format("ground u{} [m]", axis));
     }
     stream_.open(path_, std::ios::trunc);
     if (!stream_) refuse_writing(path_, errno);
@@ -86,10 +77,12 @@ void Histories::line(const State& state)
     for (const Point& point : points_) {
         const Pose pose = pose_of(model_.kinematics, state, point.block);
         const Vector3d moved = pose.centroid - model_.blocks[point.block].moments.centroid;
-        append_three(pending_, moved + pose.map * point.lever - point.lever);
-        append_three(pending_, point_velocity(model_, state, point.block, point.lever));
+        append_vector(pending_, moved + pose.map * point.lever - point.lever, model_.kinematics);
+        append_vector(pending_, point_velocity(model_.kinematics, state, point.block, point.lever),
+                      model_.kinematics);
     }
-    if (!model_.foundations.empty()) append_three(pending_, ground_displacement(model_, state));
+    if (!model_.foundations.empty())
+        append_vector(pending_, ground_displacement(model_, state), model_.kinematics);
 }
 
 std::vector<double> Histories::flush()
