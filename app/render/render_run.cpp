@@ -180,7 +180,9 @@ std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& f
     }
     const ColorScale scale = scale_of(scenes, options.color);
     const double aspect = static_cast<double>(options.width) / options.height;
-    const Camera camera = camera_for(points_to_see(scenes), drawing_area(options.width, options.height), aspect);
+    const View view = is_planar(model.kinematics) ? View::straight_on : View::from_aside;
+    const Camera camera =
+        camera_for(points_to_see(scenes), drawing_area(options.width, options.height), aspect, view);
     Drawing drawing(options.width, options.height);
     std::vector<fs::path> pictures;
     for (const Scene& scene : scenes) {

@@ -108,13 +108,16 @@ TEST(Viridis, LightnessRisesEvenly)
 TEST(Camera, AllPointsFillTheAreaAndNoneLeavesIt)
 {
     const PictureArea area{-0.9, 0.7, -0.8, 0.75};
-    for (const Vector3d& size : {Vector3d(45, 4, 6), Vector3d(3, 3, 40), Vector3d(2, 60, 5), Vector3d(1, 1, 1)}) {
+    const std::vector<Vector3d> sizes = {{45, 4, 6}, {3, 3, 40}, {2, 60, 5}, {1, 1, 1}};
+    for (int i = 0; i < 8; ++i) {
+        const Vector3d size = sizes[i / 2];
+        const View view = i % 2 == 0 ? View::from_aside : View::straight_on;
         std::vector<Vector3d> points;
         points.reserve(8);
         for (int corner = 0; corner < 8; ++corner) {
             points.push_back(Vector3d(corner & 1, corner >> 1 & 1, corner >> 2).cwiseProduct(size));
         }
-        const Camera camera = camera_for(points, area, 16.0 / 9);
+        const Camera camera = camera_for(points, area, 16.0 / 9, view);
         Eigen::Vector2d low(9, 9), high(-9, -9);
         for (const Vector3d& point : points) {
             const Eigen::Vector4d clip = camera.view_projection * point.homogeneous();
@@ -136,10 +139,11 @@ TEST(Camera, AllPointsFillTheAreaAndNoneLeavesIt)
 TEST(Camera, TheLongAxisLiesAcrossThePicture)
 {
     const std::vector<Vector3d> wall = {{0, 0, 0}, {0, 60, 0}, {1, 60, 5}, {1, 0, 5}};
-    const Camera camera = camera_for(wall, {}, 1.6);
+    const Camera camera = camera_for(wall, {}, 1.6, View::from_aside);
     EXPECT_GT(std::abs(camera.right.y()), 0.8);
     EXPECT_EQ(camera.right.z(), 0);
     EXPECT_GT(camera.back.z(), 0.1) << "from above";
+    EXPECT_EQ(camera_for(wall, {}, 1.6, View::straight_on).right, Vector3d::UnitX()) << "whatever its extents";
 }
 
 TEST(JointFaces, AreTheTwoThatFaceEachOther)
