@@ -29,7 +29,7 @@ DrawnDepth depth_of(const std::string& stone, const ConvexPolyhedron& part, cons
 
 std::string in_words(const DrawnDepth& depth)
 {
-    return fmt::format("from y = {:g} m to {:g} m", depth.low, depth.high);
+    return fmt::format("from y = {:.10g} m to {:.10g} m", depth.low, depth.high);
 }
 
 /// All drawn stones reach as far along y as the first one; another extent is a fault.
