@@ -47,12 +47,34 @@ ContactStiffness read_stiffness(YamlCursor& map)
     return {};
 }
 
+const Range friction_range{0, std::numbers::pi / 2, true, false};
+
+/// How friction changes with the speed of slip: a list of {speed, friction}.
+std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
+{
+    std::vector<FrictionAtSpeed> points;
+    const std::optional<YamlCursor> list = map.find("friction_at_speed");
+    if (!list) return points;
+    double last = 0;
+    for (YamlCursor& item : list->items("a list of {speed: 1 cm/s, friction: 20 deg}")) {
+        if (!item.expect_map("a point {speed: 1 cm/s, friction: 20 deg}")) continue;
+        FrictionAtSpeed point;
+        point.speed = item.quantity("speed", dimension::velocity, Range::positive());
+        point.angle = item.quantity("friction", dimension::angle, friction_range);
+        item.reject_unknown_keys();
+        if (point.speed <= last) item.fault(in_words(point.speed, dimension::velocity), "speeds must ascend");
+        last = point.speed;
+        points.push_back(point);
+    }
+    return points;
+}
+
 JointMaterial read_joint(const std::string& name, YamlCursor& map)
 {
     JointMaterial joint;
     joint.name = name;
-    const Range friction{0, std::numbers::pi / 2, true, false};
-    joint.friction_angle = map.quantity("friction", dimension::angle, friction);
+    joint.friction_angle = map.quantity("friction", dimension::angle, friction_range);
+    joint.friction_at_speed = read_friction_at_speed(map);
     joint.cohesion = map.quantity_or("cohesion", dimension::pressure, Range::non_negative(), joint.cohesion);
     joint.tensile_strength =
         map.quantity_or("tensile_strength", dimension::pressure, Range::non_negative(), joint.tensile_strength);

@@ -72,12 +72,16 @@ void print_materials(const Model& model)
     for (const BlockMaterial& material : model.materials)
         fmt::print("material {}: density {:g} kg/m3, Young's modulus {:g} Pa, Poisson's ratio {:g}\n",
                    material.name, material.density, material.young, material.poisson);
-    for (const JointMaterial& joint : model.joints)
+    for (const JointMaterial& joint : model.joints) {
         fmt::print(
             "joint {}: friction {:g} deg, cohesion {:g} Pa, tensile strength {:g} Pa, contact stiffness {}, "
             "shear to normal {:g}, dashpot {:g} s\n",
             joint.name, joint.friction_angle * 180 / std::numbers::pi, joint.cohesion, joint.tensile_strength,
             in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.dashpot);
+        for (const FrictionAtSpeed& point : joint.friction_at_speed)
+            fmt::print("  friction {:g} deg when it slips at {:g} m/s\n", point.angle * 180 / std::numbers::pi,
+                       point.speed);
+    }
 }
 
 void print_case(const Case& the_case)

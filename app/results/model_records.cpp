@@ -54,6 +54,16 @@ void write_materials(const Model& model, Hdf5File& file)
     file.write("/model/materials/poisson", poisson);
 }
 
+/// Only if friction depends on the speed of slip in some joint.
+void write_friction_at_speed(const Model& model, Hdf5File& file)
+{
+    std::vector<double> rows;
+    for (std::size_t joint = 0; joint < model.joints.size(); ++joint)
+        for (const FrictionAtSpeed& point : model.joints[joint].friction_at_speed)
+            rows.insert(rows.end(), {static_cast<double>(joint), point.speed, point.angle});
+    if (!rows.empty()) file.write("/model/joint_materials/friction_at_speed", rows, {rows.size() / 3, 3});
+}
+
 void write_joints(const Model& model, Hdf5File& file)
 {
     std::vector<std::string> names, kinds;
@@ -77,6 +87,7 @@ void write_joints(const Model& model, Hdf5File& file)
     file.write("/model/joint_materials/stiffness", stiffness);
     file.write("/model/joint_materials/shear_to_normal_stiffness", shear);
     file.write("/model/joint_materials/dashpot", dashpot);
+    write_friction_at_speed(model, file);
     std::vector<std::int32_t> of_groups(model.joint_of_groups.begin(), model.joint_of_groups.end());
     file.write("/model/joint_of_groups", of_groups, {model.groups.size(), model.groups.size()});
 }

@@ -28,8 +28,9 @@ struct VerifyResult {
     double simulated_time = 0;            // s
     double cpu_time = 0;                  // s, process clock
     std::int64_t steps = 0, step_cuts = 0, iterations = 0;
-    std::string failure;  // why there is no error: the run gave up; empty when it did not
-    std::string note;     // what else the run showed, one line
+    std::vector<double> answer;  // what is compared with the same scene in other unknowns, all in one unit
+    std::string failure;         // why there is no error: the run gave up; empty when it did not
+    std::string note;            // what else the run showed, one line
 };
 
 /// One line of the verification table.
@@ -43,6 +44,7 @@ struct Benchmark {
     std::optional<double> paper_level;  // the number in it, for the line in the diagram
     VerifySetting setting;              // the default one, on which `tolerance` is held
     double tolerance = 0;               // of `error`
+    std::vector<Kinematics> also = {};  // other unknowns for the same scene: they must pass too, and agree
     std::vector<VerifySetting> sweep;   // of the work-precision diagram; at least 4 time steps x methods
     std::function<VerifyResult(const VerifySetting&)> run;
 };

@@ -1,6 +1,7 @@
 #include <iterator>
 
 #include "app/verify/families.h"
+#include "app/verify/settings.h"
 
 namespace voussoir
 {
@@ -15,16 +16,18 @@ std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
     add(two_direction_benchmarks());
     add(wedge_benchmarks());
     add(foundation_benchmarks());
-    add(three_sines_benchmarks());
-    add(shaking_table_benchmarks());
+    // In the plane in the papers: planar here, the spatial scene beside it.
+    add(made_planar(three_sines_benchmarks()));
+    add(made_planar(shaking_table_benchmarks(), false));
     add(other_incline_benchmarks());
-    add(two_blocks_benchmarks());
+    add(made_planar(two_blocks_benchmarks()));
     add(mode_chart_benchmarks(seed));
-    add(rocking_benchmarks());
-    add(wave_benchmarks());
-    add(kinetic_damping_benchmarks());
+    add(made_planar(rocking_benchmarks(), false));
+    add(made_planar(wave_benchmarks(), false));
+    add(with_planar(kinetic_damping_benchmarks()));
     add(impact_benchmarks());
-    add(tower_benchmarks());
+    add(made_planar(tower_benchmarks(), false));
+    add(made_planar(bridge_benchmarks(), false));
     return all;
 }
 

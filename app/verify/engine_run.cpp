@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "app/verify/scene_blocks.h"
 #include "libdda/analysis/run.h"
 
 namespace voussoir
@@ -61,8 +62,7 @@ EngineRun run_engine(const Scene& scene, const VerifySetting& setting)
     if (run_out.result.failure.empty()) {
         state.stage = 0;
         begin_stage(model, 0, state);
-        Eigen::Map<Eigen::Vector3d>{state.velocities.data() + scene.block * unknowns_per_block(model.kinematics)} =
-            scene.start_velocity;
+        set_velocity(model, state, scene.block, scene.start_velocity);
         RunObserver observer;
         watch(scene, pose_of(model.kinematics, state, scene.block).centroid, observer, run_out.history);
         count(run(model, {stage_of(scene, setting, StageType::dynamic)}, state, observer), run_out.result);
@@ -79,6 +79,13 @@ double worst_error(const History& ours, const History& reference)
         largest = std::max(largest, reference.displacements[i].norm());
     }
     return worst / largest;
+}
+
+std::vector<double> answer_of(const History& history)
+{
+    if (history.displacements.empty()) return {};
+    const Eigen::Vector3d& end = history.displacements.back();
+    return {end.begin(), end.end()};
 }
 
 double worst_relative(const History& ours, const History& reference, double from)
@@ -101,6 +108,7 @@ void add_run(VerifyResult& total, const VerifyResult& one)
     total.steps += one.steps;
     total.step_cuts += one.step_cuts;
     total.iterations += one.iterations;
+    total.answer.insert(total.answer.end(), one.answer.begin(), one.answer.end());
     if (total.failure.empty()) total.failure = one.failure;
     if (one.note.empty()) return;
     total.note += total.note.empty() ? one.note : "; " + one.note;

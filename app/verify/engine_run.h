@@ -28,6 +28,9 @@ EngineRun run_engine(const Scene& scene, const VerifySetting& setting);
 /// max |u - u_ref| / max |u_ref| over all times; both histories at the same times.
 double worst_error(const History& ours, const History& reference);
 
+/// What is compared between unknowns: where the block is at the end [m].
+std::vector<double> answer_of(const History& history);
+
 /// The papers' measure: the largest |(|u_ref| - |u|) / |u_ref|| from `from` [s] on.
 double worst_relative(const History& ours, const History& reference, double from);
 

@@ -35,6 +35,9 @@ std::vector<Benchmark> wave_benchmarks();
 /// A slender tower of 100 courses. Source: ma.
 std::vector<Benchmark> tower_benchmarks();
 
+/// Mosca's bridge. Source: ma.
+std::vector<Benchmark> bridge_benchmarks();
+
 /// A mass under a constant force with damping per step and per second. Source: yagoda-biran-hatzor 4.2.2.
 std::vector<Benchmark> kinetic_damping_benchmarks();
 

@@ -63,7 +63,7 @@ Scene rocking_scene(const VerifySetting& setting, const Choices& choices, double
     joint.stiffness = stiffness_by_rule(setting, 2 * half_height / choices.young);
     joint.dashpot = dashpot_by_rule(setting, choices);
     Scene scene;
-    scene.model = make_model(setting.kinematics, {"stone", choices.density, choices.young, 0.2}, joint);
+    scene.model = make_scene_model(setting, {"stone", choices.density, choices.young, 0.2}, joint, 1);
     hold(scene.model, add_box(scene.model, "base", {-3, -0.5, -1}, {3, 0.5, 0}));
     add_box(scene.model, "block", {-half_width, -0.5, 0}, {half_width, 0.5, 2 * half_height});
     Stage shaking = dynamic_stage(setting, duration);
@@ -128,6 +128,7 @@ VerifyResult run_threshold(const VerifySetting& setting)
         (falls(setting, middle, result) ? over : stands) = middle;
     }
     const double threshold = 0.5 * (stands + over);
+    result.answer = {threshold};
     result.error = std::abs(threshold / exact - 1);
     result.paper_measure = threshold;
     result.note =
@@ -153,6 +154,8 @@ double before_impact(const VerifySetting& setting, const Choices& choices, Verif
     const reference::RockingBlock block = rigid_block(printed_amplitude);
     const double impact = *reference::first_impact(block);
     const Record record = watch(setting, choices, printed_amplitude, impact, result, {});
+    result.answer.push_back(*std::max_element(record.angles.begin(), record.angles.end(),
+                                              [](double a, double b) { return std::abs(a) < std::abs(b); }));
     return difference(record, reference::rocking_angles(block, record.times), impact);
 }
 
@@ -215,6 +218,7 @@ double history(const VerifySetting& setting, const Choices& choices, VerifyResul
     const std::vector<double> swings = apexes(record);
     for (std::size_t i = 1; i < swings.size() && i < 5; ++i)
         realised += fmt::format(" {:.3f}", reference::restitution_between(block, swings[i - 1], swings[i]));
+    result.answer.insert(result.answer.end(), swings.begin(), swings.end());
     result.note +=
         fmt::format("restitution of the first impacts{} (Housner {:.3f}), h omega {:.2f}, dashpot {:.1e} s",
                     realised, reference::housner_restitution(block),

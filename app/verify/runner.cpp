@@ -12,6 +12,9 @@ namespace voussoir
 namespace
 {
 
+// The same scene in other unknowns must agree to a tenth of the benchmark's tolerance, and need not agree to more
+// than the force tolerance of a step.
+constexpr double least_agreement = 1e-5;
 constexpr double rounding = 1e-9;  // errors below this are not the method's: they have no order
 
 /// Whatever goes wrong becomes a row that says so.
@@ -36,6 +39,56 @@ VerifyResult median_of_three(const Benchmark& benchmark, const VerifySetting& se
     std::sort(times.begin(), times.end());
     result.cpu_time = times[1];
     return result;
+}
+
+/// max |a - b| / max |b|; infinite when they are not of one kind.
+double distance_of(const std::vector<double>& a, const std::vector<double>& b)
+{
+    if (a.size() != b.size()) return INFINITY;
+    double worst = 0, largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        worst = std::max(worst, std::abs(a[i] - b[i]));
+        largest = std::max(largest, std::abs(b[i]));
+    }
+    return worst == 0 ? 0 : worst / largest;
+}
+
+/// Compares with the default row or the first companion that has the same kind of block, rigid or deformable.
+std::optional<double> distance_from_first(const VerifyRow& row, const VerifyOutcome& outcome)
+{
+    const auto same = [&](const VerifyRow& other) {
+        return is_deformable(other.setting.kinematics) == is_deformable(row.setting.kinematics);
+    };
+    if (same(outcome.row)) return distance_of(row.result.answer, outcome.row.result.answer);
+    for (const Companion& other : outcome.companions)
+        if (same(other.row)) return distance_of(row.result.answer, other.row.result.answer);
+    return std::nullopt;
+}
+
+void run_companions(const Benchmark& benchmark, VerifyOutcome& outcome)
+{
+    for (const Kinematics kinematics : benchmark.also) {
+        VerifySetting setting = benchmark.setting;
+        setting.kinematics = kinematics;
+        VerifyRow row{setting, run_once(benchmark, setting)};
+        const std::optional<double> distance = distance_from_first(row, outcome);
+        outcome.companions.push_back({std::move(row), distance});
+    }
+}
+
+bool within(const VerifyResult& result, const Benchmark& benchmark)
+{
+    return result.failure.empty() && result.error <= benchmark.tolerance;
+}
+
+bool passes(const VerifyOutcome& outcome)
+{
+    const Benchmark& benchmark = outcome.benchmark;
+    const double agreement = std::max(least_agreement, 0.1 * benchmark.tolerance);
+    return within(outcome.row.result, benchmark) &&
+           std::all_of(outcome.companions.begin(), outcome.companions.end(), [&](const Companion& companion) {
+               return within(companion.row.result, benchmark) && companion.distance.value_or(0) <= agreement;
+           });
 }
 
 /// Least squares over (log h, log error).
@@ -81,7 +134,8 @@ VerifyOutcome run_benchmark(const Benchmark& benchmark, bool sweep)
     outcome.benchmark = benchmark;
     outcome.row = {benchmark.setting,
                    sweep ? median_of_three(benchmark, benchmark.setting) : run_once(benchmark, benchmark.setting)};
-    outcome.pass = outcome.row.result.failure.empty() && outcome.row.result.error <= benchmark.tolerance;
+    run_companions(benchmark, outcome);
+    outcome.pass = passes(outcome);
     if (!sweep || benchmark.sweep.empty()) {
         outcome.rows = {outcome.row};
         return outcome;

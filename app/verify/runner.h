@@ -1,6 +1,7 @@
 // Runs benchmarks: at their default setting, and over time steps, methods and stiffnesses.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,20 @@ struct ObservedOrder {
         0;  // slope of log error over log time step, least squares over its rows (3 or more) above rounding
 };
 
+/// The same scene in other unknowns, at the default setting otherwise.
+struct Companion {
+    VerifyRow row;
+    std::optional<double>
+        distance;  // of its answer from that of the first row with the same kind of block, relative
+};
+
 struct VerifyOutcome {
     Benchmark benchmark;
-    VerifyRow row;                // at the default setting
+    VerifyRow row;  // at the default setting
+    std::vector<Companion> companions;
     std::vector<VerifyRow> rows;  // of the sweep; only `row` without one
     std::vector<ObservedOrder> orders;
-    bool pass = false;  // the default row ran and its error is within the tolerance
+    bool pass = false;  // default row and companions ran, their errors are within the tolerance, and they agree
 };
 
 /// @param sweep also run the benchmark's sweep, CPU times then being the median of three runs

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "libdda/model/state.h"
-#include "libdda/step/advance.h"
+#include "app/verify/scene_blocks.h"
 
 namespace voussoir
 {
@@ -26,17 +25,10 @@ JointMaterial dry_joint(double friction, const ContactStiffness& stiffness)
     return joint;
 }
 
-int add_block(Model& model, const std::string& name, ConvexPolyhedron shape)
+int add_prism(Model& model, const std::string& name, ConvexPolyhedron shape)
 {
     model.blocks.push_back(make_block(name, 0, 0, {std::move(shape)}));
     return static_cast<int>(model.blocks.size()) - 1;
-}
-
-void hold(Model& model, int block)
-{
-    Foundation foundation;
-    foundation.block = block;
-    model.foundations.push_back(foundation);
 }
 
 /// A prism along x. @param section (n) corners (y, z) [m], counter-clockwise seen from +x
@@ -60,13 +52,14 @@ ConvexPolyhedron prism(const std::vector<Eigen::Vector2d>& section, double from,
 Scene block_on_base(const VerifySetting& setting, const SlidingBlock& block)
 {
     Scene scene;
-    scene.model = make_model(setting.kinematics, block.material, dry_joint(block.friction, block.stiffness));
+    scene.model =
+        make_scene_model(setting, block.material, dry_joint(block.friction, block.stiffness), block.size.y());
     scene.model.joints[0].shear_to_normal_stiffness = block.shear_to_normal_stiffness;
     const Vector3d lower(block.travel_from.x(), block.travel_from.y(), -1);
     const Vector3d upper(block.travel_to.x(), block.travel_to.y(), 0);
-    hold(scene.model, add_block(scene.model, "base", make_box(lower, upper)));
+    hold(scene.model, add_box(scene.model, "base", lower, upper));
     const Vector3d half = block.size / 2, centre(0, 0, half.z());
-    scene.block = add_block(scene.model, "block", make_box(centre - half, centre + half));
+    scene.block = add_box(scene.model, "block", centre - half, centre + half);
     if (setting.stiffness_factor) scale_stiffness(scene.model, *setting.stiffness_factor);
     return scene;
 }
@@ -85,11 +78,11 @@ Scene wedge_in_trough(const VerifySetting& setting, double left, double right, d
                                                  thickness * under_left};
     const std::vector<Eigen::Vector2d> wall_right{apex, thickness * under_right,
                                                   side * down_right + thickness * under_right, side * down_right};
-    hold(scene.model, add_block(scene.model, "left plane", prism(wall_left, -5, reach)));
-    hold(scene.model, add_block(scene.model, "right plane", prism(wall_right, -5, reach)));
+    hold(scene.model, add_prism(scene.model, "left plane", prism(wall_left, -5, reach)));
+    hold(scene.model, add_prism(scene.model, "right plane", prism(wall_right, -5, reach)));
     const std::vector<Eigen::Vector2d> section{apex, depth / std::sin(right) * down_right,
                                                depth / std::sin(left) * down_left};
-    scene.block = add_block(scene.model, "wedge", prism(section, -1, 1));
+    scene.block = add_prism(scene.model, "wedge", prism(section, -1, 1));
     if (setting.stiffness_factor) scale_stiffness(scene.model, *setting.stiffness_factor);
     return scene;
 }
@@ -130,19 +123,14 @@ void add_cosine_motion(Scene& scene, int axis, double amplitude, double frequenc
 
 void scale_stiffness(Model& model, double factor)
 {
-    State state = initial_state(model);
-    find_initial_contacts(model, state);
-    for (JointMaterial& joint : model.joints)
-        joint.stiffness = {ContactStiffness::Kind::per_area, factor * state.contacts.patches.at(0).stiffness};
+    const double stiffness = factor * start_contact(model).stiffness;
+    for (JointMaterial& joint : model.joints) joint.stiffness = {ContactStiffness::Kind::per_area, stiffness};
 }
 
 double stiffness_per_point(const Scene& scene)
 {
-    State state = initial_state(scene.model);
-    find_initial_contacts(scene.model, state);
-    double area = 0;
-    for (const ContactPoint& point : state.contacts.points) area += point.area;
-    return state.contacts.patches.at(0).stiffness * area / static_cast<double>(state.contacts.points.size());
+    const StartContact contact = start_contact(scene.model);
+    return contact.stiffness * contact.area_per_point;
 }
 
 }  // namespace voussoir

@@ -8,19 +8,6 @@ namespace voussoir::dynamic_scenes
 
 using Eigen::Vector3d;
 
-int add_box(Model& model, const std::string& name, const Vector3d& lower, const Vector3d& upper)
-{
-    model.blocks.push_back(make_block(name, 0, 0, {make_box(lower, upper)}));
-    return static_cast<int>(model.blocks.size()) - 1;
-}
-
-void hold(Model& model, int block)
-{
-    Foundation foundation;
-    foundation.block = block;
-    model.foundations.push_back(foundation);
-}
-
 double default_stiffness(Kinematics kinematics, double compliance)
 {
     return 2 * (is_deformable(kinematics) ? 10 : 1) / compliance;

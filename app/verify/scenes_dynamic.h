@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/verify/benchmark.h"
+#include "app/verify/scene_blocks.h"
 #include "libdda/analysis/run.h"
 #include "libdda/model/model.h"
 #include "libdda/model/state.h"
@@ -19,12 +20,6 @@ struct Scene {
     Model model;
     std::vector<Stage> stages;
 };
-
-/// Adds a box of group 0 and material 0. @param lower, upper opposite corners [m]; @returns its index
-int add_box(Model& model, const std::string& name, const Eigen::Vector3d& lower, const Eigen::Vector3d& upper);
-
-/// Holds a block wholly, or lets it follow a motion given for it.
-void hold(Model& model, int block);
 
 /// The documented default stiffness times `setting.stiffness_factor`; the rule itself when there is none.
 /// Source: docs/method.md. @param compliance L_a/E_a + L_b/E_b of the blocks that are not held [m/Pa]

@@ -3,6 +3,16 @@
 namespace voussoir
 {
 
+namespace
+{
+
+Kinematics planar_form(Kinematics spatial)
+{
+    return is_deformable(spatial) ? Kinematics::planar_deformable : Kinematics::planar_rigid;
+}
+
+}  // namespace
+
 std::string method_name(const VerifySetting& setting)
 {
     std::string name(name_of(setting.kinematics));
@@ -29,6 +39,36 @@ std::vector<VerifySetting> standard_sweep(const std::vector<double>& time_steps,
         sweep.back().stiffness_factor = factor;
     }
     return sweep;
+}
+
+void add_planar(Benchmark& benchmark)
+{
+    benchmark.also = {planar_form(benchmark.setting.kinematics)};
+}
+
+void make_planar(Benchmark& benchmark, bool other_blocks)
+{
+    const bool deformable = is_deformable(benchmark.setting.kinematics);
+    benchmark.also = {benchmark.setting.kinematics};
+    if (other_blocks && deformable)
+        benchmark.also.insert(benchmark.also.end(), {Kinematics::planar_rigid, Kinematics::spatial_rigid});
+    if (other_blocks && !deformable)
+        benchmark.also.insert(benchmark.also.end(),
+                              {Kinematics::planar_deformable, Kinematics::spatial_deformable});
+    benchmark.setting.kinematics = planar_form(benchmark.setting.kinematics);
+    for (VerifySetting& setting : benchmark.sweep) setting.kinematics = planar_form(setting.kinematics);
+}
+
+std::vector<Benchmark> made_planar(std::vector<Benchmark> benchmarks, bool other_blocks)
+{
+    for (Benchmark& benchmark : benchmarks) make_planar(benchmark, other_blocks);
+    return benchmarks;
+}
+
+std::vector<Benchmark> with_planar(std::vector<Benchmark> benchmarks)
+{
+    for (Benchmark& benchmark : benchmarks) add_planar(benchmark);
+    return benchmarks;
 }
 
 }  // namespace voussoir

@@ -116,6 +116,7 @@ std::vector<Benchmark> foundation_benchmarks()
               "below 1 % after 0.3 s", 0.01, 5e-3},
              one_direction, stiffness_factors,
              " Text and axis of figure 13 have 0.5 m, its caption 0.2 m: 0.5 m fits the axis.");
+    list = with_planar(std::move(list));
     add_both(list,
              {"foundation-2d", "A block on a foundation shaken in two directions (0.3 m, 2 Hz; 0.2 m, 4 Hz)",
               source + "14", "below 10 %", 0.1, 7e-3},

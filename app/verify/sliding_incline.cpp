@@ -168,8 +168,10 @@ Benchmark sine_benchmark_2d()
 
 std::vector<Benchmark> incline_benchmarks()
 {
-    return {gravity_benchmark_2d(), gravity_benchmark_3d(), velocity_benchmark(), sine_benchmark_2d(),
-            sine_benchmark_3d()};
+    const std::vector<Benchmark> planar = made_planar({gravity_benchmark_2d(), sine_benchmark_2d()});
+    const std::vector<Benchmark> spatial =
+        with_planar({gravity_benchmark_3d(), velocity_benchmark(), sine_benchmark_3d()});
+    return {planar[0], spatial[0], spatial[1], planar[1], spatial[2]};
 }
 
 }  // namespace voussoir

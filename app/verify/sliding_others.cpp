@@ -108,7 +108,11 @@ Benchmark benchmark_of_khan_soft()
 
 std::vector<Benchmark> other_incline_benchmarks()
 {
-    return {benchmark_of_li(), benchmark_of_khan(), benchmark_of_khan_soft()};
+    std::vector<Benchmark> benchmarks{benchmark_of_li(), benchmark_of_khan(), benchmark_of_khan_soft()};
+    add_planar(benchmarks[0]);
+    make_planar(benchmarks[1]);
+    make_planar(benchmarks[2]);
+    return benchmarks;
 }
 
 }  // namespace voussoir

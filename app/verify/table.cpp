@@ -23,6 +23,21 @@ std::string table_head()
                        "tolerance", "step", "CPU s/s", "pass");
 }
 
+namespace
+{
+
+std::string companion_line(const Companion& companion)
+{
+    const VerifyResult& result = companion.row.result;
+    std::string text =
+        fmt::format("    {:<61} {:>10} {:>10} {:>9} {:>9.3g}", name_of(companion.row.setting.kinematics),
+                    result.failure.empty() ? error_in_words(result.error) : "failed", "", "", cpu_share(result));
+    if (companion.distance) text += fmt::format("  agrees to {:.0e}", *companion.distance);
+    return text + (result.failure.empty() ? "\n" : ": " + result.failure + "\n");
+}
+
+}  // namespace
+
 std::string table_line(const VerifyOutcome& outcome)
 {
     const Benchmark& benchmark = outcome.benchmark;
@@ -37,6 +52,7 @@ std::string table_line(const VerifyOutcome& outcome)
     if (result.paper_measure)
         text += fmt::format("    by the paper's measure: {}\n", error_in_words(*result.paper_measure));
     if (!result.note.empty()) text += "    " + result.note + "\n";
+    for (const Companion& companion : outcome.companions) text += companion_line(companion);
     return text;
 }
 

@@ -32,7 +32,7 @@ Scene tower_scene(const VerifySetting& setting)
     joint.friction_angle = friction * std::numbers::pi / 180;
     joint.stiffness = stiffness_by_rule(setting, 2 * course_height / young);
     Scene scene;
-    scene.model = make_model(setting.kinematics, {"masonry", density, young, 0.2}, joint);
+    scene.model = make_scene_model(setting, {"masonry", density, young, 0.2}, joint, width);
     hold(scene.model, add_box(scene.model, "base", {-2 * width, -width, -1}, {2 * width, width, 0}));
     for (int i = 0; i < courses; ++i)
         add_box(scene.model, fmt::format("course {}", i + 1), {-0.5 * width, -0.5 * width, i * course_height},
@@ -49,17 +49,19 @@ Scene tower_scene(const VerifySetting& setting)
 class SlipPaths
 {
  public:
-    void add(const State& state)
+    template <int D>
+    void add(const ContactSetIn<D>& contacts)
     {
         std::vector<Eigen::Vector3d> now(courses, Eigen::Vector3d::Zero());
         std::vector<double> area(courses, 0);
-        for (const ContactPatch& patch : state.contacts.patches) {
+        for (const ContactPatchIn<D>& patch : contacts.patches) {
             if (std::abs(patch.block_a - patch.block_b) != 1) continue;
             const int joint = std::min(patch.block_a, patch.block_b);
             const double sign = patch.block_a > patch.block_b ? 1 : -1;
             for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-                now[joint] += sign * state.contacts.points[i].area * state.contacts.points[i].plastic_slip;
-                area[joint] += state.contacts.points[i].area;
+                const ContactPointIn<D>& point = contacts.points[i];
+                now[joint] += sign * point.area * to_space(point.plastic_slip);
+                area[joint] += point.area;
             }
         }
         for (int j = 0; j < courses; ++j) {
@@ -129,7 +131,11 @@ VerifyResult run_tower(const VerifySetting& setting)
     SlipPaths paths;
     RunObserver observer;
     observer.step = [&](const State& now, const StepReport&, const RunReport&) {
-        if (now.stage == 1) paths.add(now);
+        if (now.stage != 1) return;
+        if (is_planar(setting.kinematics))
+            paths.add(now.planar_contacts);
+        else
+            paths.add(now.contacts);
     };
     run_scene(scene, state, observer, result);
     if (!result.failure.empty()) return result;

@@ -37,10 +37,18 @@ json to_json(const VerifyRow& row)
             {"failure", result.failure}};
 }
 
+json to_json(const Companion& companion)
+{
+    json row = to_json(companion.row);
+    row["distance"] = number_or_null(companion.distance);
+    return row;
+}
+
 json to_json(const VerifyOutcome& outcome)
 {
     const Benchmark& benchmark = outcome.benchmark;
-    json rows = json::array(), orders = json::object();
+    json rows = json::array(), orders = json::object(), companions = json::array();
+    for (const Companion& companion : outcome.companions) companions.push_back(to_json(companion));
     for (const VerifyRow& row : outcome.rows) rows.push_back(to_json(row));
     for (const ObservedOrder& order : outcome.orders) orders[order.method] = order.order;
     return {{"benchmark", benchmark.name},
@@ -49,6 +57,7 @@ json to_json(const VerifyOutcome& outcome)
             {"quantity", benchmark.quantity},
             {"choices", benchmark.choices},
             {"rows", rows},
+            {"companions", companions},
             {"observed_orders", orders},
             {"time_step_s", outcome.row.setting.time_step},
             {"error", error_of(outcome.row.result)},

@@ -33,7 +33,7 @@ Scene column_scene(const VerifySetting& setting, const Column& column, const Gro
     bond.friction_angle = 0.5;
     bond.cohesion = bond.tensile_strength = unbreakable;
     bond.shear_to_normal_stiffness = shear_to_normal;
-    model = make_model(setting.kinematics, {"base", column.density, 1e10, column.poisson}, bond);
+    model = make_scene_model(setting, {"base", column.density, 1e10, column.poisson}, bond, 1);
     const double half = 0.5 * column.width;
     hold(model, add_box(model, "base", {-half, -0.5, -1}, {half, 0.5, 0}));
     double z = 0;
@@ -139,6 +139,7 @@ WaveRecord climb(const VerifySetting& setting, const WaveChoice& wave, VerifyRes
             record.trace.push_back(pose_of(scene.model.kinematics, now, watched).centroid.x());
     };
     run_scene(scene, state, observer, result);
+    result.answer.insert(result.answer.end(), record.trace.begin(), record.trace.end());
     return record;
 }
 

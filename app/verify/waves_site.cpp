@@ -98,6 +98,7 @@ VerifyResult run_site(const VerifySetting& setting, bool homogeneous, Measure me
         const double deviation = measure == Measure::value ? ours[i].value / exact[i].value - 1
                                                            : ours[i].frequency / exact[i].frequency - 1;
         result.error = std::max(result.error, std::abs(deviation));
+        result.answer.push_back(measure == Measure::value ? ours[i].value : ours[i].frequency);
         result.note += fmt::format(" {:.2f} at {:.3f} Hz ({:.2f} at {:.3f});", ours[i].value, ours[i].frequency,
                                    exact[i].value, exact[i].frequency);
     }

@@ -7,6 +7,18 @@
 namespace voussoir
 {
 
+double friction_coefficient(const JointMaterial& joint, double speed)
+{
+    double from_speed = 0, from = std::tan(joint.friction_angle);
+    for (const FrictionAtSpeed& point : joint.friction_at_speed) {
+        const double to = std::tan(point.angle);
+        if (speed < point.speed) return from + (to - from) * (speed - from_speed) / (point.speed - from_speed);
+        from_speed = point.speed;
+        from = to;
+    }
+    return from;
+}
+
 double size_of(const Model& model, int block)
 {
     const double volume = model.blocks[block].moments.volume;

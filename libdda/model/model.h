@@ -36,9 +36,16 @@ struct ContactStiffness {
     double value = 0;  // Pa/m, or N/m; unused for from_modulus
 };
 
+/// Friction of a joint at one speed of slip.
+struct FrictionAtSpeed {
+    double speed = 0;  // m/s, > 0
+    double angle = 0;  // rad
+};
+
 struct JointMaterial {
     std::string name;
-    double friction_angle = 0;    // rad
+    double friction_angle = 0;                       // rad; of a joint at rest when there is a table
+    std::vector<FrictionAtSpeed> friction_at_speed;  // ascending speeds; empty: the same at every speed
     double cohesion = 0;          // Pa; only joints that are closed at the start of the run have it
     double tensile_strength = 0;  // Pa; a dry joint has neither
     ContactStiffness stiffness;
@@ -93,6 +100,10 @@ struct Model {
         return joints[joint_of_groups[row * groups.size() + column]];
     }
 };
+
+/// Friction coefficient at a speed of slip [m/s]: linear from tan(friction_angle) at rest through the points of
+/// the table, constant beyond the last.
+double friction_coefficient(const JointMaterial& joint, double speed);
 
 /// Length by which distances at a block are judged [m]: the cube root of its volume, planar the root of its area.
 double size_of(const Model& model, int block);

@@ -70,6 +70,15 @@ void normal_force(bool intact, double dashpot_over_h, double gap, PointStep<D>& 
     p.normal_tangent = -slope;
 }
 
+/// Friction coefficient of a point. A speed-dependent one is taken at the mean speed of the step, which makes it
+/// second-order in the step.
+template <class K>
+double friction_of(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
+{
+    if (!patch.friction_law) return patch.friction;
+    return friction_coefficient(*patch.friction_law, tangential(p.displacement, patch.normal).norm() / patch.h);
+}
+
 template <int D>
 void shear_force(bool intact, double friction, FrictionBound rule, const VectorIn<D>& normal, PointStep<D>& p)
 {
@@ -167,6 +176,8 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         patch.count = found.point_count;
         patch.normal = found.normal;
         patch.friction = std::tan(joint.friction_angle);
+        patch.friction_law = joint.friction_at_speed.empty() ? nullptr : &joint;
+        patch.h = h;
         patch.dashpot_over_h = joint.dashpot / h;
         patch.intact = found.intact;
         const typename K::Matrix back_a = a.start.map.inverse(), back_b = b.start.map.inverse();
@@ -211,7 +222,7 @@ void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, Cont
             PointStep<K::dimension>& p = step.points[i];
             move_point(d, patch, p);
             normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
-            shear_force<K::dimension>(patch.intact, patch.friction, bound, patch.normal, p);
+            shear_force<K::dimension>(patch.intact, friction_of(patch, p), bound, patch.normal, p);
         }
         sum_forces(step.points, patch);
     }
@@ -242,7 +253,7 @@ bool switch_published(ContactStep<K>& step)
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             PointStep<K::dimension>& p = step.points[i];
             const double length = p.trial.norm();
-            const double bound = patch.friction * std::max(p.normal, 0.0);
+            const double bound = friction_of(patch, p) * std::max(p.normal, 0.0);
             p.bound = bound;
             ContactStatus next = ContactStatus::open;
             if (p.gap < 0) next = length <= bound ? ContactStatus::locked : ContactStatus::sliding;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <numbers>
 
 #include "app/case/blocks.h"
@@ -36,6 +37,25 @@ TEST(CaseFile, becomes_a_model_with_stages)
     EXPECT_DOUBLE_EQ(the_case.output.every, 0.02);
     EXPECT_FALSE(the_case.output.snapshots);
     EXPECT_EQ(the_case.output.histories.at(0).block, "stone");
+}
+
+TEST(CaseFile, friction_may_depend_on_the_speed_of_slip)
+{
+    const std::string table =
+        "friction: 30 deg, friction_at_speed: [{speed: 1 cm/s, friction: 25 deg}, {speed: 0.1 m/s, friction: 20 "
+        "deg}]";
+    const JointMaterial joint = read(with(two_boxes, "friction: 30 deg", table)).model.joints.at(0);
+    ASSERT_EQ(joint.friction_at_speed.size(), 2u);
+    const auto tangent = [](double angle) { return std::tan(angle * std::numbers::pi / 180); };
+    EXPECT_NEAR(friction_coefficient(joint, 0), tangent(30), 1e-15);
+    EXPECT_NEAR(friction_coefficient(joint, 0.005), 0.5 * (tangent(30) + tangent(25)), 1e-15);
+    EXPECT_NEAR(friction_coefficient(joint, 0.055), 0.5 * (tangent(25) + tangent(20)), 1e-15);
+    EXPECT_NEAR(friction_coefficient(joint, 3), tangent(20), 1e-15);
+    const std::string descending =
+        "friction: 30 deg, friction_at_speed: [{speed: 2 m/s, friction: 25 deg}, {speed: 1 m/s, friction: 20 "
+        "deg}]";
+    EXPECT_NE(faults_of(with(two_boxes, "friction: 30 deg", descending)).find("speeds must ascend"),
+              std::string::npos);
 }
 
 TEST(CaseFile, prints_every_default_it_takes)

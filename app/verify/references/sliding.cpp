@@ -32,11 +32,16 @@ struct Slider {
         return problem.driving(t).norm() - problem.friction * problem.pressing(t) - least_excess;
     }
 
+    double friction(double speed) const
+    {
+        return problem.friction_at ? problem.friction_at(speed) : problem.friction;
+    }
+
     Vector4 rate(double t, const Vector4& y) const
     {
         const Vector2d velocity = y.tail<2>(), driving = problem.driving(t);
         const Vector2d direction = velocity.norm() > 0 ? velocity : driving;
-        const Vector2d change = driving - problem.friction * problem.pressing(t) * direction.normalized();
+        const Vector2d change = driving - friction(velocity.norm()) * problem.pressing(t) * direction.normalized();
         return {velocity.x(), velocity.y(), change.x(), change.y()};
     }
 };

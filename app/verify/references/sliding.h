@@ -15,7 +15,8 @@ namespace voussoir
 struct SlidingProblem {
     std::function<Eigen::Vector2d(double)> driving;  // of time [s]: acceleration in the plane [m/s2]
     std::function<double(double)> pressing;          // of time [s]: acceleration onto the plane [m/s2], > 0
-    double friction = 0;                             // -, coefficient
+    double friction = 0;                             // -, coefficient; of a block at rest if it depends on speed
+    std::function<double(double)> friction_at = {};  // of speed [m/s], if it does; continuous
     Eigen::Vector2d start_velocity = Eigen::Vector2d::Zero();  // m/s
 };
 
