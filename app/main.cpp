@@ -129,6 +129,63 @@ void add_verify(CLI::App& app, std::function<int()>& chosen)
     command->callback([arguments, &chosen] { chosen = [arguments] { return verify_command(*arguments); }; });
 }
 
+/// A repeatable option whose values are separated by commas.
+template <typename Value>
+CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Value>& values,
+                      const std::string& help)
+{
+    return command.add_option(name, values, help)->delimiter(',')->allow_extra_args(false);
+}
+
+void add_converge(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<ConvergeArguments>();
+    CLI::App* command =
+        app.add_subcommand("converge", "Error against run time of your own case: time step and contact stiffness");
+    command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
+    CLI::Option* quantity =
+        add_list(*command, "--quantity", arguments->quantities,
+                 "What is compared: POINT.u, .ux, .d (relative to the ground), .v ... or largest, "
+                 "with :history, :peak or :end");
+    quantity->type_name("NAME,...");
+    add_list(*command, "--time-steps", arguments->time_steps,
+             "Dynamic time steps (the case's x 4, 2, 1, 1/2, 1/4)")
+        ->type_name("TIME,...");
+    add_list(*command, "--stiffness-factors", arguments->stiffness_factors,
+             "Times the case's contact stiffness (0.25, 0.5, 1, 2, 4); 1 alone leaves the series out")
+        ->type_name("FACTOR,...");
+    add_list(*command, "--integrators", arguments->integrators,
+             "Also with newmark, energy_decaying (the case's own)")
+        ->type_name("NAME,...");
+    CLI::Option* threshold =
+        command
+            ->add_option(
+                "--threshold", arguments->threshold,
+                "Compare the value at which the structure collapses, found between one at which it stands "
+                "and one at which it collapses")
+            ->type_name("KEY=STANDS..COLLAPSES")
+            ->excludes(quantity);
+    command->add_option("--bracket", arguments->bracket, "How closely a threshold is bracketed")
+        ->type_name("SHARE")
+        ->needs(threshold)
+        ->capture_default_str();
+    command
+        ->add_option("--collapse-displacement", arguments->collapse_displacement,
+                     "A block moved by more, in its sizes or as a length, is a collapse; none: nothing is")
+        ->type_name("SIZES|LENGTH|none")
+        ->capture_default_str();
+    add_overrides(*command, arguments->overrides);
+    command->add_option("--threads", arguments->threads, "Threads; CPU times are then of all together")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+        ->type_name("FILE");
+    command->add_option("-o,--output", arguments->folder, "Folder for the page and the diagrams")
+        ->type_name("DIR");
+    command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return converge_command(*arguments); }; });
+}
+
 /// Runs the chosen command; what it throws becomes a message and an exit code.
 int guarded(const std::function<int()>& command)
 {
@@ -160,6 +217,7 @@ int run_program(int argument_count, char** arguments)
     add_record(app, chosen);
     add_render(app, chosen);
     add_verify(app, chosen);
+    add_converge(app, chosen);
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {

@@ -79,6 +79,8 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
     joint.tensile_strength =
         map.quantity_or("tensile_strength", dimension::pressure, Range::non_negative(), joint.tensile_strength);
     joint.stiffness = read_stiffness(map);
+    if (const std::optional<YamlCursor> factor = map.find("contact_stiffness_factor"))
+        joint.stiffness.factor = factor->as_quantity(dimension::number, Range::positive());
     joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", dimension::number,
                                                       Range::positive(), joint.shear_to_normal_stiffness);
     joint.dashpot = map.quantity_or("dashpot", dimension::time, Range::non_negative(), joint.dashpot);

@@ -82,4 +82,21 @@ struct VerifyArguments {
 /// @throws InputError for an unknown name
 int verify_command(const VerifyArguments& arguments);
 
+struct ConvergeArguments {
+    std::filesystem::path case_file;
+    std::vector<std::string> overrides, quantities;
+    std::vector<std::string> time_steps, integrators;  // empty: the defaults
+    std::vector<double> stiffness_factors;             // empty: the default
+    std::optional<std::string> threshold;              // KEY=STANDS..COLLAPSES, in place of quantities
+    std::string collapse_displacement = "1";           // block sizes, a length, or none
+    std::string bracket = "1 %";                       // of a threshold
+    int threads = 1;
+    std::optional<std::filesystem::path> json, folder;
+    bool quiet = false;
+};
+
+/// Error against run time of the user's own case, over time steps and contact stiffness.
+/// @throws InputError with all faults of the case or of the choices
+int converge_command(const ConvergeArguments& arguments);
+
 }  // namespace voussoir

@@ -49,10 +49,12 @@ std::string joined(const std::vector<std::string>& words)
 
 std::string in_words(const ContactStiffness& stiffness)
 {
-    if (stiffness.kind == ContactStiffness::Kind::per_area) return fmt::format("{:g} Pa/m", stiffness.value);
+    const std::string times = stiffness.factor == 1 ? "" : fmt::format(" x {:g}", stiffness.factor);
+    if (stiffness.kind == ContactStiffness::Kind::per_area)
+        return fmt::format("{:g} Pa/m{}", stiffness.value, times);
     if (stiffness.kind == ContactStiffness::Kind::per_point)
-        return fmt::format("{:g} N/m per contact point", stiffness.value);
-    return "from the blocks' modulus and depth";
+        return fmt::format("{:g} N/m per contact point{}", stiffness.value, times);
+    return "from the blocks' modulus and depth" + times;
 }
 
 /// "planar deformable (plane strain, 12 m thick)".

@@ -7,9 +7,10 @@
 #include "app/case/nearest_word.h"
 #include "app/commands/commands.h"
 #include "app/commands/json_output.h"
+#include "app/plots/plots.h"
 #include "app/results/atomic_file.h"
 #include "app/verify/page.h"
-#include "app/verify/plots.h"
+#include "app/verify/plot.h"
 #include "app/verify/runner.h"
 #include "app/verify/table.h"
 #include "app/verify/verify_json.h"
@@ -56,15 +57,17 @@ std::string command_line(const VerifyArguments& arguments)
 }
 
 /// DIR/verification.md and, of the benchmarks that were swept, DIR/verification/NAME.png.
-void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcome>& outcomes,
-                const std::string& json)
+void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcome>& outcomes)
 {
     const fs::path folder = *arguments.folder;
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw InputError("-o " + folder.string(), error.message(), "name a folder that can be made");
+    std::vector<Figure> figures;
+    for (const VerifyOutcome& outcome : outcomes)
+        if (outcome.rows.size() > 1) figures.push_back(work_precision(outcome));
     std::vector<std::string> plots;
-    if (arguments.sweep) plots = draw_plots(json, folder / "verification");
+    if (!figures.empty()) plots = draw_figures(figures, folder / "verification");
     write_atomically(folder / "verification.md", verification_page(outcomes, command_line(arguments), plots));
 }
 
@@ -93,9 +96,8 @@ int verify_command(const VerifyArguments& arguments)
     const auto passed =
         std::count_if(outcomes.begin(), outcomes.end(), [](const auto& each) { return each.pass; });
     if (!to_stdout) fmt::print("{} of {} passed\n", passed, outcomes.size());
-    const std::string json = verify_json(outcomes);
-    if (arguments.json) write_json_text(*arguments.json, json);
-    if (arguments.folder) write_page(arguments, outcomes, json);
+    if (arguments.json) write_json_text(*arguments.json, verify_json(outcomes));
+    if (arguments.folder) write_page(arguments, outcomes);
     return passed == static_cast<std::ptrdiff_t>(outcomes.size()) ? exit_done : exit_failure;
 }
 

@@ -31,12 +31,6 @@ int block_named(const Model& model, const HistoryPoint& point)
     return static_cast<int>(found - model.blocks.begin());
 }
 
-/// Velocity of a material point: dc/dt + dA/dt X.
-Vector3d point_velocity(Kinematics kinematics, const State& state, int block, const Vector3d& lever)
-{
-    return velocity_of(kinematics, state, block) + map_rate_of(kinematics, state, block) * lever;
-}
-
 /// A name that cannot break the line it stands in.
 std::string csv_safe(std::string name)
 {
@@ -48,16 +42,20 @@ std::string csv_safe(std::string name)
 
 }  // namespace
 
+MaterialPoint material_point(const Model& model, const HistoryPoint& history)
+{
+    const int block = block_named(model, history);
+    if (!history.point) return {block, Vector3d::Zero()};
+    return {block, *history.point - model.origin - model.blocks[block].moments.centroid};
+}
+
 Histories::Histories(const Case& the_case, const std::filesystem::path& path) : model_(the_case.model), path_(path)
 {
     if (the_case.output.histories.empty()) return;
     columns = {"time [s]"};
     const std::vector<std::string> axes = axis_names(model_.kinematics);
     for (const HistoryPoint& point : the_case.output.histories) {
-        const int block = block_named(model_, point);
-        const Vector3d centroid = model_.blocks[block].moments.centroid;
-        const Vector3d place = point.point ? Vector3d(*point.point - model_.origin) : centroid;
-        points_.push_back({block, place - centroid});
+        points_.push_back(material_point(model_, point));
         const std::string name = csv_safe(point.name);
         for (const std::string& axis : axes) columns.push_back(fmt::format("{} u{} [m]", name, axis));
         for (const std::string& axis : axes) columns.push_back(fmt::format("{} v{} [m/s]", name, axis));
@@ -74,12 +72,9 @@ void Histories::line(const State& state)
 {
     if (columns.empty()) return;
     pending_.push_back(state.time);
-    for (const Point& point : points_) {
-        const Pose pose = pose_of(model_.kinematics, state, point.block);
-        const Vector3d moved = pose.centroid - model_.blocks[point.block].moments.centroid;
-        append_vector(pending_, moved + pose.map * point.lever - point.lever, model_.kinematics);
-        append_vector(pending_, point_velocity(model_.kinematics, state, point.block, point.lever),
-                      model_.kinematics);
+    for (const MaterialPoint& point : points_) {
+        append_vector(pending_, displacement_of(model_, state, point), model_.kinematics);
+        append_vector(pending_, velocity_of(model_, state, point), model_.kinematics);
     }
     if (!model_.foundations.empty())
         append_vector(pending_, ground_displacement(model_, state), model_.kinematics);

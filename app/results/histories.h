@@ -6,10 +6,15 @@
 #include <vector>
 
 #include "app/case/case_file.h"
+#include "libdda/analysis/material_point.h"
 #include "libdda/model/state.h"
 
 namespace voussoir
 {
+
+/// The point of a model that a case's history follows.
+/// @throws InputError when it names an unknown block
+MaterialPoint material_point(const Model& model, const HistoryPoint& history);
 
 /// Displacement and velocity of every history point, and the ground's displacement if there are foundations.
 /// Lines are held in memory until flush(). Without history points nothing is created.
@@ -26,13 +31,9 @@ class Histories
     std::vector<std::string> columns;  // "time [s]", "crown ux [m]", ...; empty without history points
 
  private:
-    struct Point {
-        int block = 0;
-        Eigen::Vector3d lever;  // m, reference place relative to the block's centroid
-    };
     const Model& model_;
     std::filesystem::path path_;
-    std::vector<Point> points_;
+    std::vector<MaterialPoint> points_;
     std::vector<double> pending_;
     std::ofstream stream_;
 };

@@ -67,7 +67,7 @@ void write_friction_at_speed(const Model& model, Hdf5File& file)
 void write_joints(const Model& model, Hdf5File& file)
 {
     std::vector<std::string> names, kinds;
-    std::vector<double> friction, cohesion, tension, stiffness, shear, dashpot;
+    std::vector<double> friction, cohesion, tension, stiffness, factor, shear, dashpot;
     for (const JointMaterial& joint : model.joints) {
         names.push_back(joint.name);
         friction.push_back(joint.friction_angle);
@@ -75,6 +75,7 @@ void write_joints(const Model& model, Hdf5File& file)
         tension.push_back(joint.tensile_strength);
         kinds.emplace_back(name_of(joint.stiffness.kind));
         stiffness.push_back(joint.stiffness.value);
+        factor.push_back(joint.stiffness.factor);
         shear.push_back(joint.shear_to_normal_stiffness);
         dashpot.push_back(joint.dashpot);
     }
@@ -85,6 +86,7 @@ void write_joints(const Model& model, Hdf5File& file)
     file.write("/model/joint_materials/tensile_strength", tension);
     file.write_texts("/model/joint_materials/stiffness_kind", kinds);
     file.write("/model/joint_materials/stiffness", stiffness);
+    file.write("/model/joint_materials/stiffness_factor", factor);
     file.write("/model/joint_materials/shear_to_normal_stiffness", shear);
     file.write("/model/joint_materials/dashpot", dashpot);
     write_friction_at_speed(model, file);

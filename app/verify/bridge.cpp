@@ -4,7 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "app/verify/families.h"
 #include "app/verify/scenes_dynamic.h"
@@ -66,6 +68,7 @@ struct Answer {
     double centre_share = 0;                     // mean compression within 7.5 m of mid-span / that of the others
     double crown = 0, abutment = 0;              // m, at the end: vertical, horizontal
     std::vector<double> stresses;                // Pa, horizontal, of all voussoirs at the end
+    std::vector<double> times;                   // s, since the start
     std::vector<std::vector<double>> histories;  // Pa, horizontal, of the watched voussoirs, step by step
 };
 
@@ -109,12 +112,27 @@ Answer shake(const VerifySetting& setting, double velocity_kept, VerifyResult& r
     answer.histories.resize(std::size(watched));
     RunObserver observer;
     observer.step = [&](const State& now, const StepReport&, const RunReport&) {
+        answer.times.push_back(now.time);
         for (std::size_t i = 0; i < std::size(watched); ++i)
             answer.histories[i].push_back(horizontal_stress(scene.model, now, watched[i]));
     };
     run_scene(scene, state, observer, result);
     read_end(scene.model, state, answer);
     return answer;
+}
+
+/// Half of the watched stones, the bridge being nearly symmetric: springing, quarter, crown.
+VerifyPicture picture_of(const Answer& undamped, const Answer& damped)
+{
+    VerifyPicture picture{"time [s]", "horizontal stress [MPa]", {}};
+    for (const auto& [answer, words] : {std::pair{&undamped, "no damping"}, std::pair{&damped, "6 % damping"}})
+        for (const int i : {0, 1, 3}) {
+            std::vector<double> megapascals = answer->histories[i];
+            for (double& stress : megapascals) stress *= 1e-6;
+            picture.curves.push_back(
+                curve_of(fmt::format("voussoir {}, {}", watched[i], words), answer->times, megapascals));
+        }
+    return picture;
 }
 
 /// Correlation of two histories, and the ratio of their largest compressions.
@@ -149,6 +167,7 @@ VerifyResult run_bridge(const VerifySetting& setting)
     const Answer undamped = shake(setting, 1, result);
     if (!result.failure.empty()) return result;
     const Answer damped = shake(setting, kept_with_damping, result);
+    result.picture = picture_of(undamped, damped);
     result.answer = undamped.stresses;
     result.answer.insert(result.answer.end(), damped.stresses.begin(), damped.stresses.end());
     result.error = std::abs(undamped.compression / printed_compression - 1);

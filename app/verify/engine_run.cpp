@@ -88,6 +88,25 @@ std::vector<double> answer_of(const History& history)
     return {end.begin(), end.end()};
 }
 
+VerifyPicture picture_of(const History& ours, const History& reference)
+{
+    VerifyPicture picture{"time [s]", "displacement [m]", {}};
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<double> engine, exact;
+        double largest = 0;
+        for (std::size_t i = 0; i < ours.displacements.size(); ++i) {
+            engine.push_back(ours.displacements[i][axis]);
+            exact.push_back(reference.displacements[i][axis]);
+            largest = std::max(largest, std::abs(exact.back()));
+        }
+        if (largest == 0) continue;
+        const std::string name(1, "xyz"[axis]);
+        picture.curves.push_back(curve_of(name + ", reference", ours.times, exact, true));
+        picture.curves.push_back(curve_of(name, ours.times, engine));
+    }
+    return picture;
+}
+
 double worst_relative(const History& ours, const History& reference, double from)
 {
     double worst = 0;
@@ -109,6 +128,7 @@ void add_run(VerifyResult& total, const VerifyResult& one)
     total.step_cuts += one.step_cuts;
     total.iterations += one.iterations;
     total.answer.insert(total.answer.end(), one.answer.begin(), one.answer.end());
+    if (total.picture.curves.empty()) total.picture = one.picture;
     if (total.failure.empty()) total.failure = one.failure;
     if (one.note.empty()) return;
     total.note += total.note.empty() ? one.note : "; " + one.note;

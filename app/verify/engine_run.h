@@ -31,10 +31,14 @@ double worst_error(const History& ours, const History& reference);
 /// What is compared between unknowns: where the block is at the end [m].
 std::vector<double> answer_of(const History& history);
 
+/// Displacement against time, the reference beside it, along each axis on which it moves.
+VerifyPicture picture_of(const History& ours, const History& reference);
+
 /// The papers' measure: the largest |(|u_ref| - |u|) / |u_ref|| from `from` [s] on.
 double worst_relative(const History& ours, const History& reference, double from);
 
-/// Adds one more run of the same benchmark: the worst error counts, times and steps add up.
+/// Adds one more run of the same benchmark: the worst error counts, times and steps add up; the first picture
+/// stays.
 void add_run(VerifyResult& total, const VerifyResult& one);
 
 }  // namespace voussoir

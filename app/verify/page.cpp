@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/plots/words.h"
 #include "app/verify/settings.h"
 #include "app/verify/table.h"
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/verify/settings.h"
+
 namespace voussoir
 {
 namespace
@@ -11,49 +13,52 @@ namespace
 
 /// One curve a method, of the rows that ran. @param abscissa picks x of a row
 template <typename Abscissa>
-std::vector<Curve> curves_of(const std::vector<PlotRow>& rows, bool of_stiffness, Abscissa abscissa)
+std::vector<Curve> curves_of(const std::vector<VerifyRow>& rows, bool of_stiffness, Abscissa abscissa)
 {
     std::vector<Curve> curves;
-    for (const PlotRow& row : rows) {
-        if (!row.error || *row.error <= 0 || row.stiffness_factor.has_value() != of_stiffness) continue;
+    for (const VerifyRow& row : rows) {
+        const bool drawable = row.result.failure.empty() && row.result.error > 0;
+        if (!drawable || row.setting.stiffness_factor.has_value() != of_stiffness) continue;
+        const std::string name = method_name(row.setting);
         auto curve =
-            std::find_if(curves.begin(), curves.end(), [&](const Curve& each) { return each.name == row.method; });
-        if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{row.method, {}, {}});
+            std::find_if(curves.begin(), curves.end(), [&](const Curve& each) { return each.name == name; });
+        if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{name, {}, {}});
         curve->x.push_back(abscissa(row));
-        curve->y.push_back(*row.error);
+        curve->y.push_back(row.result.error);
     }
     return curves;
 }
 
-std::vector<std::string> failures(const std::vector<PlotRow>& rows)
+std::vector<std::string> failures(const std::vector<VerifyRow>& rows)
 {
     std::vector<std::string> notes;
-    for (const PlotRow& row : rows) {
-        if (row.error) continue;
-        notes.push_back(fmt::format(
-            "failed: {} at {:g} ms{}", row.method, 1e3 * row.time_step,
-            row.stiffness_factor ? fmt::format(", stiffness x {:g}", *row.stiffness_factor) : std::string()));
+    for (const VerifyRow& row : rows) {
+        if (row.result.failure.empty()) continue;
+        const std::optional<double>& factor = row.setting.stiffness_factor;
+        notes.push_back(fmt::format("failed: {} at {:g} ms{}", method_name(row.setting),
+                                    1e3 * row.setting.time_step,
+                                    factor ? fmt::format(", stiffness x {:g}", *factor) : std::string()));
     }
     return notes;
 }
 
 }  // namespace
 
-Figure work_precision(const PlotData& data)
+Figure work_precision(const VerifyOutcome& outcome)
 {
-    std::vector<Level> levels{{"tolerance", data.tolerance}};
-    if (data.paper_level) levels.push_back({"the paper's error", *data.paper_level});
-    Figure figure{data.title, data.source, {}, failures(data.rows)};
-    figure.diagrams.push_back({"time step [s]", "error [-]",
-                               curves_of(data.rows, false, [](const PlotRow& row) { return row.time_step; }),
-                               levels});
-    figure.diagrams.push_back({"CPU time [s]", "error [-]",
-                               curves_of(data.rows, false, [](const PlotRow& row) { return row.cpu_time; }),
-                               levels});
-    const Diagram stiffness{"contact stiffness / default [-]", "error [-]",
-                            curves_of(data.rows, true, [](const PlotRow& row) { return *row.stiffness_factor; }),
-                            levels};
-    if (!stiffness.curves.empty()) figure.diagrams.push_back(stiffness);
+    const Benchmark& benchmark = outcome.benchmark;
+    const std::vector<VerifyRow>& rows = outcome.rows;
+    std::vector<Level> levels{{"tolerance", benchmark.tolerance, true}};
+    if (benchmark.paper_level) levels.push_back({"the paper's error", *benchmark.paper_level, false});
+    Figure figure{benchmark.name, benchmark.title, benchmark.source, {}, failures(rows)};
+    const auto time_step = [](const VerifyRow& row) { return row.setting.time_step; };
+    const auto cpu_time = [](const VerifyRow& row) { return row.result.cpu_time; };
+    const auto stiffness = [](const VerifyRow& row) { return *row.setting.stiffness_factor; };
+    figure.diagrams.push_back({"time step [s]", "error [-]", curves_of(rows, false, time_step), levels});
+    figure.diagrams.push_back({"CPU time [s]", "error [-]", curves_of(rows, false, cpu_time), levels});
+    const Diagram of_stiffness{"contact stiffness / default [-]", "error [-]", curves_of(rows, true, stiffness),
+                               levels};
+    if (!of_stiffness.curves.empty()) figure.diagrams.push_back(of_stiffness);
     return figure;
 }
 

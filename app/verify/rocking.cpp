@@ -148,6 +148,13 @@ double difference(const Record& record, const std::vector<double>& exact, double
     return worst / peak;
 }
 
+VerifyPicture picture_of(const Record& record, const std::vector<double>& exact)
+{
+    return {"time [s]",
+            "rotation [rad]",
+            {curve_of("reference", record.times, exact, true), curve_of("engine", record.times, record.angles)}};
+}
+
 /// Error up to the first impact of the reference.
 double before_impact(const VerifySetting& setting, const Choices& choices, VerifyResult& result)
 {
@@ -156,7 +163,9 @@ double before_impact(const VerifySetting& setting, const Choices& choices, Verif
     const Record record = watch(setting, choices, printed_amplitude, impact, result, {});
     result.answer.push_back(*std::max_element(record.angles.begin(), record.angles.end(),
                                               [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    return difference(record, reference::rocking_angles(block, record.times), impact);
+    const std::vector<double> exact = reference::rocking_angles(block, record.times);
+    if (result.picture.curves.empty()) result.picture = picture_of(record, exact);
+    return difference(record, exact, impact);
 }
 
 VerifyResult run_before_impact(const VerifySetting& setting)
@@ -223,7 +232,9 @@ double history(const VerifySetting& setting, const Choices& choices, VerifyResul
         fmt::format("restitution of the first impacts{} (Housner {:.3f}), h omega {:.2f}, dashpot {:.1e} s",
                     realised, reference::housner_restitution(block),
                     contact_frequency(setting, choices) * setting.time_step, dashpot_by_rule(setting, choices));
-    return difference(record, reference::rocking_angles(block, record.times), 5);
+    const std::vector<double> exact = reference::rocking_angles(block, record.times);
+    if (result.picture.curves.empty()) result.picture = picture_of(record, exact);
+    return difference(record, exact, 5);
 }
 
 VerifyResult run_history(const VerifySetting& setting, bool landing_mode)

@@ -15,7 +15,8 @@ namespace
 // The same scene in other unknowns must agree to a tenth of the benchmark's tolerance, and need not agree to more
 // than the force tolerance of a step.
 constexpr double least_agreement = 1e-5;
-constexpr double rounding = 1e-9;  // errors below this are not the method's: they have no order
+// Errors below what a step leaves unbalanced are not the time step's: they have no order.
+constexpr double no_order_below = 1e-5;
 
 /// Whatever goes wrong becomes a row that says so.
 VerifyResult run_once(const Benchmark& benchmark, const VerifySetting& setting)
@@ -117,7 +118,7 @@ std::vector<ObservedOrder> observed_orders(const std::vector<VerifyRow>& rows)
         if (first.setting.stiffness_factor || std::any_of(orders.begin(), orders.end(), same)) continue;
         std::vector<const VerifyRow*> of_method;
         for (const VerifyRow& row : rows) {
-            const bool sound = row.result.failure.empty() && row.result.error > rounding;
+            const bool sound = row.result.failure.empty() && row.result.error > no_order_below;
             if (sound && !row.setting.stiffness_factor && method_name(row.setting) == method)
                 of_method.push_back(&row);
         }

@@ -8,6 +8,7 @@ namespace
 VerifyResult judge(EngineRun run, const History& reference, double paper_from)
 {
     run.result.answer = answer_of(run.history);
+    run.result.picture = picture_of(run.history, reference);
     run.result.error = worst_error(run.history, reference);
     run.result.paper_measure = worst_relative(run.history, reference, paper_from);
     return run.result;

@@ -122,6 +122,7 @@ VerifyResult shake(const VerifySetting& setting, const TableTest& test, const In
     EngineRun run = run_engine(scene, setting);
     const History reference = reference_history(newmark_block(test, interface), run.history.times);
     run.result.answer = answer_of(run.history);
+    run.result.picture = picture_of(run.history, reference);
     run.result.error = worst_error(run.history, reference);
     if (!run.history.displacements.empty()) end = run.history.displacements.back().x();
     run.result.paper_measure = std::abs(end - test.measured) / test.measured;

@@ -71,6 +71,7 @@ VerifyResult shake(const VerifySetting& setting, double phase)
     const History reference = reference_history(
         problem, run.history.times, [&](double t) { return Eigen::Vector3d(base.displacement(t), 0, 0); });
     run.result.answer = answer_of(run.history);
+    run.result.picture = picture_of(run.history, reference);
     run.result.error = worst_error(run.history, reference);
     run.result.note = fmt::format("{}: displacement {:.1e}, {}", phase == 0 ? "sine" : "cosine", run.result.error,
                                   other_quantities(run.history, slid, base));

@@ -2,20 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "app/plots/words.h"
 #include "app/verify/settings.h"
 
 namespace voussoir
 {
-
-std::string error_in_words(double error)
-{
-    return error >= 1e-3 ? fmt::format("{:.3g} %", 100 * error) : fmt::format("{:.2e}", error);
-}
-
-std::string step_in_words(double time_step)
-{
-    return fmt::format("{:.4g} ms", 1e3 * time_step);
-}
 
 std::string table_head()
 {

@@ -9,12 +9,6 @@
 namespace voussoir
 {
 
-/// "0.13 %", "3.2e-06"; errors of 0.1 % and more as per cent.
-std::string error_in_words(double error);
-
-/// "1 ms", "0.1 ms".
-std::string step_in_words(double time_step);
-
 /// The line above the table.
 std::string table_head();
 

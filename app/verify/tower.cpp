@@ -143,6 +143,9 @@ VerifyResult run_tower(const VerifySetting& setting)
     const double correlation = rank_correlation(paths.length), quarter = courses / 4;
     const double low = mean(paths.length, 0, courses / 4),
                  high = mean(paths.length, courses - courses / 4, courses);
+    std::vector<double> course(courses);
+    std::iota(course.begin(), course.end(), 1);
+    result.picture = {"joint, from the base", "slip path [m]", {curve_of("engine", course, paths.length)}};
     const bool stands = remains.sunk < 0.5 * course_height && remains.offset < 0.5 * width;
     result.error = (stands ? 0 : 1) + (correlation > 0 ? 0 : 1) + (high > low ? 0 : 1);
     result.note = fmt::format(

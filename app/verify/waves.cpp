@@ -163,9 +163,15 @@ VerifyResult run_amplitude(const VerifySetting& setting)
     const Extremes extremes = extremes_of(record, wave.amplitude);
     result.error = extremes.worst();
     double shape = 0;
-    for (std::size_t i = 0; i < record.trace.size(); ++i)
-        shape =
-            std::max(shape, std::abs(record.trace[i] - record.exact(static_cast<double>(i) * setting.time_step)));
+    std::vector<double> times, exact;
+    for (std::size_t i = 0; i < record.trace.size(); ++i) {
+        times.push_back(static_cast<double>(i) * setting.time_step);
+        exact.push_back(record.exact(times.back()));
+        shape = std::max(shape, std::abs(record.trace[i] - exact.back()));
+    }
+    result.picture = {"time [s]",
+                      "displacement [m]",
+                      {curve_of("d'Alembert", times, exact, true), curve_of("engine", times, record.trace)}};
     const double omega = 2 * std::numbers::pi * wave.frequency, travel = point_height / record.jointed_speed;
     result.note = fmt::format(
         "crest {:+.2f} %, trough {:+.2f} %; damping of the integrator alone -{:.2f} %; largest difference "

@@ -68,7 +68,7 @@ std::vector<double> spectral_ratio(const VerifySetting& setting, const Column& c
     return ratio;
 }
 
-std::vector<reference::Peak> exact_peaks(const VerifySetting& setting, const Column& column, bool joints)
+std::vector<double> exact_ratio(const VerifySetting& setting, const Column& column, bool joints)
 {
     std::vector<reference::SiteLayer> site = site_of(setting, column);
     if (!joints)
@@ -77,7 +77,18 @@ std::vector<reference::Peak> exact_peaks(const VerifySetting& setting, const Col
     std::vector<double> values;
     for (double f = interval; f <= highest; f += interval)
         values.push_back(std::abs(reference::amplification(site, f, relaxation)));
-    return resonances(values);
+    return values;
+}
+
+VerifyPicture picture_of(const std::vector<double>& exact, const std::vector<double>& intact,
+                         const std::vector<double>& ours)
+{
+    std::vector<double> frequencies;
+    for (double f = interval; f <= highest; f += interval) frequencies.push_back(f);
+    return {"frequency [Hz]",
+            "surface / base [-]",
+            {curve_of("exact", frequencies, exact, true), curve_of("engine", frequencies, ours),
+             curve_of("exact without the joints' compliance", frequencies, intact)}};
 }
 
 enum class Measure { value, frequency };
@@ -86,9 +97,12 @@ VerifyResult run_site(const VerifySetting& setting, bool homogeneous, Measure me
 {
     VerifyResult result;
     const Column column = stack(homogeneous);
-    const std::vector<reference::Peak> exact = exact_peaks(setting, column, true);
-    const std::vector<reference::Peak> intact = exact_peaks(setting, column, false);
-    const std::vector<reference::Peak> ours = resonances(spectral_ratio(setting, column, result));
+    const std::vector<double> exact_values = exact_ratio(setting, column, true);
+    const std::vector<double> intact_values = exact_ratio(setting, column, false);
+    const std::vector<double> our_values = spectral_ratio(setting, column, result);
+    result.picture = picture_of(exact_values, intact_values, our_values);
+    const std::vector<reference::Peak> exact = resonances(exact_values), intact = resonances(intact_values);
+    const std::vector<reference::Peak> ours = resonances(our_values);
     if (ours.size() != exact.size()) {
         result.failure = fmt::format("{} peaks below 25 Hz, the reference has {}", ours.size(), exact.size());
         return result;

@@ -105,9 +105,9 @@ double stiffness_from_points(double value, const ContactPolygonIn<D>& polygon, c
 }
 
 template <int D>
-double normal_stiffness(const Model& model, const std::vector<PlacedPartIn<D>>& parts,
-                        const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
-                        const PlacedPartIn<D>& incident)
+double stiffness_as_given(const Model& model, const std::vector<PlacedPartIn<D>>& parts,
+                          const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
+                          const PlacedPartIn<D>& incident)
 {
     const ContactStiffness& given = model.joint_between(reference.block, incident.block).stiffness;
     switch (given.kind) {
@@ -119,6 +119,16 @@ double normal_stiffness(const Model& model, const std::vector<PlacedPartIn<D>>& 
             break;
     }
     return stiffness_from_modulus<D>(model, parts, reference, incident, polygon.normal);
+}
+
+/// Of a new patch [Pa/m].
+template <int D>
+double normal_stiffness(const Model& model, const std::vector<PlacedPartIn<D>>& parts,
+                        const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
+                        const PlacedPartIn<D>& incident)
+{
+    return model.joint_between(reference.block, incident.block).stiffness.factor *
+           stiffness_as_given(model, parts, polygon, reference, incident);
 }
 
 /// The old patch of a pair of parts and its points.

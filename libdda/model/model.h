@@ -33,7 +33,8 @@ struct ContactStiffness {
         per_point,     // Shi's g0, N/m per contact point, spread over a face contact as value x corners / area
     };
     Kind kind = Kind::from_modulus;
-    double value = 0;  // Pa/m, or N/m; unused for from_modulus
+    double value = 0;   // Pa/m, or N/m; unused for from_modulus
+    double factor = 1;  // -, times what the spelling gives: how studies vary the stiffness of every spelling
 };
 
 /// Friction of a joint at one speed of slip.

@@ -74,6 +74,18 @@ TEST(ContactStiffness, default_follows_modulus_and_depths)
     }
 }
 
+TEST(ContactStiffness, factor_multiplies_every_spelling)
+{
+    for (const ContactStiffness& given :
+         {ContactStiffness{}, ContactStiffness{per_point, 1e8}, ContactStiffness{per_area, 50e6}}) {
+        ContactStiffness scaled = given;
+        scaled.factor = 4;
+        const double once = Floor(Kinematics::spatial_rigid, given, false).total();
+        const double four_times = Floor(Kinematics::spatial_rigid, scaled, false).total();
+        EXPECT_NEAR(four_times, 4 * once, 1e-12 * once) << static_cast<int>(given.kind);
+    }
+}
+
 // Where the spring ends up: a rigid box of weight W sinks W / (4 k).
 TEST(ContactStiffness, box_sinks_by_weight_over_stiffness)
 {

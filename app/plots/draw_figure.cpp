@@ -1,4 +1,4 @@
-#include "app/verify/diagram.h"
+#include "app/plots/draw_figure.h"
 
 #include <cairo.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/verify/pen.h"
+#include "app/plots/pen.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -122,15 +122,15 @@ void draw_levels(cairo_t* pen, const Diagram& diagram, const Panel& panel)
 {
     const double dash[] = {7, 4};
     cairo_set_line_width(pen, 1.5);
-    for (std::size_t i = 0; i < diagram.levels.size(); ++i) {
-        const double y = panel.at_y(diagram.levels[i].y);
-        use(pen, i == 0 ? tolerance_ink : paper_ink);
+    for (const Level& level : diagram.levels) {
+        const double y = panel.at_y(level.y);
+        use(pen, level.tolerance ? tolerance_ink : paper_ink);
         cairo_set_dash(pen, dash, 2, 0);
         line(pen, panel.left, y, panel.left + panel.width, y);
         cairo_set_dash(pen, nullptr, 0, 0);
         font(pen, 11);
         const double below = y < panel.top + 16 ? y + 13 : y - 5;
-        write_on_white(pen, diagram.levels[i].name, panel.left + panel.width - 6, below);
+        write_on_white(pen, level.name, panel.left + panel.width - 6, below);
     }
 }
 

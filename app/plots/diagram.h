@@ -1,7 +1,6 @@
-// A log-log diagram as data, and drawing a row of them as one picture.
+// Log-log diagrams as data: what verify and converge hand to the helper program that draws.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@ struct Curve {
 struct Level {
     std::string name;  // written on the line
     double y = 0;
+    bool tolerance = false;  // green: what is to be met; red: what was reached elsewhere
 };
 
 struct Diagram {
@@ -25,12 +25,14 @@ struct Diagram {
 };
 
 struct Figure {
+    std::string name;  // of the file, without ending
     std::string title, subtitle;
     std::vector<Diagram> diagrams;   // side by side
     std::vector<std::string> notes;  // at the foot: what could not be drawn
 };
 
-/// @throws InputError when the file cannot be written
-void draw_figure(const Figure& figure, const std::filesystem::path& file);
+/// Figures as JSON text and back, on their way to the helper program.
+std::string figures_json(const std::vector<Figure>& figures);
+std::vector<Figure> figures_of_json(const std::string& text);
 
 }  // namespace voussoir

@@ -1,4 +1,4 @@
-#include "app/verify/pen.h"
+#include "app/plots/pen.h"
 
 #include <cairo.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "app/verify/plots.h"
+#include "app/plots/plots.h"
 
 #include <sstream>
 
@@ -7,21 +7,34 @@
 
 namespace voussoir
 {
+namespace
+{
 
-std::vector<std::string> draw_plots(const std::string& verify_json, const std::filesystem::path& folder)
+std::filesystem::path helper()
+{
+    return helper_folder() / "voussoir-plot";
+}
+
+}  // namespace
+
+bool can_draw_figures()
+{
+    return std::filesystem::exists(helper());
+}
+
+std::vector<std::string> draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder)
 {
     constexpr double seconds_allowed = 120;
     constexpr std::size_t most_output = std::size_t{1} << 20;  // bytes, a list of names
-    const std::filesystem::path helper = helper_folder() / "voussoir-plot";
-    if (!std::filesystem::exists(helper)) {
-        throw InputError(helper.string(), "there is no such program",
-                         "build voussoir with VOUSSOIR_RENDER=ON, or ask for no sweep");
+    if (!can_draw_figures()) {
+        throw InputError(helper().string(), "there is no such program",
+                         "build voussoir with VOUSSOIR_RENDER=ON, or ask for no diagrams");
     }
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw InputError(folder.string(), error.message(), "name a folder that can be made");
-    const std::string request = std::filesystem::absolute(folder).string() + "\n" + verify_json;
-    const ChildAnswer answer = ask_child(helper, request, seconds_allowed, most_output);
+    const std::string request = std::filesystem::absolute(folder).string() + "\n" + figures_json(figures);
+    const ChildAnswer answer = ask_child(helper(), request, seconds_allowed, most_output);
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-plot drew no diagrams: " + answer.failure, "see what it said");
     std::vector<std::string> names;

@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "app/case/nearest_word.h"
+#include "app/case/quantity.h"
+#include "app/commands/commands.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/json_output.h"
+#include "app/converge/report.h"
+#include "app/converge/threshold.h"
+#include "app/plots/plots.h"
+#include "app/plots/words.h"
+#include "app/results/atomic_file.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// A positive quantity of the command line.
+double read_positive(const std::string& option, const std::string& text, const Dimension& dimension)
+{
+    const ParsedQuantity quantity = parse_quantity(text);
+    if (!quantity.problem.empty() || !quantity.has(dimension) || quantity.value <= 0)
+        throw InputError(option, "\"" + text + "\" is not " + std::string(dimension.name) + " above 0",
+                         "write one, as " + std::string(dimension.example));
+    return quantity.value;
+}
+
+CollapseRule read_collapse_rule(const std::string& text)
+{
+    const std::string option = "--collapse-displacement";
+    if (text == "none") return {{}, {}};
+    const ParsedQuantity quantity = parse_quantity(text);
+    if (quantity.problem.empty() && quantity.has(dimension::length))
+        return {{}, read_positive(option, text, dimension::length)};
+    if (!quantity.problem.empty() || !quantity.has(dimension::number) || quantity.value <= 0)
+        throw InputError(option, "\"" + text + "\"", "write 0.5 (of a block's size), 10 cm, or none");
+    return {quantity.value, {}};
+}
+
+Threshold threshold_of(const ConvergeArguments& arguments)
+{
+    Threshold threshold = read_threshold(*arguments.threshold);
+    threshold.bracket = read_positive("--bracket", arguments.bracket, dimension::number);
+    return threshold;
+}
+
+/// One line on a terminal, written over and over: which run, how far it is.
+class ConvergeLine
+{
+ public:
+    ConvergeLine(bool quiet, std::size_t settings, double time_step)
+        : shown_(!quiet && isatty(STDERR_FILENO) == 1), settings_(settings), time_step_(time_step)
+    {
+    }
+    ~ConvergeLine()
+    {
+        if (shown_) fmt::print(stderr, "\r\033[K");
+    }
+    ConvergeLine(const ConvergeLine&) = delete;
+    ConvergeLine& operator=(const ConvergeLine&) = delete;
+
+    void show(const ConvergeSetting& setting, double share)
+    {
+        if (!shown_) return;
+        if (number_ == 0 || !(setting == last_)) ++number_;
+        const int percent = static_cast<int>(100 * share);
+        if (setting == last_ && percent == percent_) return;
+        last_ = setting;
+        percent_ = percent;
+        fmt::print(stderr, "\r\033[Ksetting {} of {}: time step {}, stiffness x {:g}: {} %", number_, settings_,
+                   step_in_words(setting.step_factor * time_step_), setting.stiffness_factor, percent);
+    }
+
+ private:
+    bool shown_;
+    std::size_t settings_, number_ = 0;
+    double time_step_;  // s, the case's own
+    ConvergeSetting last_;
+    int percent_ = -1;
+};
+
+ConvergeStudy run_chosen(const ConvergeArguments& arguments)
+{
+    const CollapseRule rule = read_collapse_rule(arguments.collapse_displacement);
+    std::optional<Threshold> threshold;
+    if (arguments.threshold) threshold = threshold_of(arguments);
+    Case the_case = read_case(arguments.case_file, arguments.overrides);
+    for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
+    const std::vector<Quantity> quantities = read_quantities(arguments.quantities, the_case);
+    const SettingList list = list_settings(
+        plan_of({arguments.time_steps, arguments.stiffness_factors, arguments.integrators}, the_case));
+
+    ConvergeLine line(arguments.quiet, list.settings.size(), first_dynamic_stage(the_case).control.time_step);
+    const ConvergeWatch watch{[&](const ConvergeSetting& setting, double share) { line.show(setting, share); },
+                              interrupted};
+    if (threshold) return run_threshold_study(the_case, list, *threshold, rule, arguments.threads, watch);
+    return run_study(the_case, list, quantities, rule, watch);
+}
+
+/// How the study can be had again; the folder by its last name, for pages travel.
+std::string command_line(const ConvergeArguments& arguments)
+{
+    std::string text = "voussoir converge " + arguments.case_file.string();
+    const auto add = [&](const std::string& option, const auto& values) {
+        if (!values.empty()) text += fmt::format(" {} {}", option, fmt::join(values, ","));
+    };
+    add("--quantity", arguments.quantities);
+    add("--time-steps", arguments.time_steps);
+    add("--stiffness-factors", arguments.stiffness_factors);
+    add("--integrators", arguments.integrators);
+    const ConvergeArguments defaults;
+    if (arguments.threshold) text += fmt::format(" --threshold \"{}\"", *arguments.threshold);
+    if (arguments.bracket != defaults.bracket) text += fmt::format(" --bracket \"{}\"", arguments.bracket);
+    if (arguments.collapse_displacement != defaults.collapse_displacement)
+        text += fmt::format(" --collapse-displacement \"{}\"", arguments.collapse_displacement);
+    for (const std::string& setting : arguments.overrides) text += fmt::format(" --set \"{}\"", setting);
+    return text + " -o " + (*arguments.folder / "").parent_path().filename().string();
+}
+
+/// DIR/converge.md and DIR/converge/NAME.png.
+void write_page(const ConvergeArguments& arguments, const ConvergeStudy& study)
+{
+    const fs::path folder = *arguments.folder;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw InputError("-o " + folder.string(), error.message(), "name a folder that can be made");
+    std::vector<std::string> figures;
+    if (can_draw_figures()) figures = draw_figures(converge_figures(study), folder / "converge");
+    write_atomically(folder / "converge.md", converge_page(study, command_line(arguments), figures));
+    if (!arguments.quiet) fmt::print("written: {}\n", (folder / "converge.md").string());
+}
+
+}  // namespace
+
+int converge_command(const ConvergeArguments& arguments)
+{
+    catch_interrupts();
+    try {
+        const ConvergeStudy study = run_chosen(arguments);
+        const bool to_stdout = arguments.json && *arguments.json == "-";
+        if (!to_stdout && !arguments.quiet) fmt::print("{}", converge_table(study));
+        if (arguments.json) write_json_text(*arguments.json, converge_json(study));
+        if (arguments.folder) write_page(arguments, study);
+        return exit_done;
+    } catch (const Interrupted&) {
+        fmt::print(stderr, "interrupted: the study is not complete, nothing is written\n");
+        return exit_interrupted;
+    }
+}
+
+}  // namespace voussoir

@@ -1,0 +1,107 @@
+#include "app/converge/setting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "app/case/nearest_word.h"
+#include "app/case/quantity.h"
+#include "app/results/settings.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr double default_step_factors[] = {4, 2, 1, 0.5, 0.25};
+constexpr double default_stiffness_factors[] = {0.25, 0.5, 1, 2, 4};
+
+/// A value that is not positive or comes twice is a fault.
+void check(const std::vector<double>& factors, const std::string& option, std::vector<Fault>& faults)
+{
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        if (factors[i] <= 0 || factors[i] > std::numeric_limits<double>::max())
+            faults.push_back({option, fmt::format("{:g}", factors[i]), "give positive numbers"});
+        if (std::count(factors.begin(), factors.begin() + static_cast<std::ptrdiff_t>(i), factors[i]) > 0)
+            faults.push_back({option, "a value given twice", "give each once"});
+    }
+}
+
+std::vector<double> read_steps(const std::vector<std::string>& texts, double own, std::vector<Fault>& faults)
+{
+    if (texts.empty()) return {std::begin(default_step_factors), std::end(default_step_factors)};
+    std::vector<double> factors;
+    for (const std::string& text : texts) {
+        const ParsedQuantity quantity = parse_quantity(text);
+        if (quantity.problem.empty() && (quantity.bare || quantity.has(dimension::time)))
+            factors.push_back(quantity.value / own);
+        else
+            faults.push_back({"--time-steps", "\"" + text + "\" is no time", "write 2 ms, or 0.002 in seconds"});
+    }
+    check(factors, "--time-steps", faults);
+    return factors;
+}
+
+std::vector<double> read_stiffness(const std::vector<double>& given, std::vector<Fault>& faults)
+{
+    if (given.empty()) return {std::begin(default_stiffness_factors), std::end(default_stiffness_factors)};
+    check(given, "--stiffness-factors", faults);
+    return given;
+}
+
+std::vector<Integrator> read_integrators(const std::vector<std::string>& names, Integrator own,
+                                         std::vector<Fault>& faults)
+{
+    std::vector<Integrator> integrators{own};
+    std::vector<std::string> known;
+    for (const Integrator each : {Integrator::newmark, Integrator::energy_decaying}) {
+        known.emplace_back(name_of(each));
+        if (each != own && std::find(names.begin(), names.end(), known.back()) != names.end())
+            integrators.push_back(each);
+    }
+    for (const std::string& name : names)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            faults.push_back({"--integrators", "\"" + name + "\"", suggestion(name, known)});
+    return integrators;
+}
+
+}  // namespace
+
+const Stage& first_dynamic_stage(const Case& the_case)
+{
+    for (const Stage& stage : the_case.stages)
+        if (stage.type == StageType::dynamic) return stage;
+    throw InputError(the_case.file.string() + ": stages", "none is dynamic",
+                     "converge varies the time step of dynamic stages: add one");
+}
+
+ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case)
+{
+    const StepControl& own = first_dynamic_stage(the_case).control;
+    std::vector<Fault> faults;
+    ConvergePlan plan;
+    plan.integrators = read_integrators(choices.integrators, own.integrator, faults);
+    plan.step_factors = read_steps(choices.time_steps, own.time_step, faults);
+    plan.stiffness_factors = read_stiffness(choices.stiffness_factors, faults);
+    if (!faults.empty()) throw InputError(std::move(faults));
+    std::sort(plan.step_factors.begin(), plan.step_factors.end(), std::greater<>());
+    std::sort(plan.stiffness_factors.begin(), plan.stiffness_factors.end());
+    return plan;
+}
+
+Case with_setting(const Case& the_case, const ConvergeSetting& setting)
+{
+    Case changed = the_case;
+    for (Stage& stage : changed.stages) {
+        if (stage.type != StageType::dynamic) continue;
+        stage.control.time_step *= setting.step_factor;
+        stage.control.integrator = setting.integrator;
+    }
+    for (JointMaterial& joint : changed.model.joints) joint.stiffness.factor *= setting.stiffness_factor;
+    return changed;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,14 @@
+// Draws a row of log-log diagrams as one picture, with Cairo.
+#pragma once
+
+#include <filesystem>
+
+#include "app/plots/diagram.h"
+
+namespace voussoir
+{
+
+/// @throws InputError when the file cannot be written
+void draw_figure(const Figure& figure, const std::filesystem::path& file);
+
+}  // namespace voussoir

@@ -1,0 +1,25 @@
+// voussoir-plot: diagrams. Reads the folder (a line) and the figures as JSON from its standard input, writes
+// FOLDER/NAME.png for every figure, and the names to its standard output.
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <iterator>
+
+#include "app/plots/draw_figure.h"
+
+int main()
+{
+    try {
+        std::string folder;
+        std::getline(std::cin, folder);
+        const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+        for (const voussoir::Figure& figure : voussoir::figures_of_json(text)) {
+            draw_figure(figure, std::filesystem::path(folder) / (figure.name + ".png"));
+            std::cout << figure.name << '\n';
+        }
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "voussoir-plot: %s\n", error.what());
+        return 2;
+    }
+}

@@ -1,0 +1,18 @@
+#include "app/plots/words.h"
+
+#include <fmt/format.h>
+
+namespace voussoir
+{
+
+std::string error_in_words(double error)
+{
+    return error >= 1e-3 ? fmt::format("{:.3g} %", 100 * error) : fmt::format("{:.2e}", error);
+}
+
+std::string step_in_words(double time_step)
+{
+    return fmt::format("{:.4g} ms", 1e3 * time_step);
+}
+
+}  // namespace voussoir
