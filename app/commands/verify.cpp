@@ -56,7 +56,8 @@ std::string command_line(const VerifyArguments& arguments)
     return text + " -o " + arguments.folder->filename().string();
 }
 
-/// DIR/verification.md and, of the benchmarks that were swept, DIR/verification/NAME.png.
+/// DIR/verification.md, and pictures in DIR/verification if the program that draws them was built: what each run
+/// did, and the error of what was swept.
 void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcome>& outcomes)
 {
     const fs::path folder = *arguments.folder;
@@ -64,10 +65,12 @@ void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcom
     fs::create_directories(folder, error);
     if (error) throw InputError("-o " + folder.string(), error.message(), "name a folder that can be made");
     std::vector<Figure> figures;
-    for (const VerifyOutcome& outcome : outcomes)
+    for (const VerifyOutcome& outcome : outcomes) {
         if (outcome.rows.size() > 1) figures.push_back(work_precision(outcome));
+        if (Figure of_run = picture(outcome); !of_run.diagrams.empty()) figures.push_back(std::move(of_run));
+    }
     std::vector<std::string> plots;
-    if (!figures.empty()) plots = draw_figures(figures, folder / "verification");
+    if (!figures.empty() && can_draw_figures()) plots = draw_figures(figures, folder / "verification");
     write_atomically(folder / "verification.md", verification_page(outcomes, command_line(arguments), plots));
 }
 

@@ -1,4 +1,4 @@
-// Log-log diagrams as data: what verify and converge hand to the helper program that draws.
+// Diagrams as data: what verify and converge hand to the helper program that draws.
 #pragma once
 
 #include <string>
@@ -10,6 +10,7 @@ namespace voussoir
 struct Curve {
     std::string name;  // in the legend; curves of one name share a colour
     std::vector<double> x, y;
+    bool is_reference = false;  // drawn broad and grey under the others
 };
 
 struct Level {
@@ -22,6 +23,7 @@ struct Diagram {
     std::string x_title, y_title;  // with units
     std::vector<Curve> curves;
     std::vector<Level> levels;  // horizontal lines
+    bool logarithmic = true;    // both axes; values are then > 0. Else lines without marks
 };
 
 struct Figure {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 
+#include "app/plots/axis.h"
 #include "app/plots/pen.h"
 #include "libdda/errors.h"
 
@@ -20,6 +20,7 @@ using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy
 using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 constexpr Color ink{0.13, 0.14, 0.17}, faint_ink{0.42, 0.44, 0.48}, grid_ink{0.91, 0.92, 0.94};
+constexpr Color reference_ink{0.78, 0.79, 0.81};
 constexpr Color tolerance_ink{0.10, 0.45, 0.25}, paper_ink{0.75, 0.22, 0.17};
 // Okabe and Ito's colours: told apart by the colour-blind.
 constexpr Color palette[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45},
@@ -27,38 +28,17 @@ constexpr Color palette[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62
 
 // Logical pixels; the picture has `sharpness` pixels to each.
 constexpr double sharpness = 2, panel_width = 430, panel_height = 330, head = 74, foot = 60;
-constexpr double axis_left = 66, axis_right = 20, legend_line = 18, note_line = 15;
-
-/// The logarithms an axis runs over.
-struct Decades {
-    double low = 0, high = 1;
-    double share(double value) const { return (std::log10(value) - low) / (high - low); }
-    int first() const { return static_cast<int>(std::ceil(low)); }
-    int last() const { return static_cast<int>(std::floor(high)); }
-};
+constexpr double axis_left = 66, axis_right = 20, legend_line = 18, legend_width = 380, note_line = 15;
 
 /// Where a diagram lies in the picture.
 struct Panel {
     double left, top, width, height;
-    Decades x, y;
+    Axis x, y;
     double at_x(double value) const { return left + width * x.share(value); }
     double at_y(double value) const { return top + height * (1 - y.share(value)); }
 };
 
-/// Room for all values with a margin, and for at least two decades' ticks.
-Decades decades_of(const std::vector<double>& values)
-{
-    if (values.empty()) return {};
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    Decades decades{std::log10(*least), std::log10(*most)};
-    const double margin = 0.06 * std::max(decades.high - decades.low, 1.0);
-    decades.low -= margin;
-    decades.high += margin;
-    if (decades.last() > decades.first()) return decades;
-    return {std::floor(decades.low), std::ceil(decades.high)};
-}
-
-Panel place(const Diagram& diagram, double left)
+Panel place(const Diagram& diagram, double left, double width)
 {
     std::vector<double> x, y;
     for (const Curve& curve : diagram.curves) {
@@ -66,39 +46,48 @@ Panel place(const Diagram& diagram, double left)
         y.insert(y.end(), curve.y.begin(), curve.y.end());
     }
     for (const Level& level : diagram.levels) y.push_back(level.y);
-    return {left + axis_left, head,          panel_width - axis_left - axis_right,
-            panel_height,     decades_of(x), decades_of(y)};
+    return {left + axis_left,
+            head,
+            width - axis_left - axis_right,
+            panel_height,
+            axis_for(x, diagram.logarithmic),
+            axis_for(y, diagram.logarithmic)};
+}
+
+/// @param anchor 0 left, 0.5 middle, 1 right end of the label at x
+void write_value(cairo_t* pen, const Axis& axis, double value, double x, double y, double anchor)
+{
+    use(pen, ink);
+    if (axis.logarithmic) return write_power(pen, static_cast<int>(std::lround(std::log10(value))), x, y, anchor);
+    const bool is_zero = std::abs(value) < 1e-9 * (axis.high - axis.low);
+    font(pen, 12);
+    write(pen, fmt::format("{:.6g}", is_zero ? 0 : value), x, y, anchor);
 }
 
 void draw_grid_of_x(cairo_t* pen, const Panel& panel)
 {
     const double bottom = panel.top + panel.height;
-    for (int power = panel.x.first() - 1; power <= panel.x.last(); ++power) {
+    for (const Tick& tick : ticks_of(panel.x)) {
+        const double x = panel.at_x(tick.value);
         use(pen, faint_ink);
-        for (int i = 1; i < 10; ++i) {
-            const double share = panel.x.share(i * std::pow(10.0, power)), x = panel.left + panel.width * share;
-            if (share >= 0 && share <= 1) line(pen, x, bottom, x, bottom + (i == 1 ? 5 : 3));
-        }
-        if (power < panel.x.first()) continue;
-        const double x = panel.at_x(std::pow(10.0, power));
+        line(pen, x, bottom, x, bottom + (tick.is_labelled ? 5 : 3));
+        if (!tick.is_labelled) continue;
         use(pen, grid_ink);
         line(pen, x, panel.top, x, bottom);
-        use(pen, ink);
-        write_power(pen, power, x, bottom + 21, 0.5);
+        write_value(pen, panel.x, tick.value, x, bottom + 21, 0.5);
     }
 }
 
 void draw_grid_of_y(cairo_t* pen, const Panel& panel)
 {
-    const int skip = panel.y.last() - panel.y.first() > 9 ? 2 : 1;
-    for (int power = panel.y.first(); power <= panel.y.last(); ++power) {
-        const double y = panel.at_y(std::pow(10.0, power));
+    for (const Tick& tick : ticks_of(panel.y)) {
+        if (!tick.is_labelled) continue;
+        const double y = panel.at_y(tick.value);
         use(pen, grid_ink);
         line(pen, panel.left, y, panel.left + panel.width, y);
         use(pen, faint_ink);
         line(pen, panel.left - 5, y, panel.left, y);
-        use(pen, ink);
-        if ((power - panel.y.first()) % skip == 0) write_power(pen, power, panel.left - 9, y + 4.5, 1);
+        write_value(pen, panel.y, tick.value, panel.left - 9, y + 4.5, 1);
     }
 }
 
@@ -134,45 +123,71 @@ void draw_levels(cairo_t* pen, const Diagram& diagram, const Panel& panel)
     }
 }
 
-void draw_curve(cairo_t* pen, const Curve& curve, std::size_t number, const Panel& panel)
+/// How a curve is told from the others.
+struct Style {
+    std::string name;
+    bool is_reference = false, has_marks = true;
+    std::size_t number = 0;  // among those that are no references
+};
+
+void use(cairo_t* pen, const Style& style)
 {
-    const Color& color = palette[number % std::size(palette)];
-    use(pen, color, 0.9);
-    cairo_set_line_width(pen, 1.8);
-    std::vector<std::pair<double, double>> points;
-    for (std::size_t i = 0; i < curve.x.size(); ++i)
-        points.emplace_back(panel.at_x(curve.x[i]), panel.at_y(curve.y[i]));
+    use(pen, style.is_reference ? reference_ink : palette[style.number % std::size(palette)]);
+    cairo_set_line_width(pen, style.is_reference ? 5 : 1.8);
+}
+
+void draw_curve(cairo_t* pen, const Curve& curve, const Style& style, const Panel& panel)
+{
+    use(pen, style);
     cairo_new_path(pen);
-    for (const auto& [x, y] : points) cairo_line_to(pen, x, y);
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+        cairo_line_to(pen, panel.at_x(curve.x[i]), panel.at_y(curve.y[i]));
     cairo_stroke(pen);
-    for (const auto& [x, y] : points) {
-        use(pen, color);
-        mark(pen, number, x, y);
+    if (!style.has_marks) return;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        use(pen, style);
+        mark(pen, style.number, panel.at_x(curve.x[i]), panel.at_y(curve.y[i]));
     }
 }
 
-std::vector<std::string> legend_of(const Figure& figure)
+std::vector<Style> styles_of(const Figure& figure)
 {
-    std::vector<std::string> names;
+    std::vector<Style> styles;
+    std::size_t number = 0;
     for (const Diagram& diagram : figure.diagrams)
-        for (const Curve& curve : diagram.curves)
-            if (std::find(names.begin(), names.end(), curve.name) == names.end()) names.push_back(curve.name);
-    return names;
+        for (const Curve& curve : diagram.curves) {
+            const auto same = [&](const Style& style) { return style.name == curve.name; };
+            if (std::any_of(styles.begin(), styles.end(), same)) continue;
+            styles.push_back({curve.name, curve.is_reference, diagram.logarithmic && !curve.is_reference, number});
+            if (!curve.is_reference) ++number;
+        }
+    return styles;
 }
 
-void draw_legend(cairo_t* pen, const Figure& figure, const std::vector<std::string>& names, double top)
+void draw_curves(cairo_t* pen, const Diagram& diagram, const std::vector<Style>& styles, const Panel& panel)
+{
+    for (const bool references : {true, false})
+        for (const Curve& curve : diagram.curves) {
+            if (curve.is_reference != references) continue;
+            const auto style = std::find_if(styles.begin(), styles.end(),
+                                            [&](const Style& each) { return each.name == curve.name; });
+            draw_curve(pen, curve, *style, panel);
+        }
+}
+
+void draw_legend(cairo_t* pen, const Figure& figure, const std::vector<Style>& styles, std::size_t columns,
+                 double top)
 {
     double y = top;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const double x = axis_left + (i % 2 == 0 ? 0 : 380);
-        use(pen, palette[i % std::size(palette)]);
-        cairo_set_line_width(pen, 1.8);
+    for (std::size_t i = 0; i < styles.size(); ++i) {
+        const double x = axis_left + legend_width * static_cast<double>(i % columns);
+        use(pen, styles[i]);
         line(pen, x, y - 4, x + 28, y - 4);
-        mark(pen, i, x + 14, y - 4);
+        if (styles[i].has_marks) mark(pen, styles[i].number, x + 14, y - 4);
         use(pen, ink);
         font(pen, 12);
-        write(pen, names[i], x + 36, y);
-        if (i % 2 == 1 || i + 1 == names.size()) y += legend_line;
+        write(pen, styles[i].name, x + 36, y);
+        if (i % columns == columns - 1 || i + 1 == styles.size()) y += legend_line;
     }
     use(pen, paper_ink);
     font(pen, 11);
@@ -199,9 +214,11 @@ void write_head(cairo_t* pen, const Figure& figure, double width)
 
 void draw_figure(const Figure& figure, const std::filesystem::path& file)
 {
-    const std::vector<std::string> names = legend_of(figure);
-    const double width = panel_width * static_cast<double>(figure.diagrams.size());
-    const double lines = legend_line * static_cast<double>((names.size() + 1) / 2);
+    const std::vector<Style> styles = styles_of(figure);
+    const double widths = figure.diagrams.size() == 1 ? 2 : 1;  // one diagram alone is a broad one
+    const double width = widths * panel_width * static_cast<double>(figure.diagrams.size());
+    const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((width - axis_left) / legend_width)));
+    const double lines = legend_line * static_cast<double>((styles.size() + columns - 1) / columns);
     const double height =
         head + panel_height + foot + 16 + lines + note_line * static_cast<double>(figure.notes.size());
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(sharpness * width),
@@ -216,18 +233,15 @@ void draw_figure(const Figure& figure, const std::filesystem::path& file)
         write_head(pen.get(), figure, width);
         for (std::size_t i = 0; i < figure.diagrams.size(); ++i) {
             const Diagram& diagram = figure.diagrams[i];
-            const Panel panel = place(diagram, panel_width * static_cast<double>(i));
+            const Panel panel = place(diagram, panel_width * static_cast<double>(i), widths * panel_width);
             cairo_set_line_width(pen.get(), 1);
             draw_grid_of_x(pen.get(), panel);
             draw_grid_of_y(pen.get(), panel);
-            for (const Curve& curve : diagram.curves) {
-                const auto number = std::find(names.begin(), names.end(), curve.name) - names.begin();
-                draw_curve(pen.get(), curve, static_cast<std::size_t>(number), panel);
-            }
+            draw_curves(pen.get(), diagram, styles, panel);
             draw_levels(pen.get(), diagram, panel);
             draw_frame(pen.get(), diagram, panel);
         }
-        draw_legend(pen.get(), figure, names, head + panel_height + foot + 8);
+        draw_legend(pen.get(), figure, styles, columns, head + panel_height + foot + 8);
     }
     const cairo_status_t status = cairo_surface_write_to_png(surface.get(), file.c_str());
     if (status != CAIRO_STATUS_SUCCESS)

@@ -1,4 +1,4 @@
-// Draws a row of log-log diagrams as one picture, with Cairo.
+// Draws a row of diagrams as one picture, with Cairo.
 #pragma once
 
 #include <filesystem>

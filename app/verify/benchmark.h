@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/verify/picture.h"
+#include "app/plots/diagram.h"
 #include "libdda/model/model.h"
 
 namespace voussoir
@@ -30,7 +30,7 @@ struct VerifyResult {
     double cpu_time = 0;                  // s, process clock
     std::int64_t steps = 0, step_cuts = 0, iterations = 0;
     std::vector<double> answer;  // what is compared with the same scene in other unknowns, all in one unit
-    VerifyPicture picture;       // of what was compared; without curves there is none
+    Diagram picture;             // of what was compared; without curves there is none
     std::string failure;         // why there is no error: the run gave up; empty when it did not
     std::string note;            // what else the run showed, one line
 };

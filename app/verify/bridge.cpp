@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/verify/families.h"
+#include "app/verify/picture.h"
 #include "app/verify/scenes_dynamic.h"
 #include "importers/patterns/arch_bridge.h"
 
@@ -122,9 +123,9 @@ Answer shake(const VerifySetting& setting, double velocity_kept, VerifyResult& r
 }
 
 /// Half of the watched stones, the bridge being nearly symmetric: springing, quarter, crown.
-VerifyPicture picture_of(const Answer& undamped, const Answer& damped)
+Diagram picture_of(const Answer& undamped, const Answer& damped)
 {
-    VerifyPicture picture{"time [s]", "horizontal stress [MPa]", {}};
+    Diagram picture = linear_diagram("time [s]", "horizontal stress [MPa]", {});
     for (const auto& [answer, words] : {std::pair{&undamped, "no damping"}, std::pair{&damped, "6 % damping"}})
         for (const int i : {0, 1, 3}) {
             std::vector<double> megapascals = answer->histories[i];

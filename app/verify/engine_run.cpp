@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "app/verify/picture.h"
 #include "app/verify/scene_blocks.h"
 #include "libdda/analysis/run.h"
 
@@ -88,9 +89,9 @@ std::vector<double> answer_of(const History& history)
     return {end.begin(), end.end()};
 }
 
-VerifyPicture picture_of(const History& ours, const History& reference)
+Diagram picture_of(const History& ours, const History& reference)
 {
-    VerifyPicture picture{"time [s]", "displacement [m]", {}};
+    Diagram picture = linear_diagram("time [s]", "displacement [m]", {});
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> engine, exact;
         double largest = 0;
@@ -100,8 +101,8 @@ VerifyPicture picture_of(const History& ours, const History& reference)
             largest = std::max(largest, std::abs(exact.back()));
         }
         if (largest == 0) continue;
-        const std::string name(1, "xyz"[axis]);
-        picture.curves.push_back(curve_of(name + ", reference", ours.times, exact, true));
+        const std::string name = std::string("engine, ") + "xyz"[axis];
+        picture.curves.push_back(curve_of("reference", ours.times, exact, true));
         picture.curves.push_back(curve_of(name, ours.times, engine));
     }
     return picture;

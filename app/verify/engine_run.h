@@ -32,7 +32,7 @@ double worst_error(const History& ours, const History& reference);
 std::vector<double> answer_of(const History& history);
 
 /// Displacement against time, the reference beside it, along each axis on which it moves.
-VerifyPicture picture_of(const History& ours, const History& reference);
+Diagram picture_of(const History& ours, const History& reference);
 
 /// The papers' measure: the largest |(|u_ref| - |u|) / |u_ref|| from `from` [s] on.
 double worst_relative(const History& ours, const History& reference, double from);

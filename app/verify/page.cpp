@@ -77,10 +77,14 @@ std::string sweep_table(const VerifyOutcome& outcome)
     for (std::size_t i = 0; i < outcome.orders.size(); ++i)
         text +=
             fmt::format("{}{:.2f} ({})", i == 0 ? "" : ", ", outcome.orders[i].order, outcome.orders[i].method);
-    return text + (outcome.orders.empty() ? "" : ".\n");
+    if (outcome.orders.empty())
+        text +=
+            "\nNo order of convergence can be seen: fewer than three errors lie above 1e-5, what a step may leave "
+            "unbalanced";
+    return text + ".\n";
 }
 
-std::string section(const VerifyOutcome& outcome, bool has_plot)
+std::string section(const VerifyOutcome& outcome, const std::vector<std::string>& plots)
 {
     const Benchmark& benchmark = outcome.benchmark;
     const VerifyResult& result = outcome.row.result;
@@ -94,7 +98,9 @@ std::string section(const VerifyOutcome& outcome, bool has_plot)
     text += fmt::format("; {} steps, {} cut, {} iterations.\n", result.steps, result.step_cuts, result.iterations);
     if (!result.failure.empty()) text += "\nFailed: " + result.failure + "\n";
     if (!result.note.empty()) text += "\n" + result.note + "\n";
-    if (has_plot) text += fmt::format("\n![{}](verification/{}.png)\n", benchmark.title, benchmark.name);
+    for (const std::string& plot : {benchmark.name + "-run", benchmark.name})
+        if (std::find(plots.begin(), plots.end(), plot) != plots.end())
+            text += fmt::format("\n![{}](verification/{}.png)\n", benchmark.title, plot);
     if (outcome.rows.size() > 1) text += sweep_table(outcome);
     return text;
 }
@@ -122,10 +128,7 @@ std::string verification_page(const std::vector<VerifyOutcome>& outcomes, const 
         "sqrt(m / k), about 1e-3 m/s here.\n\n",
         command, swept ? ", those of a sweep the median of three runs" : "");
     text += main_table(outcomes) + companion_table(outcomes);
-    for (const VerifyOutcome& outcome : outcomes) {
-        const bool has_plot = std::find(plots.begin(), plots.end(), outcome.benchmark.name) != plots.end();
-        text += section(outcome, has_plot);
-    }
+    for (const VerifyOutcome& outcome : outcomes) text += section(outcome, plots);
     return text;
 }
 

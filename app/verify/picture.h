@@ -4,24 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "app/plots/diagram.h"
+
 namespace voussoir
 {
 
-/// A line of a benchmark's picture.
-struct VerifyCurve {
-    std::string name;  // in the legend
-    std::vector<double> x, y;
-    bool is_reference = false;
-};
-
-/// What the engine did beside its reference, on linear axes.
-struct VerifyPicture {
-    std::string x_title, y_title;  // with units
-    std::vector<VerifyCurve> curves;
-};
-
 /// A curve thinned to what a picture can show.
-VerifyCurve curve_of(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
-                     bool is_reference = false);
+Curve curve_of(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
+               bool is_reference = false);
+
+/// A diagram with linear axes.
+Diagram linear_diagram(const std::string& x_title, const std::string& y_title, std::vector<Curve> curves);
 
 }  // namespace voussoir

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/plots/words.h"
 #include "app/verify/settings.h"
 
 namespace voussoir
@@ -59,6 +60,19 @@ Figure work_precision(const VerifyOutcome& outcome)
     const Diagram of_stiffness{"contact stiffness / default [-]", "error [-]", curves_of(rows, true, stiffness),
                                levels};
     if (!of_stiffness.curves.empty()) figure.diagrams.push_back(of_stiffness);
+    return figure;
+}
+
+Figure picture(const VerifyOutcome& outcome)
+{
+    const Benchmark& benchmark = outcome.benchmark;
+    const VerifyRow& row = outcome.row;
+    Figure figure{benchmark.name + "-run",
+                  benchmark.title,
+                  method_name(row.setting) + ", " + step_in_words(row.setting.time_step),
+                  {},
+                  {}};
+    if (!row.result.picture.curves.empty()) figure.diagrams.push_back(row.result.picture);
     return figure;
 }
 

@@ -10,4 +10,8 @@ namespace voussoir
 /// Error against time step, against CPU time, and against contact stiffness where that was varied.
 Figure work_precision(const VerifyOutcome& outcome);
 
+/// What the default run did beside its reference; its name ends in "-run". Without diagrams when the benchmark has
+/// none.
+Figure picture(const VerifyOutcome& outcome);
+
 }  // namespace voussoir

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/verify/families.h"
+#include "app/verify/picture.h"
 #include "app/verify/references/rocking.h"
 #include "app/verify/scenes_dynamic.h"
 
@@ -26,9 +27,8 @@ constexpr double printed_amplitude = 5.43;             // m/s2, of the printed r
 struct Choices {
     double density = 2500, young = 1e12;  // kg/m3, Pa
     double friction = 60;                 // degrees
-    bool landing_mode = false;            // dashpot for the edge that lands, not for the block on all springs
 };
-constexpr double contact_damping = 0.5;  // xi of the documented rule for rocking (numerics note, 8)
+constexpr double contact_damping = 0.5;  // xi of the documented rule for rocking
 
 reference::RockingBlock rigid_block(double amplitude)
 {
@@ -44,13 +44,13 @@ double contact_frequency(const VerifySetting& setting, const Choices& choices)
     return std::sqrt(stiffness / (choices.density * depth));  // per area of the base, both
 }
 
-/// eta = 2 max(0, xi - own damping of the integrator) / omega, omega = sqrt(sum k / m) of the block on all its
-/// springs. Source: numerics note, 8 and 11.6. The edge that lands has half of the springs and, the block turning
-/// about the other edge, the mass (4/3 m R^2) / (2 b)^2: its omega is sqrt(3/2) b / R of the former.
+/// eta = 2 max(0, xi - own damping of the integrator) / omega, by the documented rule (docs/method.md): omega is
+/// that of the edge that lands. It has half of the springs and, the block turning about the other edge, the mass
+/// (4/3 m R^2) / (2 b)^2: sqrt(3/2) b / R of the frequency of the block on all its springs.
 double dashpot_by_rule(const VerifySetting& setting, const Choices& choices)
 {
-    double omega = contact_frequency(setting, choices);
-    if (choices.landing_mode) omega *= std::sqrt(1.5) * half_width / std::hypot(half_width, half_height);
+    const double share = std::sqrt(1.5) * half_width / std::hypot(half_width, half_height);
+    const double omega = share * contact_frequency(setting, choices);
     return 2 * std::max(0.0, contact_damping - own_damping(setting, omega)) / omega;
 }
 
@@ -148,11 +148,11 @@ double difference(const Record& record, const std::vector<double>& exact, double
     return worst / peak;
 }
 
-VerifyPicture picture_of(const Record& record, const std::vector<double>& exact)
+Diagram picture_of(const Record& record, const std::vector<double>& exact)
 {
-    return {"time [s]",
-            "rotation [rad]",
-            {curve_of("reference", record.times, exact, true), curve_of("engine", record.times, record.angles)}};
+    return linear_diagram(
+        "time [s]", "rotation [rad]",
+        {curve_of("reference", record.times, exact, true), curve_of("engine", record.times, record.angles)});
 }
 
 /// Error up to the first impact of the reference.
@@ -237,11 +237,10 @@ double history(const VerifySetting& setting, const Choices& choices, VerifyResul
     return difference(record, exact, 5);
 }
 
-VerifyResult run_history(const VerifySetting& setting, bool landing_mode)
+VerifyResult run_history(const VerifySetting& setting)
 {
     VerifyResult result;
     Choices choices;
-    choices.landing_mode = landing_mode;
     result.error = history(setting, choices, result);
     // On softer contacts and with a finer step the integrator damps little and the dashpot does all.
     VerifySetting fine = setting;
@@ -282,12 +281,11 @@ std::vector<Benchmark> rocking_benchmarks()
     rows.push_back(
         row("rocking-before-impact", "A rocking block up to its first impact", fine, 2e-3, run_before_impact));
     rows.back().paper_error = "below 10 % after 0.3 s, below 1 % after 0.5 s";
-    rows.push_back(row("rocking-5-seconds", "A rocking block over 5 s, impacts by Housner", usual, 0.10,
-                       [](const VerifySetting& setting) { return run_history(setting, false); }));
+    rows.push_back(
+        row("rocking-5-seconds", "A rocking block over 5 s, impacts by Housner", usual, 0.10, run_history));
     rows.back().paper_error = "grows after the first impact; figure not available";
-    rows.push_back(row("rocking-5-seconds-landing-mode",
-                       "The same, the dashpot's frequency that of the edge that lands", fine, 0.10,
-                       [](const VerifySetting& setting) { return run_history(setting, true); }));
+    rows.push_back(row("rocking-5-seconds-fine", "The same at 0.1 ms, where the dashpot does the damping", fine,
+                       0.10, run_history));
     rows.back().paper_error = rows[2].paper_error;
     for (Benchmark& swept : rows) swept.sweep = sweep_of(swept.setting, {1e-3, 5e-4, 2e-4, 1e-4});
     rows.push_back(row("rocking-choices",

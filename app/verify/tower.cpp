@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/verify/families.h"
+#include "app/verify/picture.h"
 #include "app/verify/scenes_dynamic.h"
 
 namespace voussoir
@@ -145,7 +146,8 @@ VerifyResult run_tower(const VerifySetting& setting)
                  high = mean(paths.length, courses - courses / 4, courses);
     std::vector<double> course(courses);
     std::iota(course.begin(), course.end(), 1);
-    result.picture = {"joint, from the base", "slip path [m]", {curve_of("engine", course, paths.length)}};
+    result.picture =
+        linear_diagram("joint, from the base", "slip path [m]", {curve_of("engine", course, paths.length)});
     const bool stands = remains.sunk < 0.5 * course_height && remains.offset < 0.5 * width;
     result.error = (stands ? 0 : 1) + (correlation > 0 ? 0 : 1) + (high > low ? 0 : 1);
     result.note = fmt::format(

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/verify/families.h"
+#include "app/verify/picture.h"
 #include "app/verify/references/shear_wave.h"
 
 namespace voussoir
@@ -169,9 +170,9 @@ VerifyResult run_amplitude(const VerifySetting& setting)
         exact.push_back(record.exact(times.back()));
         shape = std::max(shape, std::abs(record.trace[i] - exact.back()));
     }
-    result.picture = {"time [s]",
-                      "displacement [m]",
-                      {curve_of("d'Alembert", times, exact, true), curve_of("engine", times, record.trace)}};
+    result.picture =
+        linear_diagram("time [s]", "displacement [m]",
+                       {curve_of("d'Alembert", times, exact, true), curve_of("engine", times, record.trace)});
     const double omega = 2 * std::numbers::pi * wave.frequency, travel = point_height / record.jointed_speed;
     result.note = fmt::format(
         "crest {:+.2f} %, trough {:+.2f} %; damping of the integrator alone -{:.2f} %; largest difference "

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/verify/picture.h"
 #include "app/verify/waves.h"
 
 namespace voussoir::dynamic_scenes
@@ -80,15 +81,14 @@ std::vector<double> exact_ratio(const VerifySetting& setting, const Column& colu
     return values;
 }
 
-VerifyPicture picture_of(const std::vector<double>& exact, const std::vector<double>& intact,
-                         const std::vector<double>& ours)
+Diagram picture_of(const std::vector<double>& exact, const std::vector<double>& intact,
+                   const std::vector<double>& ours)
 {
     std::vector<double> frequencies;
     for (double f = interval; f <= highest; f += interval) frequencies.push_back(f);
-    return {"frequency [Hz]",
-            "surface / base [-]",
-            {curve_of("exact", frequencies, exact, true), curve_of("engine", frequencies, ours),
-             curve_of("exact without the joints' compliance", frequencies, intact)}};
+    return linear_diagram("frequency [Hz]", "surface / base [-]",
+                          {curve_of("exact", frequencies, exact, true), curve_of("engine", frequencies, ours),
+                           curve_of("exact without the joints' compliance", frequencies, intact)});
 }
 
 enum class Measure { value, frequency };
