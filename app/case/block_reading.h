@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,26 +32,63 @@ struct MeshEntry {
     std::vector<GroupPattern> patterns;
 };
 
+/// The extent along y of a planar scene's stones that are drawn in space, and the stone that set it.
+struct DrawnDepth {
+    double low = 0, high = 0;  // m, user's coordinates
+    std::string stone;
+};
+
 struct BlockReading {
     const std::filesystem::path& folder;  // of the case file
     Model& model;
     Findings& findings;
     std::vector<MeshEntry> meshes;              // imported after the last entry: boxes come first in the model
     std::map<std::string, std::string> places;  // of each block name
+    Eigen::Vector3d mesh_origin = Eigen::Vector3d::Zero();  // m, subtracted from what meshes gave
+    std::optional<DrawnDepth> depth;                        // absent in spatial scenes
 };
 
-/// Adds a block; a fault instead if its name is taken. Parts are in model coordinates.
+/// Adds a block; a fault instead if its name is taken. Parts are in model coordinates. A planar scene takes their
+/// outlines; stones that are no prisms along y, or of another extent along y than those before them, are faults.
 void add_block(const std::string& name, const std::string& place, const std::string& group, int material,
                std::vector<ConvexPolyhedron> parts, BlockReading& reading);
+
+/// The same from outlines, for planar scenes. @param outlines (x, z) in model coordinates [m]
+void add_planar_block(const std::string& name, const std::string& place, const std::string& group, int material,
+                      std::vector<ConvexPolygon> outlines, BlockReading& reading);
+
+/// Outlines of a stone of a planar scene that is drawn in space; empty, with a fault, when it has none.
+std::vector<ConvexPolygon> outlines_of(const std::string& name, const std::string& place,
+                                       const std::vector<ConvexPolyhedron>& parts, BlockReading& reading);
 
 /// Index of `material: name`; the only material if none is named.
 int read_material_name(YamlCursor& entry, const std::vector<BlockMaterial>& materials);
 
-/// `{box: {name, lower, upper}}`: adds the block.
+/// What an entry of one block says beside its shape: `material` and `group`.
+struct Belonging {
+    int material = 0;
+    std::string group;
+};
+Belonging read_belonging(YamlCursor& entry, const std::vector<BlockMaterial>& materials);
+
+/// `{box: {name, lower, upper}}`: adds the block. Corners [x, y, z]; in planar scenes [x, z] will do.
 void read_box(YamlCursor& entry, YamlCursor& box, BlockReading& reading);
+
+/// A box of a planar scene with corners [x, z].
+void read_flat_box(YamlCursor& entry, YamlCursor& box, BlockReading& reading);
+
+/// `{polygon: {name, corners: [[x, z], ...]}}`: adds the block, in planar scenes.
+void read_polygon(YamlCursor& entry, YamlCursor& polygon, BlockReading& reading);
 
 /// `{mesh: file}`: adds to reading.meshes.
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading);
+
+/// `thickness` of a planar scene, if the case gives it; a fault in a spatial one.
+std::optional<double> read_thickness(YamlCursor& top, Kinematics kinematics);
+
+/// Gives a planar scene, read as a slice of 1 m, its thickness: by default the extent of the drawn stones along y,
+/// and 1 m when none is drawn in space.
+void settle_thickness(const YamlCursor& top, std::optional<double> thickness, BlockReading& reading);
 
 /// Imports all meshes at once and adds their stones; does nothing if there is none.
 void import_meshes(BlockReading& reading);

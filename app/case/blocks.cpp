@@ -21,10 +21,11 @@ int group_index(Model& model, const std::string& name)
     return static_cast<int>(index);
 }
 
-void refuse_overlaps(BlockReading& reading, std::size_t boxes)
+/// @param without_mesh number of blocks, the first ones, that came from no mesh
+void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
 {
     const std::vector<Block>& blocks = reading.model.blocks;
-    for (const BlockOverlap& overlap : find_overlaps(blocks, boxes)) {
+    for (const BlockOverlap& overlap : find_overlaps(blocks, without_mesh)) {
         const std::string& name_b = blocks[overlap.block_b].name;
         reading.findings.faults.push_back(
             {reading.places.at(name_b) + ": " + blocks[overlap.block_a].name + " and " + name_b,
@@ -32,19 +33,63 @@ void refuse_overlaps(BlockReading& reading, std::size_t boxes)
     }
 }
 
+/// A fault, and false, if the name is taken.
+bool take_name(const std::string& name, const std::string& place, BlockReading& reading)
+{
+    const auto [known, is_new] = reading.places.emplace(name, place);
+    if (!is_new)
+        reading.findings.faults.push_back(
+            {place, "a second block named " + name, "the first one is at " + known->second});
+    return is_new;
+}
+
+void read_entry(YamlCursor& entry, BlockReading& reading)
+{
+    if (!entry.expect_map("a block {mesh: file}, {box: {...}} or {polygon: {...}}")) return;
+    std::optional<YamlCursor> mesh = entry.find("mesh"), box = entry.find("box"), polygon = entry.find("polygon");
+    const int shapes = static_cast<int>(mesh.has_value()) + static_cast<int>(box.has_value()) +
+                       static_cast<int>(polygon.has_value());
+    if (shapes != 1)
+        entry.fault(shapes == 0 ? "no mesh, box or polygon" : "more than one of mesh, box and polygon",
+                    "give one of them");
+    else if (mesh)
+        read_mesh(entry, *mesh, reading);
+    else if (box)
+        read_box(entry, *box, reading);
+    else
+        read_polygon(entry, *polygon, reading);
+}
+
 }  // namespace
 
 void add_block(const std::string& name, const std::string& place, const std::string& group, int material,
                std::vector<ConvexPolyhedron> parts, BlockReading& reading)
 {
-    const auto [known, is_new] = reading.places.emplace(name, place);
-    if (!is_new) {
-        reading.findings.faults.push_back(
-            {place, "a second block named " + name, "the first one is at " + known->second});
-        return;
+    Model& model = reading.model;
+    if (is_planar(model.kinematics)) {
+        std::vector<ConvexPolygon> outlines = outlines_of(name, place, parts, reading);
+        if (!outlines.empty()) add_planar_block(name, place, group, material, std::move(outlines), reading);
+    } else if (take_name(name, place, reading)) {
+        model.blocks.push_back(make_block(name, group_index(model, group), material, std::move(parts)));
     }
-    reading.model.blocks.push_back(
-        make_block(name, group_index(reading.model, group), material, std::move(parts)));
+}
+
+void add_planar_block(const std::string& name, const std::string& place, const std::string& group, int material,
+                      std::vector<ConvexPolygon> outlines, BlockReading& reading)
+{
+    Model& model = reading.model;
+    if (!take_name(name, place, reading)) return;
+    model.blocks.push_back(
+        make_planar_block(name, group_index(model, group), material, std::move(outlines), model.thickness));
+}
+
+Belonging read_belonging(YamlCursor& entry, const std::vector<BlockMaterial>& materials)
+{
+    const int material = read_material_name(entry, materials);
+    const std::optional<std::string> group = entry.find_text("group");
+    if (!group) entry.took_default("group", default_group);
+    entry.reject_unknown_keys();
+    return {material, group.value_or(default_group)};
 }
 
 int read_material_name(YamlCursor& entry, const std::vector<BlockMaterial>& materials)
@@ -93,25 +138,18 @@ bool matches_pattern(std::string_view name, std::string_view pattern)
 std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::path& folder, Model& model,
                                      Findings& findings)
 {
+    const std::optional<double> thickness = read_thickness(top, model.kinematics);
     const std::optional<YamlCursor> section = top.require("blocks", "the stones, [{mesh: stones.obj}]");
     if (!section) return {};
-    BlockReading reading{folder, model, findings, {}, {}};
-    std::vector<YamlCursor> entries = section->items("a list of meshes and boxes");
-    if (entries.empty() && section->is_list()) section->fault("no block", "give at least one mesh or box");
-    for (YamlCursor& entry : entries) {
-        if (!entry.expect_map("a block {mesh: file} or {box: {...}}")) continue;
-        const std::optional<YamlCursor> mesh = entry.find("mesh");
-        std::optional<YamlCursor> box = entry.find("box");
-        if (mesh && !box)
-            read_mesh(entry, *mesh, reading);
-        else if (box && !mesh)
-            read_box(entry, *box, reading);
-        else
-            entry.fault(mesh ? "both a mesh and a box" : "neither a mesh nor a box", "give one of the two");
-    }
-    const std::size_t boxes = model.blocks.size();
+    BlockReading reading{folder, model, findings, {}, {}, Eigen::Vector3d::Zero(), {}};
+    std::vector<YamlCursor> entries = section->items("a list of meshes, boxes and polygons");
+    if (entries.empty() && section->is_list())
+        section->fault("no block", "give at least one mesh, box or polygon");
+    for (YamlCursor& entry : entries) read_entry(entry, reading);
+    const std::size_t without_mesh = model.blocks.size();
     import_meshes(reading);
-    refuse_overlaps(reading, boxes);
+    settle_thickness(top, thickness, reading);
+    refuse_overlaps(reading, without_mesh);
     std::vector<std::string> files;
     for (const MeshEntry& mesh : reading.meshes) files.push_back(mesh.name);
     return files;

@@ -38,23 +38,23 @@ Eigen::Vector3d read_corner(YamlCursor& box, const std::string& key)
 void read_box(YamlCursor& entry, YamlCursor& box, BlockReading& reading)
 {
     if (!box.expect_map("a box {name, lower: [x, y, z], upper: [x, y, z]}")) return;
+    const std::optional<YamlCursor> first_corner = box.find("lower");
+    if (is_planar(reading.model.kinematics) && first_corner && first_corner->is_list_of(2))
+        return read_flat_box(entry, box, reading);
     const std::size_t faults_before = reading.findings.faults.size();
     const std::string name = box.text("name", "the block's name");
     const Eigen::Vector3d lower = read_corner(box, "lower"), upper = read_corner(box, "upper");
     if ((upper.array() <= lower.array()).any()) box.fault("no volume", "upper must exceed lower in x, y and z");
     std::optional<YamlCursor> rotate = box.find("rotate");
     box.reject_unknown_keys();
-    const int material = read_material_name(entry, reading.model.materials);
-    const std::optional<std::string> group = entry.find_text("group");
-    if (!group) entry.took_default("group", default_group);
-    entry.reject_unknown_keys();
+    const Belonging belonging = read_belonging(entry, reading.model.materials);
     // A rotation is checked even if the box is none, so that its faults are listed too.
     const bool sound = reading.findings.faults.size() == faults_before;
     ConvexPolyhedron shape =
         make_box(sound ? lower : Eigen::Vector3d(0, 0, 0), sound ? upper : Eigen::Vector3d(1, 1, 1));
     if (rotate) rotate_vertices(*rotate, (lower + upper) / 2, shape.vertices);
     if (reading.findings.faults.size() > faults_before) return;
-    add_block(name, box.place(), group.value_or(default_group), material, {std::move(shape)}, reading);
+    add_block(name, box.place(), belonging.group, belonging.material, {std::move(shape)}, reading);
 }
 
 }  // namespace voussoir

@@ -9,6 +9,7 @@
 #include "app/case/motion.h"
 #include "app/case/output.h"
 #include "app/case/overrides.h"
+#include "app/case/plane.h"
 #include "app/case/stages.h"
 #include "app/case/yaml_cursor.h"
 
@@ -37,10 +38,13 @@ std::string read_text(const std::filesystem::path& file)
 void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<FoundationEntry>& foundations)
 {
     Model& model = result.model;
-    model.kinematics = top.choice_or<Kinematics>(
-        "kinematics",
-        {{"spatial_deformable", Kinematics::spatial_deformable}, {"spatial_rigid", Kinematics::spatial_rigid}},
-        Kinematics::spatial_deformable);
+    model.kinematics = top.choice_or<Kinematics>("kinematics",
+                                                 {{"spatial_deformable", Kinematics::spatial_deformable},
+                                                  {"spatial_rigid", Kinematics::spatial_rigid},
+                                                  {"planar_deformable", Kinematics::planar_deformable},
+                                                  {"planar_rigid", Kinematics::planar_rigid}},
+                                                 Kinematics::spatial_deformable);
+    read_plane_condition(top, model);
     model.materials = read_materials(top);
     model.joints = read_joints(top);
     result.mesh_files = read_blocks(top, result.file.parent_path(), model, findings);
@@ -70,7 +74,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     result.title = top.find_text("title").value_or(file.stem().string());
     std::vector<FoundationEntry> foundations;
     read_model(top, result, findings, foundations);
-    MotionContext motions{file.parent_path(), result.motions};
+    MotionContext motions{file.parent_path(), result.model.kinematics, result.motions};
     result.stages = read_stages(top, result.model, foundations, motions);
     result.output = read_output(top, result.model, result.stages);
     top.reject_unknown_keys();

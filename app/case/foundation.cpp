@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/case/nearest_word.h"
+#include "app/case/plane.h"
 
 namespace voussoir
 {
@@ -15,9 +16,10 @@ FoundationEntry read_entry(YamlCursor& map, Model& model, std::set<int>& taken)
     FoundationEntry entry;
     Foundation foundation;
     const YamlCursor::Choices<bool> held = {{"fixed", true}, {"free", false}};
-    for (int i = 0; i < 3; ++i)
-        foundation.translation_held[i] =
-            map.choice_or<bool>(std::string(1, static_cast<char>('x' + i)), held, true);
+    for (const int axis : axes_of(model.kinematics))
+        foundation.translation_held[axis] =
+            map.choice_or<bool>(std::string(1, static_cast<char>('x' + axis)), held, true);
+    if (is_planar(model.kinematics)) forbid_y(map);
     foundation.rotation_held = map.choice_or<bool>("rotation", held, true);
     entry.translation_held = foundation.translation_held;
     entry.motion = map.find("motion");

@@ -2,6 +2,7 @@
 
 #include "app/case/block_reading.h"
 #include "app/case/blocks.h"
+#include "libdda/geometry/plane.h"
 
 namespace voussoir
 {
@@ -101,8 +102,10 @@ void import_meshes(BlockReading& reading)
     std::vector<MeshRequest> requests;
     for (const MeshEntry& mesh : reading.meshes) requests.push_back(mesh.request);
     const Geometry geometry = import_geometry(requests, {});
-    reading.model.origin = geometry.origin;
-    for (Block& box : reading.model.blocks) box.moments.centroid -= geometry.origin;
+    reading.mesh_origin = geometry.origin;
+    Model& model = reading.model;
+    model.origin = is_planar(model.kinematics) ? to_space(from_space<2>(geometry.origin)) : geometry.origin;
+    for (Block& box : model.blocks) box.moments.centroid -= model.origin;
     for (std::size_t i = 0; i < reading.meshes.size(); ++i)
         take_mesh(reading.meshes[i], geometry.meshes.at(i), reading);
     for (const Overlap& overlap : geometry.overlaps)

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/case/nearest_word.h"
+#include "app/case/plane.h"
 #include "records/record.h"
 
 namespace voussoir
@@ -163,7 +164,7 @@ std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& wh
                                           std::optional<double> stage_duration, MotionContext& context)
 {
     std::vector<AxisMotion> motions;
-    for (int component = 0; component < 3; ++component) {
+    for (const int component : axes_of(context.kinematics)) {
         const std::string axis(1, static_cast<char>('x' + component));
         std::optional<YamlCursor> value = map.find(axis);
         if (!value) continue;
@@ -171,6 +172,7 @@ std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& wh
             read_motion(*value, fmt::format("{} {}", whose, axis), stage_duration, context);
         motions.push_back({component, std::move(*value), std::move(motion)});
     }
+    if (is_planar(context.kinematics)) forbid_y(map);
     return motions;
 }
 

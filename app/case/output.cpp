@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/case/nearest_word.h"
+#include "app/case/plane.h"
 
 namespace voussoir
 {
@@ -28,7 +29,7 @@ HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model&
             block->fault("no block \"" + history.block + "\"", suggestion(history.block, names));
     }
     if (const std::optional<YamlCursor> point = map.find("point"))
-        history.point = point->as_vector(dimension::length);
+        history.point = read_place(*point, model.kinematics);
     else
         map.took_default("point", "the block's centroid");
     map.reject_unknown_keys();

@@ -1,4 +1,5 @@
-// Do stones that came from different places overlap? Mesh files certify their own stones; boxes are checked here.
+// Do stones that came from different places overlap? Mesh files certify their own stones; boxes and polygons are
+// checked here.
 #pragma once
 
 #include <utility>
@@ -14,6 +15,9 @@ namespace voussoir
 /// @param offset of b relative to a [m]
 /// Source: Gottschalk, Lin and Manocha 1996.
 double overlap_depth(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const Eigen::Vector3d& offset);
+
+/// The same of two outlines, by the normals of their sides.
+double overlap_depth(const ConvexPolygon& a, const ConvexPolygon& b, const Eigen::Vector2d& offset);
 
 struct BlockOverlap {
     int block_a = 0, block_b = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/case/nearest_word.h"
+#include "app/case/plane.h"
 #include "app/case/step_control.h"
 
 namespace voussoir
@@ -165,7 +166,7 @@ std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d&
 
 }  // namespace
 
-Eigen::Vector3d read_gravity(YamlCursor& top)
+Eigen::Vector3d read_gravity(YamlCursor& top, Kinematics kinematics)
 {
     Eigen::Vector3d otherwise = Stage{}.gravity;
     std::optional<YamlCursor> map = top.find("gravity");
@@ -178,7 +179,7 @@ Eigen::Vector3d read_gravity(YamlCursor& top)
         map->quantity_or("magnitude", dimension::acceleration, Range::non_negative(), otherwise.norm());
     Eigen::Vector3d direction = otherwise.normalized();
     if (const std::optional<YamlCursor> value = map->find("direction")) {
-        direction = value->as_vector(dimension::number);
+        direction = read_direction(*value, kinematics);
         if (direction.norm() == 0) value->fault("a direction of length 0", "give one such as [0, 0, -1]");
     } else {
         map->took_default("direction", "[0, 0, -1]");
@@ -190,7 +191,7 @@ Eigen::Vector3d read_gravity(YamlCursor& top)
 std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<FoundationEntry>& foundations,
                                MotionContext& context)
 {
-    const Eigen::Vector3d gravity = read_gravity(top);
+    const Eigen::Vector3d gravity = read_gravity(top, model.kinematics);
     std::vector<Stage> stages;
     std::optional<YamlCursor> section = top.require("stages", "what happens, [{name: self-weight, type: static}]");
     if (!section) return stages;

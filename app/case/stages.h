@@ -11,8 +11,8 @@
 namespace voussoir
 {
 
-/// `gravity: {magnitude: 9.80665 m/s2, direction: [0, 0, -1]}` as a vector [m/s2].
-Eigen::Vector3d read_gravity(YamlCursor& top);
+/// `gravity: {magnitude: 9.80665 m/s2, direction: [0, 0, -1]}` as a vector [m/s2]; none along y in a planar scene.
+Eigen::Vector3d read_gravity(YamlCursor& top, Kinematics kinematics);
 
 /// Reads the stages and all motions: those of the foundations, of the stages and of free blocks. A dynamic stage
 /// without duration lasts as long as its longest motion.

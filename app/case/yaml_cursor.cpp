@@ -116,17 +116,29 @@ double YamlCursor::as_quantity(const Dimension& dimension, const Range& range) c
     return unusable;
 }
 
-Eigen::Vector3d YamlCursor::as_vector(const Dimension& dimension) const
+template <int N>
+Eigen::Matrix<double, N, 1> YamlCursor::as_components(const Dimension& dimension, std::string_view form) const
 {
-    Eigen::Vector3d vector = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    if (!is_list() || node_->items.size() != 3) {
+    using Vector = Eigen::Matrix<double, N, 1>;
+    Vector vector = Vector::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (!is_list_of(N)) {
         fault(is_list() ? fmt::format("a list of {}", node_->items.size()) : found(),
-              "expected three components [x, y, z]");
+              fmt::format("expected {}", form));
         return vector;
     }
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < N; ++i)
         vector[i] = child(node_->items[i], fmt::format("[{}]", i)).as_quantity(dimension, Range::any());
     return vector;
+}
+
+Eigen::Vector3d YamlCursor::as_vector(const Dimension& dimension) const
+{
+    return as_components<3>(dimension, "three components [x, y, z]");
+}
+
+Eigen::Vector2d YamlCursor::as_plane_vector(const Dimension& dimension) const
+{
+    return as_components<2>(dimension, "two components [x, z]");
 }
 
 std::optional<YamlCursor> YamlCursor::find(const std::string& key)

@@ -34,6 +34,8 @@ class YamlCursor
     bool is_scalar() const { return node_->kind == YamlNode::Kind::scalar; }
     bool is_list() const { return node_->kind == YamlNode::Kind::list; }
     bool is_map() const { return node_->kind == YamlNode::Kind::map; }
+    /// Is it a list of `count` entries?
+    bool is_list_of(std::size_t count) const { return is_list() && node_->items.size() == count; }
     /// The scalar's text, or "a list", "a map of keys", "nothing".
     std::string found() const { return describe(*node_); }
 
@@ -49,7 +51,8 @@ class YamlCursor
     std::vector<std::pair<std::string, YamlCursor>> named_entries(std::string_view what);
     std::string as_text() const;
     double as_quantity(const Dimension& dimension, const Range& range) const;
-    Eigen::Vector3d as_vector(const Dimension& dimension) const;
+    Eigen::Vector3d as_vector(const Dimension& dimension) const;        // [x, y, z]
+    Eigen::Vector2d as_plane_vector(const Dimension& dimension) const;  // [x, z]
 
     // Keys of a map.
     std::optional<YamlCursor> find(const std::string& key);
@@ -75,6 +78,8 @@ class YamlCursor
 
  private:
     YamlCursor child(const YamlNode& node, const std::string& key) const;
+    template <int N>
+    Eigen::Matrix<double, N, 1> as_components(const Dimension& dimension, std::string_view form) const;
     void report_duplicate(std::size_t first, std::size_t second) const;
     /// Index of the scalar at `key` among `names`; -1 with a fault when it is none; -2 when the key is absent.
     int find_word(const std::string& key, const std::vector<std::string>& names);

@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -6,6 +6,7 @@
 #include "app/case/case_file.h"
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
+#include "app/results/scene_vectors.h"
 #include "libdda/step/advance.h"
 
 namespace voussoir
@@ -55,10 +56,11 @@ void print_blocks(const Model& model)
     double volume = 0, mass = 0;
     for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i) {
         const Block& block = model.blocks[i];
-        const Eigen::Vector3d centroid = block.moments.centroid + model.origin;
-        fmt::print("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}  [{:.4f}, {:.4f}, {:.4f}]\n", block.name,
-                   model.groups[block.group], model.materials[block.material].name, block.moments.volume,
-                   model.mass(i), centroid.x(), centroid.y(), centroid.z());
+        const std::vector<double> centroid =
+            stored_vector(block.moments.centroid + model.origin, model.kinematics);
+        fmt::print("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}  [{:.4f}]\n", block.name, model.groups[block.group],
+                   model.materials[block.material].name, block.moments.volume, model.mass(i),
+                   fmt::join(centroid, ", "));
         volume += block.moments.volume;
         mass += model.mass(i);
     }
@@ -69,9 +71,9 @@ void print_foundations(const Model& model)
 {
     for (const Foundation& foundation : model.foundations) {
         std::string held;
-        for (int i = 0; i < 3; ++i)
-            held += fmt::format("{} {}, ", static_cast<char>('x' + i),
-                                foundation.translation_held[i] ? "fixed" : "free");
+        for (const int axis : axes_of(model.kinematics))
+            held += fmt::format("{} {}, ", static_cast<char>('x' + axis),
+                                foundation.translation_held[axis] ? "fixed" : "free");
         fmt::print("foundation {}: {}rotation {}\n", model.blocks[foundation.block].name, held,
                    foundation.rotation_held ? "fixed" : "free");
     }

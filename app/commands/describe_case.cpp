@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/results/results_writer.h"
+#include "app/results/settings.h"
 
 namespace voussoir
 {
@@ -56,6 +57,16 @@ std::string in_words(const ContactStiffness& stiffness)
     return "from the blocks' modulus and depth" + times;
 }
 
+/// "planar deformable (plane strain, 12 m thick)".
+std::string in_words(const Model& model)
+{
+    std::string words(name_of(model.kinematics));
+    if (!is_planar(model.kinematics)) return words;
+    const std::string plane =
+        is_deformable(model.kinematics) ? fmt::format("plane {}, ", name_of(model.plane)) : "";
+    return fmt::format("{} ({}{:g} m thick)", words, plane, model.thickness);
+}
+
 }  // namespace
 
 void print_materials(const Model& model)
@@ -81,7 +92,7 @@ void print_case(const Case& the_case)
     double mass = 0;
     for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i) mass += model.mass(i);
     fmt::print("{}\n{} blocks, {:g} t, {}: {} unknowns per block; {} of them follow the ground\n", the_case.title,
-               model.blocks.size(), mass / 1000, name_of(model.kinematics), unknowns_per_block(model.kinematics),
+               model.blocks.size(), mass / 1000, in_words(model), unknowns_per_block(model.kinematics),
                model.foundations.size());
     print_wrapped("left out: " + joined(left_out(the_case)), "");
     std::vector<std::string> motions;

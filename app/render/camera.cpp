@@ -33,6 +33,15 @@ Vector3d long_axis(const std::vector<Vector3d>& points)
     return {axis.x(), axis.y(), 0};
 }
 
+/// Unit direction towards a viewer aside of the longest extent and slightly above.
+Vector3d from_aside(const std::vector<Vector3d>& points)
+{
+    const Vector3d along = long_axis(points), across = Vector3d::UnitZ().cross(along);
+    const double azimuth = 25 * degree, elevation = 18 * degree;
+    const Vector3d aside = std::cos(azimuth) * -across + std::sin(azimuth) * along;
+    return std::cos(elevation) * aside + std::sin(elevation) * Vector3d::UnitZ();
+}
+
 struct Bounds {
     Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
     Vector2d high = Vector2d::Constant(-std::numeric_limits<double>::infinity());
@@ -76,13 +85,10 @@ Vector3d place_camera(const std::vector<Vector3d>& points, const Vector2d& size)
 
 }  // namespace
 
-Camera camera_for(const std::vector<Vector3d>& points, const PictureArea& area, double aspect)
+Camera camera_for(const std::vector<Vector3d>& points, const PictureArea& area, double aspect, View view)
 {
-    const Vector3d along = long_axis(points), across = Vector3d::UnitZ().cross(along);
-    const double azimuth = 25 * degree, elevation = 18 * degree;
     Camera camera;
-    const Vector3d aside = std::cos(azimuth) * -across + std::sin(azimuth) * along;
-    camera.back = std::cos(elevation) * aside + std::sin(elevation) * Vector3d::UnitZ();
+    camera.back = view == View::straight_on ? Vector3d(-Vector3d::UnitY()) : from_aside(points);
     camera.right = Vector3d::UnitZ().cross(camera.back).normalized();
     camera.up = camera.back.cross(camera.right);
     Eigen::Matrix3d axes;
@@ -102,7 +108,7 @@ Camera camera_for(const std::vector<Vector3d>& points, const PictureArea& area, 
     }
     const double near = 0.3 * nearest, far = 3 * farthest;
     const double centre_x = (area.left + area.right) / 2, centre_y = (area.bottom + area.top) / 2;
-    Eigen::Matrix4d projection = Eigen::Matrix4d::Zero(), view = Eigen::Matrix4d::Identity();
+    Eigen::Matrix4d projection = Eigen::Matrix4d::Zero(), placing = Eigen::Matrix4d::Identity();
     projection(0, 0) = 1 / half.x();
     projection(1, 1) = 1 / half.y();
     projection(0, 2) = -centre_x;  // moves the vanishing point into the middle of the area
@@ -110,9 +116,9 @@ Camera camera_for(const std::vector<Vector3d>& points, const PictureArea& area, 
     projection(2, 2) = -(far + near) / (far - near);
     projection(2, 3) = -2 * far * near / (far - near);
     projection(3, 2) = -1;
-    view.topLeftCorner<3, 3>() = axes;
-    view.topRightCorner<3, 1>() = -eye;
-    camera.view_projection = projection * view;
+    placing.topLeftCorner<3, 3>() = axes;
+    placing.topRightCorner<3, 1>() = -eye;
+    camera.view_projection = projection * placing;
     return camera;
 }
 

@@ -17,9 +17,13 @@ struct Camera {
     Eigen::Vector3d right, up, back;  // the camera's axes, unit
 };
 
-/// Looks at the points with a perspective of 16 degrees, the longest horizontal extent across the picture, from
-/// aside and slightly above, and stands so that the points just fill `area`.
+enum class View {
+    from_aside,   // the longest horizontal extent across the picture, from aside and slightly above
+    straight_on,  // along y, as an elevation is drawn: x to the right, z up
+};
+
+/// Looks at the points with a perspective of 16 degrees and stands so that they just fill `area`.
 /// @param points (n >= 1) [m]; @param aspect width / height of the whole picture
-Camera camera_for(const std::vector<Eigen::Vector3d>& points, const PictureArea& area, double aspect);
+Camera camera_for(const std::vector<Eigen::Vector3d>& points, const PictureArea& area, double aspect, View view);
 
 }  // namespace voussoir

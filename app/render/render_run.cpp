@@ -8,6 +8,7 @@
 #include <limits>
 #include <system_error>
 
+#include "app/render/extrusion.h"
 #include "app/render/page.h"
 #include "libdda/errors.h"
 
@@ -121,6 +122,8 @@ PageText words_of(const Scene& scene, const RecordedModel& model, const SceneOpt
     text.slid = fmt::format("joint slid by more than {} ({})", threshold, scene.slid_joints);
     text.foundations = !model.foundations.empty();
     if (const std::string ground = ground_in_words(scene.ground); !ground.empty()) text.notes.push_back(ground);
+    if (is_planar(model.kinematics))
+        text.notes.push_back(fmt::format("planar scene, drawn {:g} m thick", model.thickness));
     if (options.deformation_scale != 1) {
         text.notes.push_back(fmt::format("displacements drawn {:g} times as large", options.deformation_scale));
     }
@@ -169,20 +172,23 @@ std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& f
     if (error) throw InputError(folder.string(), "cannot be made: " + error.message(), "give another folder");
 
     const SceneOptions scene_options{options.color, options.deformation_scale.value_or(1), joint_threshold};
+    const RecordedModel model = in_space(results.model);
     const RecordedFrame first = results.frame(0);
     std::vector<Scene> scenes;
     for (const std::size_t frame : choose_frames(results, options)) {
-        scenes.push_back(make_scene(results.model, first, results.frame(frame), scene_options));
+        scenes.push_back(make_scene(model, first, results.frame(frame), scene_options));
     }
     const ColorScale scale = scale_of(scenes, options.color);
     const double aspect = static_cast<double>(options.width) / options.height;
-    const Camera camera = camera_for(points_to_see(scenes), drawing_area(options.width, options.height), aspect);
+    const View view = is_planar(model.kinematics) ? View::straight_on : View::from_aside;
+    const Camera camera =
+        camera_for(points_to_see(scenes), drawing_area(options.width, options.height), aspect, view);
     Drawing drawing(options.width, options.height);
     std::vector<fs::path> pictures;
     for (const Scene& scene : scenes) {
         const Image image = drawing.draw(scene, camera, scale, logical_pixel(options.width, options.height));
         pictures.push_back(folder / fmt::format("snapshot_{:04}_t={:.3f}s.png", pictures.size() + 1, scene.time));
-        write_page(image, scale, words_of(scene, results.model, scene_options), pictures.back());
+        write_page(image, scale, words_of(scene, model, scene_options), pictures.back());
     }
     return pictures;
 }

@@ -34,7 +34,7 @@ Vertices place_vertices(const RecordedModel& model, const RecordedFrame& frame, 
         vertices.drawn.push_back(reference + options.deformation_scale * moved);
         vertices.values.push_back(options.color == SnapshotColor::displacement
                                       ? moved.norm()
-                                      : largest_compression(frame.stress.data() + 6 * block));
+                                      : largest_compression(frame.stresses[block]));
     }
     return vertices;
 }
@@ -99,10 +99,8 @@ void mark_joints(const RecordedModel& model, const RecordedFrame& first, const R
 
 }  // namespace
 
-double largest_compression(const double* s)
+double largest_compression(const Eigen::Matrix3d& stress)
 {
-    Eigen::Matrix3d stress;
-    stress << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
     return -Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 

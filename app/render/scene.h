@@ -36,11 +36,12 @@ struct Scene {
     int opened_joints = 0, slid_joints = 0;
 };
 
-/// @param first the run's first frame: joints that it has and `frame` has not are wide open
+/// @param model with a mesh in space; @param first the run's first frame: joints that it has and `frame` has not
+/// are wide open
 Scene make_scene(const RecordedModel& model, const RecordedFrame& first, const RecordedFrame& frame,
                  const SceneOptions& options);
 
-/// Largest compressive principal stress [Pa], > 0 in compression, of a row xx, yy, zz, xy, yz, xz.
-double largest_compression(const double* stress);
+/// Largest compressive principal stress [Pa], > 0 in compression.
+double largest_compression(const Eigen::Matrix3d& stress);
 
 }  // namespace voussoir

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "app/results/energy_terms.h"
+#include "app/results/scene_vectors.h"
 #include "libdda/analysis/joint_resultants.h"
 
 namespace voussoir
@@ -41,16 +42,6 @@ std::vector<double> values_of(const Columns& columns)
     return values;
 }
 
-std::vector<double> to_vector(const Vector3d& v)
-{
-    return {v.data(), v.data() + 3};
-}
-
-void append_three(std::vector<double>& values, const Vector3d& v)
-{
-    values.insert(values.end(), v.data(), v.data() + 3);
-}
-
 /// |displacement of the block's centroid - that of the ground| for each face [m].
 std::vector<float> face_displacements(const Model& model, const SurfaceMesh& mesh, const State& state,
                                       const Vector3d& ground)
@@ -70,6 +61,7 @@ FrameRecords::FrameRecords(const Model& model, Hdf5File& file)
 {
     const std::uint64_t blocks = model.blocks.size();
     const SurfaceMesh mesh = surface_mesh_of(model);
+    const auto dimension = static_cast<std::uint64_t>(mesh.dimension);
     const std::uint64_t vertices = mesh.vertex_block.size(), faces = mesh.face_block.size();
     const auto real = ElementType::float64;
     file.make_group("/frames");
@@ -81,12 +73,13 @@ FrameRecords::FrameRecords(const Model& model, Hdf5File& file)
     const auto unknowns = static_cast<std::uint64_t>(unknowns_per_block(model.kinematics));
     coordinates_ = file.make_series("/frames/coordinates", real, {blocks, coordinates});
     velocities_ = file.make_series("/frames/velocities", real, {blocks, unknowns});
-    ground_ = file.make_series("/frames/ground_displacement", real, {3});
-    positions_ = file.make_series("/frames/positions", ElementType::float32, {vertices, 3});
+    ground_ = file.make_series("/frames/ground_displacement", real, {dimension});
+    positions_ = file.make_series("/frames/positions", ElementType::float32, {vertices, dimension});
     face_displacement_ = file.make_series("/frames/face_displacement", ElementType::float32, {faces});
     if (is_deformable(model.kinematics)) {
-        stress_ = file.make_series("/frames/stress", real, {blocks, 6});
-        file.attribute("/frames/stress", "columns", std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "xz"});
+        const std::vector<std::string> components = stress_components(model);
+        stress_ = file.make_series("/frames/stress", real, {blocks, components.size()});
+        file.attribute("/frames/stress", "columns", components);
         face_least_stress_ = file.make_series("/frames/face_least_stress", ElementType::float32, {faces});
         face_greatest_stress_ = file.make_series("/frames/face_greatest_stress", ElementType::float32, {faces});
     }
@@ -95,16 +88,23 @@ FrameRecords::FrameRecords(const Model& model, Hdf5File& file)
     file.attribute("/frames/energy", "columns", energies);
     report_ = file.make_series("/frames/report", real, {figures.size()});
     file.attribute("/frames/report", "columns", figures);
+    make_joints(model.kinematics, file);
+}
+
+void FrameRecords::make_joints(Kinematics kinematics, Hdf5File& file)
+{
+    const auto real = ElementType::float64;
+    const Extents vector = {static_cast<std::uint64_t>(dimension_of(kinematics))};
     const std::string group = "/frames/joints/";
     file.make_group("/frames/joints");
     joints_.rows = file.make_series(group + "rows", ElementType::int64, {2});
     file.attribute(group + "rows", "columns", std::vector<std::string>{"first", "count"});
     joints_.pair = file.make_series(group + "pair", ElementType::int32, {2});
-    joints_.force = file.make_series(group + "force", real, {3});
-    joints_.moment = file.make_series(group + "moment", real, {3});
-    joints_.centre = file.make_series(group + "centre", real, {3});
-    joints_.pressure_centre = file.make_series(group + "pressure_centre", real, {3});
-    joints_.normal = file.make_series(group + "normal", real, {3});
+    joints_.force = file.make_series(group + "force", real, vector);
+    joints_.moment = file.make_series(group + "moment", real, is_planar(kinematics) ? Extents{} : vector);
+    joints_.centre = file.make_series(group + "centre", real, vector);
+    joints_.pressure_centre = file.make_series(group + "pressure_centre", real, vector);
+    joints_.normal = file.make_series(group + "normal", real, vector);
     joints_.normal_force = file.make_series(group + "normal_force", real, {});
     joints_.opening = file.make_series(group + "opening", real, {});
     joints_.slip = file.make_series(group + "slip", real, {});
@@ -119,11 +119,11 @@ void FrameRecords::append_joints(const Model& model, const State& state, Hdf5Fil
     std::vector<double> force, moment, centre, pressure_centre, normal, normal_force, opening, slip, area, closed;
     for (const JointResultant& joint : joints) {
         pair.insert(pair.end(), {joint.block_a, joint.block_b});
-        append_three(force, joint.force);
-        append_three(moment, joint.moment);
-        append_three(centre, joint.centre);
-        append_three(pressure_centre, joint.pressure_centre);
-        append_three(normal, joint.normal);
+        append_vector(force, joint.force, model.kinematics);
+        append_moment(moment, joint.moment, model.kinematics);
+        append_vector(centre, joint.centre, model.kinematics);
+        append_vector(pressure_centre, joint.pressure_centre, model.kinematics);
+        append_vector(normal, joint.normal, model.kinematics);
         normal_force.push_back(joint.normal_force);
         opening.push_back(joint.max_opening);
         slip.push_back(joint.slip);
@@ -148,11 +148,12 @@ void FrameRecords::append_joints(const Model& model, const State& state, Hdf5Fil
 
 void FrameRecords::append_stresses(const Model& model, const SurfaceMesh& mesh, const State& state, Hdf5File& file)
 {
+    const std::vector<std::string> components = stress_components(model);
     std::vector<double> stresses;
     std::vector<float> least, greatest;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const Eigen::Matrix3d s = stress_of(model, state, static_cast<int>(b));
-        stresses.insert(stresses.end(), {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)});
+        for (const std::string& name : components) stresses.push_back(component(s, name));
         const Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(s).eigenvalues();
         least.push_back(static_cast<float>(principal[0]));
         greatest.push_back(static_cast<float>(principal[2]));
@@ -174,7 +175,7 @@ void FrameRecords::append(const Model& model, const SurfaceMesh& mesh, const Sta
     const std::vector<double> places = positions_of(mesh, model.kinematics, state);
     file.append(coordinates_, state.coordinates);
     file.append(velocities_, state.velocities);
-    file.append(ground_, to_vector(ground));
+    file.append(ground_, stored_vector(ground, model.kinematics));
     file.append(positions_, std::vector<float>(places.begin(), places.end()));
     file.append(face_displacement_, face_displacements(model, mesh, state, ground));
     if (is_deformable(model.kinematics)) append_stresses(model, mesh, state, file);

@@ -23,6 +23,7 @@ class FrameRecords
         Hdf5Series rows, pair, force, moment, centre, pressure_centre, normal, normal_force, opening, slip, area,
             closed_area;
     };
+    void make_joints(Kinematics kinematics, Hdf5File& file);
     void append_joints(const Model& model, const State& state, Hdf5File& file);
     void append_stresses(const Model& model, const SurfaceMesh& mesh, const State& state, Hdf5File& file);
 

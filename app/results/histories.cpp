@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/results/atomic_file.h"
+#include "app/results/scene_vectors.h"
 #include "app/results/surface_mesh.h"
 #include "libdda/errors.h"
 
@@ -28,11 +29,6 @@ int block_named(const Model& model, const HistoryPoint& point)
                          "name a block of the model");
     }
     return static_cast<int>(found - model.blocks.begin());
-}
-
-void append_three(std::vector<double>& values, const Vector3d& v)
-{
-    values.insert(values.end(), v.data(), v.data() + 3);
 }
 
 /// A name that cannot break the line it stands in.
@@ -57,14 +53,15 @@ Histories::Histories(const Case& the_case, const std::filesystem::path& path) : 
 {
     if (the_case.output.histories.empty()) return;
     columns = {"time [s]"};
+    const std::vector<std::string> axes = axis_names(model_.kinematics);
     for (const HistoryPoint& point : the_case.output.histories) {
         points_.push_back(material_point(model_, point));
-        for (const char* quantity : {"ux [m]", "uy [m]", "uz [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]"}) {
-            columns.push_back(csv_safe(point.name) + " " + quantity);
-        }
+        const std::string name = csv_safe(point.name);
+        for (const std::string& axis : axes) columns.push_back(fmt::format("{} u{} [m]", name, axis));
+        for (const std::string& axis : axes) columns.push_back(fmt::format("{} v{} [m/s]", name, axis));
     }
     if (!model_.foundations.empty()) {
-        for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("ground u{} [m]", axis));
+        for (const std::string& axis : axes) columns.push_back(fmt::format("ground u{} [m]", axis));
     }
     stream_.open(path_, std::ios::trunc);
     if (!stream_) refuse_writing(path_, errno);
@@ -76,10 +73,11 @@ void Histories::line(const State& state)
     if (columns.empty()) return;
     pending_.push_back(state.time);
     for (const MaterialPoint& point : points_) {
-        append_three(pending_, displacement_of(model_, state, point));
-        append_three(pending_, velocity_of(model_, state, point));
+        append_vector(pending_, displacement_of(model_, state, point), model_.kinematics);
+        append_vector(pending_, velocity_of(model_, state, point), model_.kinematics);
     }
-    if (!model_.foundations.empty()) append_three(pending_, ground_displacement(model_, state));
+    if (!model_.foundations.empty())
+        append_vector(pending_, ground_displacement(model_, state), model_.kinematics);
 }
 
 std::vector<double> Histories::flush()

@@ -28,6 +28,7 @@ std::vector<std::string> left_out(const Case& the_case)
     const auto leave_out = [&](bool absent, const char* what) {
         if (absent) words.emplace_back(what);
     };
+    leave_out(is_planar(the_case.model.kinematics), "the third dimension (the scene is planar)");
     leave_out(!is_deformable(the_case.model.kinematics), "strains and stresses (the blocks are rigid)");
     leave_out(the_case.mesh_files.empty(), "mesh importers (no mesh is read)");
     leave_out(the_case.model.foundations.empty(), "foundations (no block follows the ground)");

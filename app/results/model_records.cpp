@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/results/results_writer.h"
+#include "app/results/scene_vectors.h"
 #include "app/results/settings.h"
 
 namespace voussoir
@@ -11,20 +12,21 @@ namespace voussoir
 namespace
 {
 
-template <typename Row>
-void append_three(std::vector<double>& values, const Row& row)
+void write_scene(const Model& model, Hdf5File& file)
 {
-    values.insert(values.end(), row.data(), row.data() + 3);
+    file.attribute("/", "kinematics", std::string(name_of(model.kinematics)));
+    file.attribute("/", "unknowns_per_block", static_cast<std::int64_t>(unknowns_per_block(model.kinematics)));
+    if (!is_planar(model.kinematics)) return;
+    file.attribute("/", "thickness_m", model.thickness);
+    if (is_deformable(model.kinematics)) file.attribute("/", "plane", std::string(name_of(model.plane)));
 }
 
 void write_case(const Case& the_case, Hdf5File& file)
 {
-    const int unknowns = unknowns_per_block(the_case.model.kinematics);
     file.attribute("/", "format", std::string("voussoir results 1"));
     file.attribute("/", "voussoir_version", std::string(VOUSSOIR_VERSION));
     file.attribute("/", "title", the_case.title);
-    file.attribute("/", "kinematics", std::string(name_of(the_case.model.kinematics)));
-    file.attribute("/", "unknowns_per_block", static_cast<std::int64_t>(unknowns));
+    write_scene(the_case.model, file);
     file.make_group("/case");
     file.write_text("/case/file", the_case.file.filename().string());
     file.write_text("/case/text", the_case.text);
@@ -32,7 +34,7 @@ void write_case(const Case& the_case, Hdf5File& file)
     file.write_texts("/case/defaults", the_case.defaults);
     file.write_texts("/case/warnings", the_case.warnings);
     file.write_texts("/case/left_out", left_out(the_case));
-    file.write_text("/case/settings", settings_json(the_case.stages));
+    file.write_text("/case/settings", settings_json(the_case.stages, the_case.model.kinematics));
 }
 
 void write_materials(const Model& model, Hdf5File& file)
@@ -104,17 +106,18 @@ void write_blocks(const Model& model, Hdf5File& file)
         material.push_back(block.material);
         volume.push_back(block.moments.volume);
         mass.push_back(model.mass(static_cast<int>(b)));
-        append_three(centroid, block.moments.centroid);
-        second.insert(second.end(), block.moments.second.data(), block.moments.second.data() + 9);
+        append_vector(centroid, block.moments.centroid, model.kinematics);
+        for (const int axis : axes_of(model.kinematics))
+            append_vector(second, block.moments.second.col(axis), model.kinematics);
     }
-    const std::uint64_t count = names.size();
+    const std::uint64_t count = names.size(), dimension = axes_of(model.kinematics).size();
     file.write_texts("/model/block_names", names);
     file.write("/model/block_group", group);
     file.write("/model/block_material", material);
     file.write("/model/volume", volume);
     file.write("/model/mass", mass);
-    file.write("/model/centroid", centroid, {count, 3});
-    file.write("/model/second_moments", second, {count, 3, 3});
+    file.write("/model/centroid", centroid, {count, dimension});
+    file.write("/model/second_moments", second, {count, dimension, dimension});
 }
 
 void write_foundations(const Model& model, Hdf5File& file)
@@ -123,13 +126,15 @@ void write_foundations(const Model& model, Hdf5File& file)
     std::vector<std::int32_t> block, held;
     for (const Foundation& foundation : model.foundations) {
         block.push_back(foundation.block);
-        for (const bool axis : foundation.translation_held) held.push_back(axis ? 1 : 0);
+        for (const int axis : axes_of(model.kinematics)) held.push_back(foundation.translation_held[axis] ? 1 : 0);
         held.push_back(foundation.rotation_held ? 1 : 0);
     }
+    std::vector<std::string> columns = axis_names(model.kinematics);
+    columns.emplace_back("rotation");
     file.make_group("/model/foundations");
     file.write("/model/foundations/block", block);
-    file.write("/model/foundations/held", held, {block.size(), 4});
-    file.attribute("/model/foundations/held", "columns", std::vector<std::string>{"x", "y", "z", "rotation"});
+    file.write("/model/foundations/held", held, {block.size(), columns.size()});
+    file.attribute("/model/foundations/held", "columns", columns);
 }
 
 /// Polygons as XDMF wants mixed cells: kind 3 (polygon), number of corners, corners.
@@ -147,7 +152,8 @@ std::vector<std::int32_t> xdmf_topology(const SurfaceMesh& mesh)
 void write_mesh(const SurfaceMesh& mesh, Hdf5File& file)
 {
     file.make_group("/model/mesh");
-    file.write("/model/mesh/levers", mesh.levers, {mesh.vertex_block.size(), 3});
+    file.write("/model/mesh/levers", mesh.levers,
+               {mesh.vertex_block.size(), static_cast<std::uint64_t>(mesh.dimension)});
     file.write("/model/mesh/block_first_vertex", mesh.block_first_vertex);
     file.write("/model/mesh/face_first", mesh.face_first);
     file.write("/model/mesh/face_vertices", mesh.face_vertices);
@@ -232,9 +238,7 @@ void write_model_records(const Case& the_case, const SurfaceMesh& mesh, Hdf5File
     const Model& model = the_case.model;
     write_case(the_case, file);
     file.make_group("/model");
-    std::vector<double> origin;
-    append_three(origin, model.origin);
-    file.write("/model/origin", origin);
+    file.write("/model/origin", stored_vector(model.origin, model.kinematics));
     file.write_texts("/model/groups", model.groups);
     write_blocks(model, file);
     write_materials(model, file);

@@ -3,16 +3,26 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/results/scene_vectors.h"
 #include "app/results/settings.h"
 #include "libdda/errors.h"
 
 namespace voussoir
 {
 
-using Eigen::Vector3d;
+using Eigen::Matrix3d;
 
 namespace
 {
+
+Kinematics kinematics_named(const std::string& name)
+{
+    for (const Kinematics kinematics : {Kinematics::spatial_deformable, Kinematics::spatial_rigid,
+                                        Kinematics::planar_deformable, Kinematics::planar_rigid})
+        if (name == name_of(kinematics)) return kinematics;
+    throw InputError("results", "the kinematics \"" + name + "\"",
+                     "give a results file of this version of voussoir");
+}
 
 SurfaceMesh read_mesh(const Hdf5File& file)
 {
@@ -34,18 +44,19 @@ RecordedModel read_model(const Hdf5File& file)
     RecordedModel model;
     model.title = file.text_attribute("/", "title");
     model.version = file.text_attribute("/", "voussoir_version");
-    const std::string kinematics = file.text_attribute("/", "kinematics");
-    model.kinematics = kinematics == name_of(Kinematics::spatial_rigid) ? Kinematics::spatial_rigid
-                                                                        : Kinematics::spatial_deformable;
+    model.kinematics = kinematics_named(file.text_attribute("/", "kinematics"));
+    if (is_planar(model.kinematics)) model.thickness = file.number_attribute("/", "thickness_m");
     model.block_names = file.read_texts("/model/block_names");
     for (const auto& stage : nlohmann::json::parse(file.read_text("/case/settings"))) {
         model.stage_names.push_back(stage.at("name").get<std::string>());
         model.stage_is_dynamic.push_back(stage.at("type") == name_of(StageType::dynamic));
     }
     const std::vector<double> centroids = file.read<double>("/model/centroid");
-    for (std::size_t i = 0; i < centroids.size(); i += 3) model.centroids.emplace_back(centroids.data() + i);
+    for (std::size_t b = 0; b < model.block_names.size(); ++b)
+        model.centroids.push_back(vector_at(centroids, b, model.kinematics));
     if (file.has("/model/foundations")) model.foundations = file.read<std::int32_t>("/model/foundations/block");
     model.mesh = read_mesh(file);
+    model.mesh.dimension = dimension_of(model.kinematics);
     return model;
 }
 
@@ -74,10 +85,21 @@ RecordedFrame ResultsReader::frame(std::size_t index) const
     frame.state.stage = frame.stage;
     frame.state.coordinates = file_.read_rows<double>("/frames/coordinates", index, 1);
     frame.state.velocities = file_.read_rows<double>("/frames/velocities", index, 1);
-    frame.ground = Vector3d(file_.read_rows<double>("/frames/ground_displacement", index, 1).data());
-    if (is_deformable(model.kinematics)) frame.stress = file_.read_rows<double>("/frames/stress", index, 1);
+    frame.ground =
+        vector_at(file_.read_rows<double>("/frames/ground_displacement", index, 1), 0, model.kinematics);
+    if (is_deformable(model.kinematics)) frame.stresses = stresses(index);
     frame.joints = joints(index);
     return frame;
+}
+
+std::vector<Matrix3d> ResultsReader::stresses(std::size_t frame) const
+{
+    const std::vector<std::string> names = file_.texts_attribute("/frames/stress", "columns");
+    const std::vector<double> rows = file_.read_rows<double>("/frames/stress", frame, 1);
+    std::vector<Matrix3d> stresses;
+    for (std::size_t i = 0; i < rows.size(); i += names.size())
+        stresses.push_back(tensor_of(names, rows.data() + i));
+    return stresses;
 }
 
 std::vector<JointResultant> ResultsReader::joints(std::size_t frame) const
@@ -96,11 +118,11 @@ std::vector<JointResultant> ResultsReader::joints(std::size_t frame) const
         JointResultant& joint = joints[i];
         joint.block_a = pair[2 * i];
         joint.block_b = pair[2 * i + 1];
-        joint.force = Vector3d(force.data() + 3 * i);
-        joint.moment = Vector3d(moment.data() + 3 * i);
-        joint.centre = Vector3d(centre.data() + 3 * i);
-        joint.pressure_centre = Vector3d(pressure.data() + 3 * i);
-        joint.normal = Vector3d(normal.data() + 3 * i);
+        joint.force = vector_at(force, i, model.kinematics);
+        joint.moment = moment_at(moment, i, model.kinematics);
+        joint.centre = vector_at(centre, i, model.kinematics);
+        joint.pressure_centre = vector_at(pressure, i, model.kinematics);
+        joint.normal = vector_at(normal, i, model.kinematics);
         joint.normal_force = normal_force[i];
         joint.max_opening = opening[i];
         joint.slip = slip[i];

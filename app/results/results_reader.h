@@ -17,21 +17,22 @@ namespace voussoir
 struct RecordedModel {
     std::string title, version;
     Kinematics kinematics = Kinematics::spatial_deformable;
+    double thickness = 0;  // m, of a planar scene
     std::vector<std::string> block_names, stage_names;
     std::vector<bool> stage_is_dynamic;
-    std::vector<Eigen::Vector3d> centroids;  // m, at the start
+    std::vector<Eigen::Vector3d> centroids;  // m, in space, at the start
     std::vector<std::int32_t> foundations;   // blocks that follow the ground
     SurfaceMesh mesh;
 };
 
-/// What one frame holds.
+/// What one frame holds, vectors and tensors in space.
 struct RecordedFrame {
     double time = 0;  // s
     std::int64_t step = 0;
     int stage = 0;
     State state;                                       // places and velocities only; no contacts
     Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement
-    std::vector<double> stress;                        // (blocks x 6) Pa: xx, yy, zz, xy, yz, xz; empty if rigid
+    std::vector<Eigen::Matrix3d> stresses;             // (blocks) Pa; empty if rigid
     std::vector<JointResultant> joints;
 };
 
@@ -48,6 +49,7 @@ class ResultsReader
     std::vector<double> times;  // s, of the whole frames; one that a killed run left unfinished is not counted
 
  private:
+    std::vector<Eigen::Matrix3d> stresses(std::size_t frame) const;
     std::vector<JointResultant> joints(std::size_t frame) const;
     Hdf5File file_;
 };

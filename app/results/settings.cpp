@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/results/scene_vectors.h"
+
 namespace voussoir
 {
 
@@ -46,6 +48,11 @@ std::string_view name_of(ContactStiffness::Kind kind)
     return "none";
 }
 
+std::string_view name_of(PlaneCondition plane)
+{
+    return plane == PlaneCondition::strain ? "strain" : "stress";
+}
+
 namespace
 {
 
@@ -65,11 +72,11 @@ Json to_json(const StepControl& control)
             {"linear_tolerance", control.linear_tolerance}};
 }
 
-Json to_json(const Stage& stage)
+Json to_json(const Stage& stage, Kinematics kinematics)
 {
     Json json = {{"name", stage.name},
                  {"type", name_of(stage.type)},
-                 {"gravity_m_s2", {stage.gravity.x(), stage.gravity.y(), stage.gravity.z()}},
+                 {"gravity_m_s2", stored_vector(stage.gravity, kinematics)},
                  {"damping_rate_1_s", stage.damping.rate},
                  {"damping_factor_per_step", stage.damping.factor_per_step}};
     if (stage.type == StageType::dynamic) {
@@ -85,10 +92,10 @@ Json to_json(const Stage& stage)
 
 }  // namespace
 
-std::string settings_json(const std::vector<Stage>& stages)
+std::string settings_json(const std::vector<Stage>& stages, Kinematics kinematics)
 {
     Json list = Json::array();
-    for (const Stage& stage : stages) list.push_back(to_json(stage));
+    for (const Stage& stage : stages) list.push_back(to_json(stage, kinematics));
     return list.dump(2);
 }
 

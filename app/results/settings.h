@@ -14,8 +14,9 @@ std::string_view name_of(OpenClose open_close);
 std::string_view name_of(LinearSolverKind solver);
 std::string_view name_of(StageType type);
 std::string_view name_of(ContactStiffness::Kind kind);
+std::string_view name_of(PlaneCondition plane);
 
 /// All settings of all stages as JSON text, SI units, keys as in the Stage struct with units appended.
-std::string settings_json(const std::vector<Stage>& stages);
+std::string settings_json(const std::vector<Stage>& stages, Kinematics kinematics);
 
 }  // namespace voussoir

@@ -82,6 +82,8 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
     json["outcome"] = name_of(report.outcome);
     json["message"] = report.message;
     json["kinematics"] = name_of(model.kinematics);
+    if (is_planar(model.kinematics)) json["thickness_m"] = model.thickness;
+    if (model.kinematics == Kinematics::planar_deformable) json["plane"] = name_of(model.plane);
     json["blocks"] = model.blocks.size();
     json["unknowns_per_block"] = unknowns_per_block(model.kinematics);
     json["state_bytes_per_block"] = state_bytes_per_block(state, model.blocks.size());

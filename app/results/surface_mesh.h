@@ -10,9 +10,11 @@
 namespace voussoir
 {
 
-/// Vertices of all convex parts of all blocks, block after block; faces as loops into them.
+/// Vertices of all convex parts of all blocks, block after block; faces as loops into them. The faces of a planar
+/// scene are its outlines, counter-clockwise with x to the right and z up.
 struct SurfaceMesh {
-    std::vector<double> levers;                    // (vertices x 3) m, reference place relative to the centroid
+    int dimension = 3;                             // 2: vertices have x and z
+    std::vector<double> levers;                    // (vertices x dimension) m, relative to the centroid
     std::vector<std::int32_t> vertex_block;        // (vertices)
     std::vector<std::int32_t> block_first_vertex;  // (blocks + 1): vertices of block b are [b], ..., [b + 1] - 1
     std::vector<std::int32_t> face_first;          // (faces + 1): loop of face f in face_vertices
@@ -23,7 +25,8 @@ struct SurfaceMesh {
 
 SurfaceMesh surface_mesh_of(const Model& model);
 
-/// Places of all vertices in a state, x = c + A X. @returns (vertices x 3) m, relative to the model's origin
+/// Places of all vertices in a state, x = c + A X. @returns (vertices x dimension of the mesh) m, relative to the
+/// model's origin
 std::vector<double> positions_of(const SurfaceMesh& mesh, Kinematics kinematics, const State& state);
 
 /// How far the ground has moved: along each axis the mean over the foundation blocks held along it; 0 with none.

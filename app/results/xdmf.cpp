@@ -72,7 +72,8 @@ std::string grid(const Hdf5File& file, const std::string& results, bool deformab
     text += fmt::format("        <Time Value=\"{}\"/>\n", time);
     text += fmt::format("        <Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">\n", faces);
     text += whole(file, results, "/model/mesh/xdmf_topology");
-    text += "        </Topology>\n        <Geometry GeometryType=\"XYZ\">\n";
+    const bool planar = file.extents("/frames/positions").back() == 2;
+    text += fmt::format("        </Topology>\n        <Geometry GeometryType=\"{}\">\n", planar ? "XY" : "XYZ");
     text += row(file, results, "/frames/positions", frame);
     text += "        </Geometry>\n";
     text += cell_attribute("block", whole(file, results, "/model/mesh/face_block"));

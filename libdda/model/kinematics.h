@@ -1,6 +1,8 @@
 // Which unknowns a block has: a property of the scene, chosen once.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string_view>
 
 namespace voussoir
@@ -22,6 +24,16 @@ constexpr bool is_deformable(Kinematics kinematics)
 constexpr int dimension_of(Kinematics kinematics)
 {
     return is_planar(kinematics) ? 2 : 3;
+}
+
+inline constexpr std::array<int, 3> spatial_axes{0, 1, 2};
+inline constexpr std::array<int, 2> planar_axes{0, 2};
+
+/// The axes of space that a scene has, 0, 1, 2 being x, y, z.
+constexpr std::span<const int> axes_of(Kinematics kinematics)
+{
+    if (is_planar(kinematics)) return planar_axes;
+    return spatial_axes;
 }
 
 /// Unknowns per block: 12 or, planar, 6 (translation, rotation, strain); rigid 6 or 3 (translation, rotation).

@@ -52,6 +52,16 @@ Block make_planar_block(std::string name, int group, int material, std::vector<C
     return block;
 }
 
+void set_thickness(Model& model, double thickness)
+{
+    const double factor = thickness / model.thickness;
+    model.thickness = thickness;
+    for (Block& block : model.blocks) {
+        block.moments.volume *= factor;
+        block.moments.second *= factor;
+    }
+}
+
 Model make_model(Kinematics kinematics, const BlockMaterial& material, const JointMaterial& joint)
 {
     Model model;

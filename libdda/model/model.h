@@ -116,6 +116,9 @@ Block make_block(std::string name, int group, int material, std::vector<ConvexPo
 Block make_planar_block(std::string name, int group, int material, std::vector<ConvexPolygon> outlines,
                         double thickness);
 
+/// Gives a planar model another thickness [m]; its blocks were made for the one it has.
+void set_thickness(Model& model, double thickness);
+
 /// A model with one group, one block material and one joint material; what small scenes and tests start from.
 Model make_model(Kinematics kinematics, const BlockMaterial& material, const JointMaterial& joint);
 

@@ -158,7 +158,7 @@ State initial_state(const Model& model)
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         double* x = state.coordinates.data() + b * n;
         const Vector3d& centroid = model.blocks[b].moments.centroid;
-        for (int k = 0; k < dimension; ++k) x[k] = centroid[dimension == 3 ? k : axis_in_space<2>(k)];
+        for (int k = 0; k < dimension; ++k) x[k] = centroid[axes_of(model.kinematics)[k]];
         if (is_deformable(model.kinematics))
             for (int k = 0; k < dimension; ++k) x[dimension + k * (dimension + 1)] = 1;
         else if (dimension == 3)

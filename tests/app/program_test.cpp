@@ -130,6 +130,16 @@ TEST(BadInput, overlapping_stones)
     expect_refusal(folder, mesh_case("overlap.obj"), {"case.yaml:7", "floor", "stone", "overlap by 0.5 m3"});
 }
 
+TEST(BadInput, a_planar_scene_of_a_stone_that_is_no_prism)
+{
+    const TemporaryFolder folder;
+    const std::string tetrahedron =
+        "o stone\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 0 0 2\nf 9 11 10\nf 9 10 12\nf 10 11 12\nf 11 9 12\n";
+    folder.write("mixed.obj", obj_cube("floor", 0, 1) + tetrahedron);
+    expect_refusal(folder, with(mesh_case("mixed.obj"), "title: Two boxes", "kinematics: planar_rigid"),
+                   {"case.yaml:7: blocks[0].mesh: mixed.obj: stone", "not a prism along y"});
+}
+
 TEST(BadInput, negative_time_step)
 {
     const TemporaryFolder folder;

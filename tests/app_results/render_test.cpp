@@ -8,6 +8,7 @@
 
 #include "app/render/camera.h"
 #include "app/render/color_map.h"
+#include "app/render/extrusion.h"
 #include "app/render/joint_faces.h"
 #include "app/render/scene.h"
 #include "app/results/results_writer.h"
@@ -107,13 +108,16 @@ TEST(Viridis, LightnessRisesEvenly)
 TEST(Camera, AllPointsFillTheAreaAndNoneLeavesIt)
 {
     const PictureArea area{-0.9, 0.7, -0.8, 0.75};
-    for (const Vector3d& size : {Vector3d(45, 4, 6), Vector3d(3, 3, 40), Vector3d(2, 60, 5), Vector3d(1, 1, 1)}) {
+    const std::vector<Vector3d> sizes = {{45, 4, 6}, {3, 3, 40}, {2, 60, 5}, {1, 1, 1}};
+    for (int i = 0; i < 8; ++i) {
+        const Vector3d size = sizes[i / 2];
+        const View view = i % 2 == 0 ? View::from_aside : View::straight_on;
         std::vector<Vector3d> points;
         points.reserve(8);
         for (int corner = 0; corner < 8; ++corner) {
             points.push_back(Vector3d(corner & 1, corner >> 1 & 1, corner >> 2).cwiseProduct(size));
         }
-        const Camera camera = camera_for(points, area, 16.0 / 9);
+        const Camera camera = camera_for(points, area, 16.0 / 9, view);
         Eigen::Vector2d low(9, 9), high(-9, -9);
         for (const Vector3d& point : points) {
             const Eigen::Vector4d clip = camera.view_projection * point.homogeneous();
@@ -135,10 +139,11 @@ TEST(Camera, AllPointsFillTheAreaAndNoneLeavesIt)
 TEST(Camera, TheLongAxisLiesAcrossThePicture)
 {
     const std::vector<Vector3d> wall = {{0, 0, 0}, {0, 60, 0}, {1, 60, 5}, {1, 0, 5}};
-    const Camera camera = camera_for(wall, {}, 1.6);
+    const Camera camera = camera_for(wall, {}, 1.6, View::from_aside);
     EXPECT_GT(std::abs(camera.right.y()), 0.8);
     EXPECT_EQ(camera.right.z(), 0);
     EXPECT_GT(camera.back.z(), 0.1) << "from above";
+    EXPECT_EQ(camera_for(wall, {}, 1.6, View::straight_on).right, Vector3d::UnitX()) << "whatever its extents";
 }
 
 TEST(JointFaces, AreTheTwoThatFaceEachOther)
@@ -227,9 +232,44 @@ TEST(Scene, IsSeenFromTheGround)
     EXPECT_NEAR(top, std::hypot(0.06, 0.03), 1e-12);
 }
 
+TEST(Extrusion, IsClosedAndAsThickAsTheScene)
+{
+    const Case the_case = synthetic::arch(Kinematics::planar_rigid, 9);
+    const SurfaceMesh mesh = extruded(surface_mesh_of(the_case.model), the_case.model.thickness);
+    ASSERT_EQ(mesh.face_block.size(), 11U * 6U);
+    std::vector<double> volume(11, 0);  // by the divergence theorem: outward faces alone give it, and positive
+    for (std::size_t face = 0; face < mesh.face_block.size(); ++face) {
+        const auto corner = [&](int i) {
+            return Vector3d(mesh.levers.data() + 3 * mesh.face_vertices[mesh.face_first[face] + i]);
+        };
+        for (int i = 1; i + 1 < mesh.face_first[face + 1] - mesh.face_first[face]; ++i)
+            volume[mesh.face_block[face]] += corner(0).dot(corner(i).cross(corner(i + 1))) / 6;
+    }
+    for (int b = 0; b < 11; ++b) EXPECT_NEAR(volume[b], the_case.model.blocks[b].moments.volume, 1e-12) << b;
+    for (int v = mesh.block_first_vertex[4]; v < mesh.block_first_vertex[5]; ++v) {
+        EXPECT_EQ(mesh.vertex_block[v], 4);
+        EXPECT_EQ(std::abs(mesh.levers[3 * v + 1]), 1);
+    }
+}
+
+TEST(Extrusion, APlanarSceneIsMarkedAsTheSpatialOne)
+{
+    const auto marks = [](Kinematics kinematics) {
+        const TemporaryFolder folder;
+        const ResultsReader results = run_of(synthetic::arch(kinematics, 9), folder.path);
+        return make_scene(in_space(results.model), results.frame(0), results.frame(10), {});
+    };
+    const Scene plane = marks(Kinematics::planar_rigid), space = marks(Kinematics::spatial_rigid);
+    EXPECT_EQ(plane.opened_joints, space.opened_joints);
+    EXPECT_EQ(plane.slid.size(), space.slid.size());
+    EXPECT_EQ(plane.triangles.size(), space.triangles.size());
+    EXPECT_NEAR(plane.triangles.back().values[0], space.triangles.back().values[0], 1e-12);
+}
+
 TEST(Scene, LargestCompressionIsMinusTheLeastPrincipalStress)
 {
-    const double pressed[] = {-1e6, -3e6, 2e6, 0, 0, 0}, sheared[] = {0, 0, 0, 0, 4e5, 0};
+    Eigen::Matrix3d pressed = Eigen::Vector3d(-1e6, -3e6, 2e6).asDiagonal(), sheared = Eigen::Matrix3d::Zero();
+    sheared(1, 2) = sheared(2, 1) = 4e5;
     EXPECT_NEAR(largest_compression(pressed), 3e6, 1e-6);
     EXPECT_NEAR(largest_compression(sheared), 4e5, 1e-6);
 }

@@ -29,6 +29,7 @@ Case empty_case(Kinematics kinematics, const std::string& title)
     dry.name = "dry";
     dry.friction_angle = 0.5;
     result.model = make_model(kinematics, stone, dry);
+    result.model.thickness = width;
     result.model.groups = {"masonry", "foundation"};
     result.model.joint_of_groups = {0, 0, 0, 0};
     Stage settle, shake;
@@ -39,6 +40,14 @@ Case empty_case(Kinematics kinematics, const std::string& title)
     shake.control.time_step = 2e-3;
     result.stages = {settle, shake};
     return result;
+}
+
+/// A block of a spatial scene, or of a planar one with the outlines of its parts.
+Block make_either(const Model& model, const std::string& name, int group, const ConvexPolyhedron& shape)
+{
+    if (!is_planar(model.kinematics)) return make_block(name, group, 0, {shape});
+    double depth = 0;
+    return make_planar_block(name, group, 0, {outline_of(shape, depth)}, model.thickness);
 }
 
 ConvexPolyhedron voussoir_stone(double from, double to)
@@ -60,39 +69,45 @@ void add_foundation(Model& model, const std::string& name, const Vector3d& lower
 {
     Foundation foundation;
     foundation.block = static_cast<int>(model.blocks.size());
-    model.blocks.push_back(make_block(name, 1, 0, {make_box(lower, upper)}));
+    model.blocks.push_back(make_either(model, name, 1, make_box(lower, upper)));
     model.foundations.push_back(foundation);
 }
 
-/// A joint of four corners between neighbours a < b, open at one side and slid, as far as `amount` says.
+/// A joint between neighbours a < b, of four corners or, planar, two ends; open at one side and slid, as far as
+/// `amount` says.
+template <int D>
 void add_joint(const Model& model, int a, int b, double amount, State& state)
 {
-    const Pose pose_a = pose_of(model.kinematics, state, a), pose_b = pose_of(model.kinematics, state, b);
-    ContactPatch patch;
+    const PoseIn<D> pose_a = pose_in<D>(model.kinematics, state, a),
+                    pose_b = pose_in<D>(model.kinematics, state, b);
+    ContactSetIn<D>& contacts = contacts_in<D>(state);
+    const int rows = 2, columns = D - 1;
+    ContactPatchIn<D> patch;
     patch.block_a = a;
     patch.block_b = b;
     patch.feature_a = 2;
     patch.feature_b = 3;
     patch.stiffness = 1e9;
     patch.normal = (pose_a.centroid - pose_b.centroid).normalized();
-    patch.first_point = static_cast<int>(state.contacts.points.size());
-    patch.point_count = 4;
-    const Vector3d middle = 0.5 * (pose_a.centroid + pose_b.centroid);
-    const Vector3d across = Vector3d::UnitY(), along = patch.normal.cross(across).normalized();
-    for (int corner = 0; corner < 4; ++corner) {
-        ContactPoint point;
+    patch.first_point = static_cast<int>(contacts.points.size());
+    patch.point_count = rows * columns;
+    const Vector3d middle = to_space(VectorIn<D>(0.5 * (pose_a.centroid + pose_b.centroid)));
+    const Vector3d across = Vector3d::UnitY(), along = to_space(patch.normal).cross(across).normalized();
+    for (int corner = 0; corner < patch.point_count; ++corner) {
+        ContactPointIn<D> point;
         point.feature = static_cast<std::uint32_t>(corner);
-        const int column = corner % 2, row = corner / 2;
-        point.position = middle + (column - 0.5) * width * across + (row - 0.5) * thickness * along;
-        point.area = width * thickness / 4;
+        const int column = corner % columns, row = corner / columns;
+        point.position =
+            from_space<D>(Vector3d(middle + (column - 0.5) * width * across + (row - 0.5) * thickness * along));
+        point.area = width * thickness / patch.point_count;
         const bool opens = row == 0 && amount > 0;
         point.gap = opens ? amount : -1e-5;
         point.status = opens ? ContactStatus::open : ContactStatus::locked;
         point.normal_force = opens ? 0 : 1e4;
-        if (amount < 0) point.plastic_slip = -amount * along;
-        state.contacts.points.push_back(point);
+        if (amount < 0) point.plastic_slip = from_space<D>(Vector3d(-amount * along));
+        contacts.points.push_back(point);
     }
-    state.contacts.patches.push_back(patch);
+    contacts.patches.push_back(patch);
 }
 
 }  // namespace
@@ -104,7 +119,8 @@ Case arch(Kinematics kinematics, int voussoirs)
     add_foundation(model, "abutment_left", {-inner - thickness - 1, -1.5, -1.5}, {-inner + 0.3, 1.5, 0});
     for (int i = 0; i < voussoirs; ++i) {
         const double from = std::numbers::pi * i / voussoirs, to = std::numbers::pi * (i + 1) / voussoirs;
-        model.blocks.push_back(make_block("voussoir_" + std::to_string(i + 1), 0, 0, {voussoir_stone(from, to)}));
+        model.blocks.push_back(
+            make_either(model, "voussoir_" + std::to_string(i + 1), 0, voussoir_stone(from, to)));
     }
     add_foundation(model, "abutment_right", {inner - 0.3, -1.5, -1.5}, {inner + thickness + 1, 1.5, 0});
     result.output.histories = {{"crown", "voussoir_" + std::to_string(voussoirs / 2 + 1), {}}};
@@ -116,8 +132,8 @@ Case tower(Kinematics kinematics, int boxes)
     Case result = empty_case(kinematics, "A tower of boxes");
     add_foundation(result.model, "ground", {-3, -3, -0.5}, {3, 3, 0});
     for (int i = 0; i < boxes; ++i) {
-        result.model.blocks.push_back(make_block("drum_" + std::to_string(i + 1), 0, 0,
-                                                 {make_box({-0.75, -0.75, 1.0 * i}, {0.75, 0.75, 1.0 * i + 1})}));
+        const ConvexPolyhedron drum = make_box({-0.75, -0.75, 1.0 * i}, {0.75, 0.75, 1.0 * i + 1});
+        result.model.blocks.push_back(make_either(result.model, "drum_" + std::to_string(i + 1), 0, drum));
     }
     return result;
 }
@@ -130,21 +146,26 @@ State swaying(const Case& the_case, double time)
     state.step = std::lround(time / 2e-3);
     state.stage = time > 0 ? 1 : 0;
     const int n = coordinates_per_block(model.kinematics), unknowns = unknowns_per_block(model.kinematics);
+    const int dimension = dimension_of(model.kinematics);
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         double* x = state.coordinates.data() + b * n;
         x[0] += 0.05 * time;  // the ground
         if (model.blocks[b].group == 1) continue;
         const double height = model.blocks[b].moments.centroid.z();
         x[0] += 0.004 * time * height;
-        x[2] -= 0.002 * time * height;
+        x[dimension - 1] -= 0.002 * time * height;
         state.velocities[b * unknowns] = 0.05 + 0.004 * height;
         if (!is_deformable(model.kinematics)) continue;
-        x[3] += 1e-5 * time;                      // stretch along x
-        x[11] -= 1e-4 * time * (6 - height) / 6;  // and shortening along z
+        x[dimension] += 1e-5 * time;                 // stretch along x
+        x[n - 1] -= 1e-4 * time * (6 - height) / 6;  // and shortening along z
     }
     for (std::size_t b = 0; b + 1 < model.blocks.size(); ++b) {
         const double amount = time * (b % 5 == 1 ? 2e-3 : b % 5 == 3 ? -2e-3 : 0);
-        add_joint(model, static_cast<int>(b), static_cast<int>(b + 1), amount, state);
+        const int lower = static_cast<int>(b);
+        if (dimension == 2)
+            add_joint<2>(model, lower, lower + 1, amount, state);
+        else
+            add_joint<3>(model, lower, lower + 1, amount, state);
     }
     return state;
 }

@@ -10,7 +10,7 @@ namespace voussoir::synthetic
 {
 
 /// A half-round arch of `voussoirs` stones (4 m inner radius, 1 m thick, 2 m wide) on two foundation blocks.
-/// Two stages, a history point at the crown, no motion.
+/// Two stages, a history point at the crown, no motion. Planar scenes have the outlines, 2 m thick.
 Case arch(Kinematics kinematics, int voussoirs = 15);
 
 /// A tower of boxes on one foundation block, no stages with damping, no histories.

@@ -117,7 +117,7 @@ TEST_P(Xdmf, OneGridForEachFrameWithItsTime)
     for (const Element& time : all_named(root, "Time")) times.push_back(std::stod(time.attributes.at("Value")));
     EXPECT_EQ(times, (std::vector<double>{0, 0.5, 1, 1.5}));
     EXPECT_EQ(all_named(root, "Grid").size(), 5U);
-    const std::size_t fields = GetParam() == Kinematics::spatial_rigid ? 2 : 4;
+    const std::size_t fields = is_deformable(GetParam()) ? 4 : 2;
     EXPECT_EQ(all_named(root, "Attribute").size(), 4 * fields);
 }
 
@@ -170,7 +170,9 @@ TEST_P(Xdmf, TheTopologyHoldsAllFacesAndOnlyTheirVertices)
         }
     }
     EXPECT_EQ(std::to_string(faces), topology.attributes.at("NumberOfElements"));
-    EXPECT_EQ(faces, 11U * 6U);
+    EXPECT_EQ(faces, is_planar(GetParam()) ? 11U : 11U * 6U);
+    EXPECT_EQ(all_named(root, "Geometry").at(0).attributes.at("GeometryType"),
+              is_planar(GetParam()) ? "XY" : "XYZ");
 }
 
 TEST_P(Xdmf, CanBeMadeAgainFromTheResultsAlone)
@@ -181,7 +183,8 @@ TEST_P(Xdmf, CanBeMadeAgainFromTheResultsAlone)
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinematics, Xdmf,
-                         testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid));
+                         testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid,
+                                         Kinematics::planar_deformable, Kinematics::planar_rigid));
 
 }  // namespace
 }  // namespace voussoir

@@ -51,7 +51,7 @@ struct Wall {
 
     Wall(Kinematics kinematics, PlaneCondition plane, double duration) : model(running_bond(kinematics, 4, 3))
     {
-        if (is_planar(kinematics)) thin(0.3);
+        if (is_planar(kinematics)) set_thickness(model, 0.3);
         model.plane = plane;
         for (BlockMaterial& material : model.materials) material.young = 5e9;
         state = initial_state(model);
@@ -59,16 +59,6 @@ struct Wall {
         stage.motions.erase(stage.motions.begin() + 1);  // across the plane
         stage.control.force_tolerance = 1e-8;
         report = run_quietly(model, {static_stage(0.1), stage}, state);
-    }
-
- private:
-    void thin(double thickness)
-    {
-        model.thickness = thickness;
-        for (Block& block : model.blocks) {
-            block.moments.volume *= thickness;
-            block.moments.second *= thickness;
-        }
     }
 };
 
