@@ -72,13 +72,18 @@ Vector3d place_camera(const std::vector<Vector3d>& points, const Vector2d& size)
     const double nearest = high.z();
     Vector3d eye = (low + high) / 2;
     eye.z() = nearest + 10 * extent;
-    for (int i = 0; i < 60; ++i) {  // a fixed-point iteration that halves its error in a few steps
+    // A fixed-point iteration that halves its error in a few steps; where it overshoots, as in front of a deep box
+    // seen straight on, its steps are halved.
+    double last = 0, damping = 1;
+    for (int i = 0; i < 60; ++i) {
         const Bounds bounds = screen_bounds(points, eye);
         const Vector2d middle = (bounds.low + bounds.high) / 2, found = bounds.high - bounds.low;
         const double distance = eye.z() - (low.z() + high.z()) / 2;
         eye.head<2>() += middle * distance;
-        const double growth = found.cwiseQuotient(size).maxCoeff();
-        eye.z() = std::max(nearest + 0.05 * extent, eye.z() + distance * (growth - 1));
+        const double excess = found.cwiseQuotient(size).maxCoeff() - 1;
+        if (excess * last < 0) damping *= 0.5;
+        last = excess;
+        eye.z() = std::max(nearest + 0.05 * extent, eye.z() + damping * distance * excess);
     }
     return eye;
 }
