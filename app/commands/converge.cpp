@@ -7,7 +7,7 @@
 #include "app/case/quantity.h"
 #include "app/commands/commands.h"
 #include "app/commands/interrupt.h"
-#include "app/commands/json_output.h"
+#include "app/commands/outputs.h"
 #include "app/converge/report.h"
 #include "app/converge/threshold.h"
 #include "app/plots/plots.h"
@@ -128,9 +128,7 @@ std::string command_line(const ConvergeArguments& arguments)
 void write_page(const ConvergeArguments& arguments, const ConvergeStudy& study)
 {
     const fs::path folder = *arguments.folder;
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw InputError("-o " + folder.string(), error.message(), "name a folder that can be made");
+    make_output_folder(folder);
     std::vector<std::string> figures;
     if (can_draw_figures()) figures = draw_figures(converge_figures(study), folder / "converge");
     write_atomically(folder / "converge.md", converge_page(study, command_line(arguments), figures));
@@ -142,6 +140,7 @@ void write_page(const ConvergeArguments& arguments, const ConvergeStudy& study)
 int converge_command(const ConvergeArguments& arguments)
 {
     catch_interrupts();
+    expect_writable(arguments.json, arguments.folder);
     try {
         const ConvergeStudy study = run_chosen(arguments);
         const bool to_stdout = arguments.json && *arguments.json == "-";

@@ -4,7 +4,7 @@
 
 #include "app/case/quantity.h"
 #include "app/commands/commands.h"
-#include "app/commands/json_output.h"
+#include "app/commands/outputs.h"
 #include "app/geometry/geometry.h"
 #include "libdda/errors.h"
 

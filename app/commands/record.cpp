@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/commands/json_output.h"
+#include "app/commands/outputs.h"
 #include "libdda/errors.h"
 
 namespace voussoir

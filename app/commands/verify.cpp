@@ -6,7 +6,7 @@
 
 #include "app/case/nearest_word.h"
 #include "app/commands/commands.h"
-#include "app/commands/json_output.h"
+#include "app/commands/outputs.h"
 #include "app/plots/plots.h"
 #include "app/results/atomic_file.h"
 #include "app/verify/page.h"
@@ -61,9 +61,7 @@ std::string command_line(const VerifyArguments& arguments)
 void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcome>& outcomes)
 {
     const fs::path folder = *arguments.folder;
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw InputError("-o " + folder.string(), error.message(), "name a folder that can be made");
+    make_output_folder(folder);
     std::vector<Figure> figures;
     for (const VerifyOutcome& outcome : outcomes) {
         if (outcome.rows.size() > 1) figures.push_back(work_precision(outcome));
@@ -83,6 +81,7 @@ int verify_command(const VerifyArguments& arguments)
         list(benchmarks);
         return exit_done;
     }
+    expect_writable(arguments.json, arguments.folder);
     const bool to_stdout = arguments.json && *arguments.json == "-";
     const bool on_terminal = isatty(STDERR_FILENO) == 1;
     std::vector<VerifyOutcome> outcomes;

@@ -66,6 +66,15 @@ TEST_F(ConvergeCommand, writes_table_json_page_and_pictures)
     EXPECT_EQ(contents("made/converge/01_block.d_history.png").substr(1, 3), "PNG");
 }
 
+TEST_F(ConvergeCommand, places_that_cannot_be_written_are_refused_before_the_runs)
+{
+    for (const std::string place : {"--json nowhere/made.json", "-o stay/made", "--json ."}) {
+        EXPECT_EQ(converge(incline_ + " " + place), 2) << place;
+        EXPECT_NE(output_.find("written"), std::string::npos) << output_;
+        EXPECT_EQ(output_.find("time step"), std::string::npos) << "it ran first:\n" << output_;
+    }
+}
+
 TEST_F(ConvergeCommand, json_to_standard_output_is_nothing_but_json)
 {
     EXPECT_EQ(converge(incline_ + " --set 'stages[0].duration=0.1 s' --time-steps 4ms,2ms --stiffness-factors 1 "

@@ -73,6 +73,14 @@ TEST_F(VerifyCommand, with_json_alone_writes_nothing_else)
     EXPECT_TRUE(fs::is_empty(folder_));
 }
 
+TEST_F(VerifyCommand, places_that_cannot_be_written_are_refused_before_the_runs)
+{
+    EXPECT_EQ(verify("incline-gravity-3d --json nowhere/out.json"), 2);
+    EXPECT_EQ(output_.find("paper's error"), std::string::npos) << "it ran first:\n" << output_;
+    EXPECT_EQ(verify("incline-gravity-3d -o '" VOUSSOIR_PROGRAM "/made'"), 2);
+    EXPECT_EQ(output_.find("paper's error"), std::string::npos) << "it ran first:\n" << output_;
+}
+
 TEST_F(VerifyCommand, json_to_standard_output_is_nothing_but_json)
 {
     EXPECT_EQ(verify("incline-gravity-3d --json -"), 0);

@@ -1,0 +1,24 @@
+// Where the figures of a command go: `--json FILE` and `-o DIR`.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace voussoir
+{
+
+/// Refuses, before long work is done, a file or folder that could not be written after it. Makes nothing.
+/// @param json a file, or "-"; @param folder need not be there yet
+/// @throws InputError
+void expect_writable(const std::optional<std::filesystem::path>& json,
+                     const std::optional<std::filesystem::path>& folder);
+
+/// Makes the folder of `-o` if it is not there. @throws InputError when it cannot be made
+void make_output_folder(const std::filesystem::path& folder);
+
+/// Writes text to a file, or to standard output if the file is "-".
+/// @throws InputError when it cannot be written
+void write_json_text(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace voussoir
