@@ -56,6 +56,7 @@ std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
     const std::optional<YamlCursor> list = map.find("friction_at_speed");
     if (!list) return points;
     double last = 0;
+    if (list->is_list_of(0)) list->fault("an empty list", "give a point, or leave friction_at_speed out");
     for (YamlCursor& item : list->items("a list of {speed: 1 cm/s, friction: 20 deg}")) {
         if (!item.expect_map("a point {speed: 1 cm/s, friction: 20 deg}")) continue;
         FrictionAtSpeed point;

@@ -65,8 +65,9 @@ void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcom
     std::vector<Figure> figures;
     for (const VerifyOutcome& outcome : outcomes) {
         if (outcome.rows.size() > 1) figures.push_back(work_precision(outcome));
-        if (Figure of_run = picture(outcome); !of_run.diagrams.empty()) figures.push_back(std::move(of_run));
+        figures.push_back(picture(outcome));
     }
+    std::erase_if(figures, [](const Figure& figure) { return figure.diagrams.empty(); });
     std::vector<std::string> plots;
     if (!figures.empty() && can_draw_figures()) plots = draw_figures(figures, folder / "verification");
     write_atomically(folder / "verification.md", verification_page(outcomes, command_line(arguments), plots));

@@ -28,7 +28,9 @@ std::vector<Tick> round_numbers(const Axis& axis)
     const double range = axis.high - axis.low, power = std::pow(10.0, std::floor(std::log10(range / fewest)));
     const double rough = range / fewest / power, step = power * (rough >= 5 ? 5 : rough >= 2 ? 2 : 1);
     std::vector<Tick> ticks;
-    for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i) ticks.push_back({i * step, true});
+    const double first = std::ceil(axis.low / step);
+    const int count = static_cast<int>(std::floor(axis.high / step) - first) + 1;
+    for (int i = 0; i < count; ++i) ticks.push_back({(first + i) * step, true});
     return ticks;
 }
 
@@ -45,7 +47,9 @@ Axis axis_for(const std::vector<double>& values, bool logarithmic)
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     constexpr double margin = 0.06;
     if (!logarithmic) {
-        const double range = *most > *least ? *most - *least : std::max(std::abs(*most), 1.0);
+        constexpr double rounding = 1e-12;
+        const double size = std::max(std::abs(*most), std::abs(*least)), spread = *most - *least;
+        const double range = spread > rounding * size ? spread : std::max(size, 1.0);
         return {false, *least - margin * range, *most + margin * range};
     }
     Axis axis{true, std::log10(*least), std::log10(*most)};

@@ -7,6 +7,7 @@ namespace voussoir
 
 std::string error_in_words(double error)
 {
+    if (error == 0) return "0";
     return error >= 1e-3 ? fmt::format("{:.3g} %", 100 * error) : fmt::format("{:.2e}", error);
 }
 

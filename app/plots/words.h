@@ -6,7 +6,7 @@
 namespace voussoir
 {
 
-/// "0.13 %", "3.2e-06"; errors of 0.1 % and more as per cent.
+/// "0.13 %", "3.2e-06", "0"; errors of 0.1 % and more as per cent.
 std::string error_in_words(double error);
 
 /// "1 ms", "0.1 ms". @param time_step [s]

@@ -29,7 +29,7 @@ struct VerifyResult {
     double simulated_time = 0;            // s
     double cpu_time = 0;                  // s, process clock
     std::int64_t steps = 0, step_cuts = 0, iterations = 0;
-    std::vector<double> answer;  // what is compared with the same scene in other unknowns, all in one unit
+    std::vector<double> answer;  // compared with the same scene in other unknowns, all on one scale; or empty
     Diagram picture;             // of what was compared; without curves there is none
     std::string failure;         // why there is no error: the run gave up; empty when it did not
     std::string note;            // what else the run showed, one line

@@ -168,6 +168,7 @@ VerifyResult run_bridge(const VerifySetting& setting)
     const Answer undamped = shake(setting, 1, result);
     if (!result.failure.empty()) return result;
     const Answer damped = shake(setting, kept_with_damping, result);
+    if (!result.failure.empty()) return result;
     result.picture = picture_of(undamped, damped);
     result.answer = undamped.stresses;
     result.answer.insert(result.answer.end(), damped.stresses.begin(), damped.stresses.end());

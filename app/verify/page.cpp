@@ -79,8 +79,9 @@ std::string sweep_table(const VerifyOutcome& outcome)
             fmt::format("{}{:.2f} ({})", i == 0 ? "" : ", ", outcome.orders[i].order, outcome.orders[i].method);
     if (outcome.orders.empty())
         text +=
-            "\nNo order of convergence can be seen: fewer than three errors lie above 1e-5, what a step may leave "
-            "unbalanced";
+            "\nNo order of convergence: no method has three sound runs with errors above 1e-5, which is what a "
+            "step may "
+            "leave unbalanced";
     return text + ".\n";
 }
 

@@ -9,13 +9,21 @@ namespace voussoir
 Curve curve_of(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
                bool is_reference)
 {
-    constexpr std::size_t most_points = 400;  // more than the picture has room for
-    const std::size_t stride = 1 + std::min(x.size(), y.size()) / most_points;
+    constexpr std::size_t most_points = 800;  // more than the picture has room for
+    if (y.size() <= most_points) return {name, x, y, is_reference};
     Curve curve{name, {}, {}, is_reference};
-    for (std::size_t i = 0; i < std::min(x.size(), y.size()); i += stride) {
-        curve.x.push_back(x[i]);
-        curve.y.push_back(y[i]);
+    const std::size_t bin = 1 + 2 * y.size() / most_points;
+    for (std::size_t first = 0; first < y.size(); first += bin) {
+        const auto begin = y.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto end = y.begin() + static_cast<std::ptrdiff_t>(std::min(first + bin, y.size()));
+        const auto [least, most] = std::minmax_element(begin, end);
+        for (const auto at : {std::min(least, most), std::max(least, most)}) {
+            curve.x.push_back(x[at - y.begin()]);
+            curve.y.push_back(*at);
+        }
     }
+    curve.x.push_back(x.back());
+    curve.y.push_back(y.back());
     return curve;
 }
 

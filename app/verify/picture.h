@@ -9,7 +9,7 @@
 namespace voussoir
 {
 
-/// A curve thinned to what a picture can show.
+/// A curve thinned to what a picture can show: of every bin the lowest and the highest point, and the last.
 Curve curve_of(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
                bool is_reference = false);
 

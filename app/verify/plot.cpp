@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/plots/words.h"
 #include "app/verify/settings.h"
@@ -49,17 +50,17 @@ Figure work_precision(const VerifyOutcome& outcome)
 {
     const Benchmark& benchmark = outcome.benchmark;
     const std::vector<VerifyRow>& rows = outcome.rows;
-    std::vector<Level> levels{{"tolerance", benchmark.tolerance, true}};
+    std::vector<Level> levels;
+    if (benchmark.tolerance > 0) levels.push_back({"tolerance", benchmark.tolerance, true});
     if (benchmark.paper_level) levels.push_back({"the paper's error", *benchmark.paper_level, false});
     Figure figure{benchmark.name, benchmark.title, benchmark.source, {}, failures(rows)};
-    const auto time_step = [](const VerifyRow& row) { return row.setting.time_step; };
-    const auto cpu_time = [](const VerifyRow& row) { return row.result.cpu_time; };
-    const auto stiffness = [](const VerifyRow& row) { return *row.setting.stiffness_factor; };
-    figure.diagrams.push_back({"time step [s]", "error [-]", curves_of(rows, false, time_step), levels});
-    figure.diagrams.push_back({"CPU time [s]", "error [-]", curves_of(rows, false, cpu_time), levels});
-    const Diagram of_stiffness{"contact stiffness / default [-]", "error [-]", curves_of(rows, true, stiffness),
-                               levels};
-    if (!of_stiffness.curves.empty()) figure.diagrams.push_back(of_stiffness);
+    const auto add = [&](const std::string& x_title, std::vector<Curve> curves) {
+        if (!curves.empty()) figure.diagrams.push_back({x_title, "error [-]", std::move(curves), levels});
+    };
+    add("time step [s]", curves_of(rows, false, [](const VerifyRow& row) { return row.setting.time_step; }));
+    add("CPU time [s]", curves_of(rows, false, [](const VerifyRow& row) { return row.result.cpu_time; }));
+    add("contact stiffness / default [-]",
+        curves_of(rows, true, [](const VerifyRow& row) { return *row.setting.stiffness_factor; }));
     return figure;
 }
 

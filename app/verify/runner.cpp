@@ -42,21 +42,24 @@ VerifyResult median_of_three(const Benchmark& benchmark, const VerifySetting& se
     return result;
 }
 
-/// max |a - b| / max |b|; infinite when they are not of one kind.
+/// max |a - b| / max |b|; infinite when they are not of one kind, not a number when one of them is none.
 double distance_of(const std::vector<double>& a, const std::vector<double>& b)
 {
     if (a.size() != b.size()) return INFINITY;
     double worst = 0, largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        worst = std::max(worst, std::abs(a[i] - b[i]));
+        const double apart = std::abs(a[i] - b[i]);
+        if (!(apart <= worst)) worst = apart;
         largest = std::max(largest, std::abs(b[i]));
     }
     return worst == 0 ? 0 : worst / largest;
 }
 
-/// Compares with the default row or the first companion that has the same kind of block, rigid or deformable.
+/// Compares with the default row or the first companion that has the same kind of block, rigid or deformable;
+/// nothing when the benchmark has no answer to compare, only statements that hold or do not.
 std::optional<double> distance_from_first(const VerifyRow& row, const VerifyOutcome& outcome)
 {
+    if (row.result.answer.empty()) return std::nullopt;
     const auto same = [&](const VerifyRow& other) {
         return is_deformable(other.setting.kinematics) == is_deformable(row.setting.kinematics);
     };

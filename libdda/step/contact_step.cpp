@@ -70,8 +70,8 @@ void normal_force(bool intact, double dashpot_over_h, double gap, PointStep<D>& 
     p.normal_tangent = -slope;
 }
 
-/// Friction coefficient of a point. A speed-dependent one is taken at the mean speed of the step, which makes it
-/// second-order in the step.
+/// Friction coefficient of a point. A speed-dependent one is taken at the mean tangential speed over the step, the
+/// elastic shear of the joint included, which makes it second-order in the step.
 template <class K>
 double friction_of(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
 {
@@ -176,7 +176,8 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         patch.count = found.point_count;
         patch.normal = found.normal;
         patch.friction = std::tan(joint.friction_angle);
-        patch.friction_law = joint.friction_at_speed.empty() ? nullptr : &joint;
+        const bool has_speeds = stage.type == StageType::dynamic && !joint.friction_at_speed.empty();
+        patch.friction_law = has_speeds ? &joint : nullptr;
         patch.h = h;
         patch.dashpot_over_h = joint.dashpot / h;
         patch.intact = found.intact;

@@ -36,8 +36,8 @@ struct PatchStep {
     int first = 0, count = 0;
     typename K::Vector normal;
     double friction = 0;  // -, tan of the friction angle; at rest if it depends on the speed
-    const JointMaterial* friction_law = nullptr;  // only if it does
-    double h = 0;                                 // s, the step; only if it does
+    const JointMaterial* friction_law = nullptr;  // only if it does, and the stage has speeds: a dynamic one
+    double h = 0;                                 // s, the step
     double dashpot_over_h = 0;                    // -
     bool intact = false;
     typename K::Unknowns force_a, force_b;  // generalised forces on the two blocks

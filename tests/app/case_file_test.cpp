@@ -51,6 +51,8 @@ TEST(CaseFile, friction_may_depend_on_the_speed_of_slip)
     EXPECT_NEAR(friction_coefficient(joint, 0.005), 0.5 * (tangent(30) + tangent(25)), 1e-15);
     EXPECT_NEAR(friction_coefficient(joint, 0.055), 0.5 * (tangent(25) + tangent(20)), 1e-15);
     EXPECT_NEAR(friction_coefficient(joint, 3), tangent(20), 1e-15);
+    const std::string none = "friction: 30 deg, friction_at_speed: []";
+    EXPECT_NE(faults_of(with(two_boxes, "friction: 30 deg", none)).find("an empty list"), std::string::npos);
     const std::string descending =
         "friction: 30 deg, friction_at_speed: [{speed: 2 m/s, friction: 25 deg}, {speed: 1 m/s, friction: 20 "
         "deg}]";

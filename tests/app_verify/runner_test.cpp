@@ -7,6 +7,7 @@
 
 #include "app/verify/engine_run.h"
 #include "app/verify/page.h"
+#include "app/verify/plot.h"
 #include "app/verify/runner.h"
 #include "app/verify/settings.h"
 #include "app/verify/table.h"
@@ -79,6 +80,42 @@ TEST(Runner, json_has_what_design_names_and_null_for_an_error_that_is_none)
         EXPECT_TRUE(list[0]["rows"][0].contains(key)) << key;
     EXPECT_TRUE(list[0]["rows"][0]["error"].is_null());
     EXPECT_NEAR(list[0]["error"].get<double>(), 1e-4, 1e-15);
+}
+
+TEST(Runner, draws_what_was_swept_and_nothing_where_every_error_is_none)
+{
+    Benchmark benchmark = second_order();
+    const Figure swept = work_precision(run_benchmark(benchmark, true));
+    ASSERT_EQ(swept.diagrams.size(), 2u);  // no stiffness was varied
+    EXPECT_EQ(swept.diagrams[0].curves.size(), 4u);
+    EXPECT_EQ(swept.notes.size(), 8u) << "two steps of each method fail";
+    EXPECT_TRUE(picture(run_benchmark(benchmark, false)).diagrams.empty());
+    benchmark.tolerance = 0;
+    benchmark.run = [](const VerifySetting&) { return VerifyResult{}; };
+    EXPECT_TRUE(work_precision(run_benchmark(benchmark, true)).diagrams.empty());
+}
+
+TEST(Runner, the_same_scene_in_other_unknowns_must_pass_and_agree)
+{
+    Benchmark benchmark = second_order();
+    benchmark.also = {Kinematics::planar_rigid, Kinematics::planar_deformable, Kinematics::spatial_deformable};
+    double apart = 1e-6;
+    benchmark.run = [&](const VerifySetting& setting) {
+        VerifyResult result;
+        const double place = is_deformable(setting.kinematics) ? 2 : 1;
+        result.answer = {place * (is_planar(setting.kinematics) ? 1 + apart : 1)};
+        return result;
+    };
+    VerifyOutcome outcome = run_benchmark(benchmark, false);
+    EXPECT_TRUE(outcome.pass);
+    ASSERT_EQ(outcome.companions.size(), 3u);
+    EXPECT_NEAR(outcome.companions[0].distance.value(), 1e-6, 1e-12);
+    EXPECT_FALSE(outcome.companions[1].distance) << "the first deformable one has nothing to agree with";
+    EXPECT_NEAR(outcome.companions[2].distance.value(), 1e-6, 1e-9);
+    for (const double worse : {1e-3, std::nan("")}) {
+        apart = worse;
+        EXPECT_FALSE(run_benchmark(benchmark, false).pass);
+    }
 }
 
 TEST(Runner, runs_add_up_and_the_worst_error_counts)

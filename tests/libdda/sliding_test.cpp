@@ -65,6 +65,19 @@ TEST_P(Sliding, friction_follows_the_speed_of_slip_to_second_order)
     }
 }
 
+// Static stages have pseudo steps and no speeds: friction is that at rest whatever the step.
+TEST_P(Sliding, friction_in_static_stages_is_that_at_rest)
+{
+    for (const double h : {1e-3, 1.0}) {
+        Model model = block_on_plane(GetParam(), 30);
+        model.joints[0].friction_at_speed = {{1e-3, 5 * degrees}};
+        model.joints[0].stiffness = {ContactStiffness::Kind::per_area, 1e9};
+        State state = initial_state(model);
+        EXPECT_EQ(run_quietly(model, {static_stage(h, inclined_gravity(20))}, state).outcome, Outcome::completed)
+            << h;
+    }
+}
+
 TEST_P(Sliding, block_that_must_stick_does_not_creep)
 {
     const Model model = block_on_plane(GetParam(), 50);
