@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <string_view>
 
 #include "app/case/nearest_word.h"
 #include "app/case/quantity.h"
@@ -26,7 +29,7 @@ namespace fs = std::filesystem;
 double read_positive(const std::string& option, const std::string& text, const Dimension& dimension)
 {
     const ParsedQuantity quantity = parse_quantity(text);
-    if (!quantity.problem.empty() || !quantity.has(dimension) || quantity.value <= 0)
+    if (!quantity.problem.empty() || !quantity.has(dimension) || !(quantity.value > 0))
         throw InputError(option, "\"" + text + "\" is not " + std::string(dimension.name) + " above 0",
                          "write one, as " + std::string(dimension.example));
     return quantity.value;
@@ -39,15 +42,21 @@ CollapseRule read_collapse_rule(const std::string& text)
     const ParsedQuantity quantity = parse_quantity(text);
     if (quantity.problem.empty() && quantity.has(dimension::length))
         return {{}, read_positive(option, text, dimension::length)};
-    if (!quantity.problem.empty() || !quantity.has(dimension::number) || quantity.value <= 0)
+    if (!quantity.problem.empty() || !quantity.has(dimension::number) || !(quantity.value > 0))
         throw InputError(option, "\"" + text + "\"", "write 0.5 (of a block's size), 10 cm, or none");
     return {quantity.value, {}};
 }
+
+// -; finer than the first, a bracket says less of the structure than of the runs' own errors.
+constexpr double least_bracket = 1e-6, widest_bracket = 0.5;
 
 Threshold threshold_of(const ConvergeArguments& arguments)
 {
     Threshold threshold = read_threshold(*arguments.threshold);
     threshold.bracket = read_positive("--bracket", arguments.bracket, dimension::number);
+    if (threshold.bracket < least_bracket || threshold.bracket > widest_bracket)
+        throw InputError("--bracket", "\"" + arguments.bracket + "\"",
+                         fmt::format("write a share from {:g} to {:g}, as 1 %", least_bracket, widest_bracket));
     return threshold;
 }
 
@@ -91,37 +100,63 @@ ConvergeStudy run_chosen(const ConvergeArguments& arguments)
     const CollapseRule rule = read_collapse_rule(arguments.collapse_displacement);
     std::optional<Threshold> threshold;
     if (arguments.threshold) threshold = threshold_of(arguments);
+    if (threshold && !rule.sizes && !rule.length)
+        throw InputError("--threshold",
+                         "a threshold needs a collapse, and --collapse-displacement none knows none",
+                         "give it a share of a block's size or a length");
     Case the_case = read_case(arguments.case_file, arguments.overrides);
     for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
     const std::vector<Quantity> quantities = read_quantities(arguments.quantities, the_case);
-    const SettingList list = list_settings(
-        plan_of({arguments.time_steps, arguments.stiffness_factors, arguments.integrators}, the_case));
+    const ConvergePlan plan =
+        plan_of({arguments.time_steps, arguments.stiffness_factors, arguments.integrators}, the_case);
+    const SettingList list = list_settings(plan);
 
     ConvergeLine line(arguments.quiet, list.settings.size(), first_dynamic_stage(the_case).control.time_step);
     const ConvergeWatch watch{[&](const ConvergeSetting& setting, double share) { line.show(setting, share); },
                               interrupted};
-    if (threshold) return run_threshold_study(the_case, list, *threshold, rule, arguments.threads, watch);
-    return run_study(the_case, list, quantities, rule, watch);
+    ConvergeStudy study = threshold
+                              ? run_threshold_study(the_case, list, *threshold, rule, arguments.threads, watch)
+                              : run_study(the_case, list, quantities, rule, watch);
+    study.notes.insert(study.notes.end(), plan.notes.begin(), plan.notes.end());
+    return study;
+}
+
+/// A word as a shell takes it: in single quotes where it holds more than plain letters.
+std::string shell_word(const std::string& word)
+{
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) != 0 ||
+               std::string_view("_-./=,:+%@").find(static_cast<char>(c)) != std::string::npos;
+    };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
 }
 
 /// How the study can be had again; the folder by its last name, for pages travel.
 std::string command_line(const ConvergeArguments& arguments)
 {
-    std::string text = "voussoir converge " + arguments.case_file.string();
-    const auto add = [&](const std::string& option, const auto& values) {
-        if (!values.empty()) text += fmt::format(" {} {}", option, fmt::join(values, ","));
+    std::string text = "voussoir converge " + shell_word(arguments.case_file.string());
+    const auto add = [&](const std::string& option, const std::string& value) {
+        text += " " + option + " " + shell_word(value);
     };
-    add("--quantity", arguments.quantities);
-    add("--time-steps", arguments.time_steps);
-    add("--stiffness-factors", arguments.stiffness_factors);
-    add("--integrators", arguments.integrators);
+    const auto add_list = [&](const std::string& option, const auto& values) {
+        if (!values.empty()) add(option, fmt::format("{}", fmt::join(values, ",")));
+    };
+    add_list("--quantity", arguments.quantities);
+    add_list("--time-steps", arguments.time_steps);
+    add_list("--stiffness-factors", arguments.stiffness_factors);
+    add_list("--integrators", arguments.integrators);
     const ConvergeArguments defaults;
-    if (arguments.threshold) text += fmt::format(" --threshold \"{}\"", *arguments.threshold);
-    if (arguments.bracket != defaults.bracket) text += fmt::format(" --bracket \"{}\"", arguments.bracket);
+    if (arguments.threshold) add("--threshold", *arguments.threshold);
+    if (arguments.bracket != defaults.bracket) add("--bracket", arguments.bracket);
     if (arguments.collapse_displacement != defaults.collapse_displacement)
-        text += fmt::format(" --collapse-displacement \"{}\"", arguments.collapse_displacement);
-    for (const std::string& setting : arguments.overrides) text += fmt::format(" --set \"{}\"", setting);
-    return text + " -o " + (*arguments.folder / "").parent_path().filename().string();
+        add("--collapse-displacement", arguments.collapse_displacement);
+    for (const std::string& setting : arguments.overrides) add("--set", setting);
+    if (arguments.threads != defaults.threads) add("--threads", std::to_string(arguments.threads));
+    add("-o", (*arguments.folder / "").parent_path().filename().string());
+    return text;
 }
 
 /// DIR/converge.md and DIR/converge/NAME.png.

@@ -135,6 +135,10 @@ Estimate estimate(const std::vector<Sample>& samples, const std::vector<double>&
     const double whole = size_of(result.reference);
     result.vanishes = result.order && result.uncertainty >= whole;
     result.scale = result.vanishes ? size_of(samples.back()) : whole;
+    if (result.scale == 0) {
+        for (const Sample& sample : samples) result.scale = std::max(result.scale, size_of(sample));
+        result.vanishes = result.scale > 0;
+    }
     const auto share = [&](double size) { return size > 0 ? size / result.scale : 0; };  // 0/0: nothing moves
     result.uncertainty = share(result.uncertainty);
     for (double& error : result.errors) error = share(error);

@@ -24,8 +24,8 @@ struct Estimate {
     double uncertainty = 0;           // of the reference; infinite when a single run says nothing about itself
     std::vector<double> errors;       // (runs): distance from the reference
     std::vector<double> differences;  // (runs - 1): between neighbours
-    double scale = 0;                 // the size of the reference, or of the finest run where the limit vanishes
-    bool vanishes = false;            // the reference cannot be told from zero
+    double scale = 0;  // the size of the reference, or where that vanishes of the finest run, or of the largest
+    bool vanishes = false;  // the reference cannot be told from zero
 };
 
 /// Richardson's extrapolation u* = u_n + (u_n - u_{n-1}) / ((h_{n-1}/h_n)^p - 1) with the order p that the

@@ -83,10 +83,10 @@ std::string converge_json(const ConvergeStudy& study)
         quantities.push_back(
             {{"quantity", quantity.name}, {"unit", quantity.unit}, {"added", quantity.added}, {"series", series}});
     }
-    const Json json = {{"case", study.case_file},      {"title", study.title},
-                       {"overrides", study.overrides}, {"collapse", study.collapse_rule},
-                       {"notes", study.notes},         {"overall", overall_verdict(study)},
-                       {"quantities", quantities}};
+    const Json json = {{"case", study.case_file},           {"title", study.title},
+                       {"overrides", study.overrides},      {"collapse", study.collapse_rule},
+                       {"threads", study.threads},          {"notes", study.notes},
+                       {"overall", overall_verdict(study)}, {"quantities", quantities}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

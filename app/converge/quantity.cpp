@@ -7,6 +7,7 @@
 
 #include "app/case/nearest_word.h"
 #include "libdda/errors.h"
+#include "libdda/model/kinematics.h"
 
 namespace voussoir
 {
@@ -33,8 +34,11 @@ std::vector<Quantity> all_followed(const Case& the_case)
 {
     std::vector<Quantity> all;
     for (int point = 0; point < static_cast<int>(the_case.output.histories.size()); ++point)
-        for (const Field field : {Field::drift, Field::displacement, Field::velocity})
-            for (const int component : {-1, 0, 1, 2}) all.push_back({field, point, component});
+        for (const Field field : {Field::drift, Field::displacement, Field::velocity}) {
+            all.push_back({field, point, -1});
+            for (const int component : axes_of(the_case.model.kinematics))
+                all.push_back({field, point, component});
+        }
     all.push_back({});
     return all;
 }

@@ -41,6 +41,7 @@ Recorder::Recorder(const Case& the_case, const std::vector<Quantity>& channels, 
             channels_.back().point = material_point(model, the_case.output.histories[quantity.point]);
     }
     recording.values.resize(channels.size());
+    recording.extents.assign(channels.size(), 0);
     step(initial_state(model));
 }
 
@@ -57,7 +58,10 @@ void Recorder::step(const State& state)
     for (std::size_t i = 0; i < channels_.size(); ++i) {
         std::vector<Vector3d>& values = recording.values[i];
         if (replaces) values.pop_back();
-        values.push_back(value_of(channels_[i], state, ground));
+        const Vector3d value = value_of(channels_[i], state, ground);
+        const int component = channels_[i].quantity.component;
+        recording.extents[i] = std::max(recording.extents[i], value.norm());
+        values.push_back(component < 0 ? value : Vector3d(value[component], 0, 0));
     }
 }
 
@@ -100,7 +104,7 @@ Vector3d Recorder::value_of(const Channel& channel, const State& state, const Ve
                 value.x() = std::max(value.x(), (drift_[i] - rest_[i]).norm());
             break;
     }
-    return channel.quantity.component < 0 ? value : Vector3d(value[channel.quantity.component], 0, 0);
+    return value;
 }
 
 }  // namespace voussoir

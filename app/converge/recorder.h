@@ -16,6 +16,7 @@ namespace voussoir
 struct Recording {
     std::vector<double> times;                         // s of the run, rising
     std::vector<std::vector<Eigen::Vector3d>> values;  // (channels x times); of a component in x, the rest 0
+    std::vector<double> extents;                       // (channels): largest length of the vector, all components
 };
 
 /// When a structure counts as collapsed: a block that is not wholly held has its centroid further from where the

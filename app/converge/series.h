@@ -34,7 +34,8 @@ struct Series {
     std::optional<double> reference;  // value of the reference; none when no row has one
     double uncertainty = 0;           // -, of the reference
     double scale = 0;                 // what the shares are of [unit of the quantity]
-    bool vanishes = false;            // the reference cannot be told from 0: shares are of the finest run
+    bool vanishes = false;  // the reference cannot be told from 0: shares are of the finest run, or where
+                            // that is 0 of the largest
     std::vector<std::string> notes;
 };
 

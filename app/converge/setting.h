@@ -22,6 +22,7 @@ struct ConvergePlan {
     std::vector<Integrator> integrators;    // a series of time steps for each; the first is the case's own
     std::vector<double> step_factors;       // falling
     std::vector<double> stiffness_factors;  // rising
+    std::vector<std::string> notes;         // what is left out of the default, and why
 };
 
 /// What the command line says of them; empty is the default.
@@ -35,7 +36,8 @@ struct ConvergeChoices {
 /// @throws InputError when the case has none: static stages have no time step to vary
 const Stage& first_dynamic_stage(const Case& the_case);
 
-/// @throws InputError with every value that is no time, not positive, or given twice
+/// @throws InputError with every value that is no time, not positive, given twice, or a time step that a dynamic
+/// stage cannot be run with: longer than the stage, or below its min_time_step
 ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case);
 
 /// The case with a setting put in.

@@ -78,6 +78,22 @@ bool comparable(const Quantity& quantity, const RunsOfSeries& runs)
     return moves && !(runs.first_collapse && quantity.measure == Measure::end);
 }
 
+// A component below this share of its vector is rounding.
+constexpr double rounding = 1e-9;
+
+/// Is a component nothing but rounding, in all runs?
+bool rests(const Quantity& quantity, const std::vector<const MeasuredRun*>& runs,
+           const std::vector<std::optional<Sample>>& samples)
+{
+    double size = 0, extent = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (!samples[i]) continue;
+        size = std::max(size, size_of(*samples[i]));
+        extent = std::max(extent, runs[i]->recording.extents[quantity.channel]);
+    }
+    return quantity.component >= 0 && extent > 0 && size <= rounding * extent;
+}
+
 Series judged(const Case& the_case, const SeriesPlan& plan, const Quantity& quantity, const RunsOfSeries& runs)
 {
     Series series;
@@ -92,7 +108,10 @@ Series judged(const Case& the_case, const SeriesPlan& plan, const Quantity& quan
             samples.back() = sample_of(quantity, run->recording, runs.times);
     }
     if (runs.first_collapse) series.notes.push_back(collapse_note(runs));
+    const bool resting = rests(quantity, runs.runs, samples);
+    if (resting) samples.assign(samples.size(), std::nullopt);
     judge(series, samples, 0, [&](const Sample& sample) { return value_of(quantity, sample); });
+    if (resting) series.no_order = fmt::format("it does not move along {}", "xyz"[quantity.component]);
     if (runs.first_collapse && quantity.measure == Measure::end)
         series.no_order = "end states are not compared: the structure collapses";
     return series;
@@ -114,10 +133,11 @@ std::string needs_peak(const QuantityStudy& study, Measure measure)
         const bool collapses = std::any_of(series.rows.begin(), series.rows.end(),
                                            [](const SeriesRow& row) { return row.collapse.has_value(); });
         if (measure == Measure::end && collapses)
-            return fmt::format("peak before the collapse, in place of {}", study.name);
+            return fmt::format("peak before the collapse, beside {}, which is not compared", study.name);
         const auto compared = std::count_if(series.rows.begin(), series.rows.end(),
                                             [](const SeriesRow& row) { return row.value.has_value(); });
-        const bool parts = series.varied == Varied::time_step && compared >= 3 && !series.order;
+        const bool parts =
+            series.varied == Varied::time_step && compared >= 3 && !series.order && !series.vanishes;
         if (measure == Measure::history && parts && !cheapest(series, tolerances[1]))
             return fmt::format("the histories of {} do not converge point by point: here their peaks", study.name);
     }
@@ -164,6 +184,7 @@ ConvergeStudy begin_study(const Case& the_case, const CollapseRule& rule)
     study.title = the_case.title;
     study.overrides = the_case.overrides;
     study.collapse_rule = in_words(rule);
+    study.threads = first_dynamic_stage(the_case).control.threads;
     warn_of_factor_damping(the_case, study);
     return study;
 }

@@ -20,6 +20,7 @@ struct ConvergeStudy {
     std::string case_file, title;
     std::vector<std::string> overrides;  // --set
     std::string collapse_rule;           // in words
+    int threads = 1;                     // of every run
     std::vector<QuantityStudy> quantities;
     std::vector<std::string> notes;
 };
@@ -48,7 +49,7 @@ SeriesRow row_of(const ConvergeSetting& setting, const Case& the_case, const Run
                  const std::string& failure);
 
 /// Runs the settings and judges the quantities. A history that shows no order and meets no tolerance is joined by
-/// its peak; an end state is replaced by it where runs collapse.
+/// its peak; where runs collapse an end state is not compared, and its peak stands beside it.
 /// @throws Interrupted
 ConvergeStudy run_study(const Case& the_case, const SettingList& list, const std::vector<Quantity>& quantities,
                         const CollapseRule& rule, const ConvergeWatch& watch);

@@ -77,7 +77,8 @@ class Bisection
     bool settled(const Bracket& bracket) const
     {
         const double least = threshold_.bracket * std::abs(threshold_.collapses - threshold_.stands);
-        return bracket.width() <= threshold_.bracket * std::max(std::abs(bracket.middle()), least);
+        const bool divisible = bracket.middle() != bracket.stands && bracket.middle() != bracket.collapses;
+        return !divisible || bracket.width() <= threshold_.bracket * std::max(std::abs(bracket.middle()), least);
     }
     bool collapses(const ConvergeSetting& setting, double value, Bracket& bracket) const
     {

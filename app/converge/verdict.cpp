@@ -27,6 +27,9 @@ std::string order_in_words(const QuantityStudy& study, const Series& series)
         return fmt::format("observed order {:.2f}; reference: extrapolated to {}, {}, uncertain by {}{}",
                            *series.order, limit, reference, share_in_words(series.uncertainty),
                            series.vanishes ? "; it cannot be told from 0: shares are of the finest run" : "");
+    if (series.vanishes)
+        return fmt::format("no order: {}; reference: the finest run, which is 0: shares are of the largest run",
+                           series.no_order);
     if (std::isinf(series.uncertainty))
         return fmt::format("no order: {}; nothing to compare with", series.no_order);
     return fmt::format("no order: {}; reference: the finest run, {}, uncertain by {}", series.no_order, reference,
@@ -40,13 +43,13 @@ std::string cheapest_in_words(const Series& series, double tolerance)
     return fmt::format("{} ({})", setting_in_words(series, *row), cost_in_words(row->cost));
 }
 
-/// "x 1, x 2, x 4".
+/// "x 1, x 2, x 4; cheapest: x 1 (7.2 s CPU)".
 std::string all_within(const Series& series, double tolerance)
 {
     std::string text;
     for (const SeriesRow& row : series.rows)
         if (meets(series, row, tolerance)) text += (text.empty() ? "" : ", ") + setting_in_words(series, row);
-    return text.empty() ? "none of these" : text;
+    return text.empty() ? "none of these" : text + "; cheapest: " + cheapest_in_words(series, tolerance);
 }
 
 std::string sensitivity_in_words(const Series& series)
@@ -54,6 +57,14 @@ std::string sensitivity_in_words(const Series& series)
     const std::optional<double> change = change_per_doubling(series);
     if (!change) return "sensitivity: unknown, for neighbouring runs are missing";
     return fmt::format("sensitivity: doubling the contact stiffness changes it by {}", share_in_words(change));
+}
+
+/// Is any quantity compared in this series?
+bool compares(const ConvergeStudy& study, std::size_t series)
+{
+    return std::any_of(study.quantities.begin(), study.quantities.end(), [&](const QuantityStudy& quantity) {
+        return quantity.series[series].reference.has_value();
+    });
 }
 
 /// Does the setting of a row meet the tolerance in all quantities that are compared in this series?
@@ -128,9 +139,8 @@ std::vector<std::string> verdict(const QuantityStudy& study, const Series& serie
     } else if (series.reference) {
         lines.push_back(sensitivity_in_words(series));
         for (const double tolerance : tolerances)
-            lines.push_back(fmt::format("within {:g} % of the {}: {}; cheapest: {}", 100 * tolerance,
-                                        series.order ? "rigid limit" : "stiffest", all_within(series, tolerance),
-                                        cheapest_in_words(series, tolerance)));
+            lines.push_back(fmt::format("within {:g} % of the {}: {}", 100 * tolerance,
+                                        series.order ? "rigid limit" : "stiffest", all_within(series, tolerance)));
     }
     lines.insert(lines.end(), series.notes.begin(), series.notes.end());
     return lines;
@@ -142,7 +152,7 @@ std::vector<std::string> overall_verdict(const ConvergeStudy& study)
     if (study.quantities.size() < 2) return lines;
     const std::vector<Series>& first = study.quantities.front().series;
     for (std::size_t s = 0; s < first.size(); ++s) {
-        if (first[s].varied != Varied::time_step) continue;
+        if (first[s].varied != Varied::time_step || !compares(study, s)) continue;
         for (const double tolerance : tolerances) {
             const SeriesRow* best = nullptr;
             for (std::size_t r = 0; r < first[s].rows.size(); ++r) {
@@ -150,10 +160,11 @@ std::vector<std::string> overall_verdict(const ConvergeStudy& study)
                 const bool good = row.failure.empty() && meets_everywhere(study, s, r, tolerance);
                 if (good && (!best || row.cost.cpu() < best->cost.cpu())) best = &row;
             }
-            lines.push_back(fmt::format(
-                "{}: cheapest that meets {:g} % in all quantities: {}", title_of(first[s]), 100 * tolerance,
-                best ? setting_in_words(first[s], *best) + " (" + cost_in_words(best->cost) + ")"
-                     : "none of these does"));
+            lines.push_back(
+                fmt::format("{}: cheapest that meets {:g} % in all quantities that are compared: {}",
+                            title_of(first[s]), 100 * tolerance,
+                            best ? setting_in_words(first[s], *best) + " (" + cost_in_words(best->cost) + ")"
+                                 : "none of these does"));
         }
     }
     return lines;

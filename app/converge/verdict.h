@@ -36,8 +36,8 @@ std::optional<double> change_per_doubling(const Series& series);
 /// notes.
 std::vector<std::string> verdict(const QuantityStudy& study, const Series& series);
 
-/// The cheapest setting that meets a tolerance in all quantities at once, one line for each series of time steps;
-/// empty with a single quantity.
+/// The cheapest setting that meets a tolerance in all quantities that are compared, one line for each series of
+/// time steps in which any is; empty with a single quantity.
 std::vector<std::string> overall_verdict(const ConvergeStudy& study);
 
 }  // namespace voussoir

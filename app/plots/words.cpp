@@ -13,7 +13,7 @@ std::string error_in_words(double error)
 
 std::string step_in_words(double time_step)
 {
-    return fmt::format("{:.4g} ms", 1e3 * time_step);
+    return time_step < 1 ? fmt::format("{:.4g} ms", 1e3 * time_step) : fmt::format("{:.6g} s", time_step);
 }
 
 }  // namespace voussoir

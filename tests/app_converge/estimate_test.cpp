@@ -107,6 +107,15 @@ TEST(Estimate, of_a_quantity_that_is_zero_is_zero)
     EXPECT_EQ(found.uncertainty, 0);
 }
 
+TEST(Estimate, of_a_finest_run_that_is_zero_is_finite)
+{
+    const Estimate found = estimate(scalars({1, -2, 0}), {4, 2, 1});
+    EXPECT_FALSE(found.order);
+    EXPECT_TRUE(found.vanishes);
+    EXPECT_EQ(found.errors, (std::vector<double>{0.5, 1, 0}));
+    EXPECT_NEAR(found.uncertainty, 3, 1e-12);
+}
+
 /// (3 x times): (sin t, h^p cos t, 0).
 Sample history(double h, double order)
 {

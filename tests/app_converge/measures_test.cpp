@@ -7,6 +7,7 @@
 #include "app/converge/recorder.h"
 #include "app/converge/sample.h"
 #include "app/converge/setting.h"
+#include "app/plots/words.h"
 #include "libdda/errors.h"
 #include "libdda/model/state.h"
 #include "tests/app/test_files.h"
@@ -54,6 +55,9 @@ TEST_F(Measures, unknown_ones_are_refused_with_the_nearest)
 {
     EXPECT_NE(refusal({"topp.ux"}).find("did you mean top.ux?"), std::string::npos) << refusal({"topp.ux"});
     EXPECT_NE(refusal({"top.ux:peek"}).find("did you mean peak?"), std::string::npos) << refusal({"top.ux:peek"});
+    case_.model.kinematics = Kinematics::planar_rigid;
+    EXPECT_EQ(refusal({"top.dz"}), "no refusal");
+    EXPECT_NE(refusal({"top.dy"}).find("top.dy"), std::string::npos) << refusal({"top.dy"});
     EXPECT_NE(refusal({"largest:"}).find("history, peak, end"), std::string::npos) << refusal({"largest:"});
 }
 
@@ -143,6 +147,32 @@ TEST_F(Measures, plans_run_from_coarse_to_fine)
     } catch (const InputError& error) {
         EXPECT_EQ(error.faults.size(), 4u) << error.what();
     }
+}
+
+TEST_F(Measures, plans_refuse_what_is_no_number)
+{
+    EXPECT_THROW(plan_of({{}, {std::nan(""), 1}, {}}, case_), InputError);
+}
+
+// The stage lasts 0.2 s.
+TEST_F(Measures, plans_hold_only_steps_that_can_be_run)
+{
+    EXPECT_THROW(plan_of({{"1 ms", "0.3 s"}, {}, {}}, case_), InputError);
+    EXPECT_NO_THROW(plan_of({{"1 ms", "0.2 s"}, {}, {}}, case_));
+    EXPECT_TRUE(plan_of({}, case_).notes.empty());
+    case_.stages[1].control.time_step = 0.1;
+    case_.stages[1].control.min_time_step = 0.05;
+    const ConvergePlan plan = plan_of({}, case_);
+    EXPECT_EQ(plan.step_factors, (std::vector<double>{2, 1, 0.5}));
+    EXPECT_EQ(plan.notes.size(), 2u);
+    EXPECT_THROW(plan_of({{"0.1 s", "10 ms"}, {}, {}}, case_), InputError);
+}
+
+TEST(Words, steps_are_in_milliseconds_below_a_second)
+{
+    EXPECT_EQ(step_in_words(2e-3), "2 ms");
+    EXPECT_EQ(step_in_words(0.5), "500 ms");
+    EXPECT_EQ(step_in_words(20), "20 s");
 }
 
 }  // namespace

@@ -187,6 +187,24 @@ TEST(Study, of_a_collapse_compares_peaks_before_it)
     EXPECT_NE(peaks.notes[0].find("block 'block' is the first to collapse"), std::string::npos);
 }
 
+TEST(Study, does_not_compare_what_does_not_move)
+{
+    const Case the_case = incline({"stages[0].duration=0.1 s"});
+    const SettingList list = list_settings(plan_of({{"4 ms", "2 ms", "1 ms"}, {1}, {}}, the_case));
+    const auto overall = [&](const std::vector<std::string>& words) {
+        const ConvergeStudy study = run_study(the_case, list, read_quantities(words, the_case), {}, {});
+        EXPECT_EQ(study.quantities.size(), words.size()) << study.quantities.back().added;
+        const Series& series = study.quantities[0].series[0];
+        EXPECT_FALSE(series.reference);
+        EXPECT_EQ(series.no_order, "it does not move along y");
+        return overall_verdict(study);
+    };
+    EXPECT_TRUE(overall({"block.dy", "block.vy:peak"}).empty());
+    const std::vector<std::string> lines = overall({"block.dy", "block.dx"});
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_NE(lines[0].find("in all quantities that are compared: 4 ms"), std::string::npos) << lines[0];
+}
+
 TEST(Study, keeps_runs_that_give_up_as_rows)
 {
     const Case the_case = incline(
