@@ -55,6 +55,16 @@ TEST_F(VerifyCommand, lists_without_running)
     EXPECT_TRUE(fs::is_empty(folder_));
 }
 
+TEST_F(VerifyCommand, every_benchmark_is_on_the_page_that_ships)
+{
+    EXPECT_EQ(verify("--list"), 0);
+    const std::string page = contents(VOUSSOIR_DOCS "/verification.md");
+    std::istringstream lines(output_);
+    for (std::string name, rest; lines >> name && std::getline(lines, rest);)
+        EXPECT_NE(page.find("\n## " + name + "\n"), std::string::npos)
+            << name << ": rerun voussoir verify --sweep -o docs";
+}
+
 TEST_F(VerifyCommand, names_the_nearest_benchmark)
 {
     EXPECT_EQ(verify("incline-gravty-3d"), 2);
