@@ -31,15 +31,22 @@ std::vector<Curve> curves_of(const std::vector<VerifyRow>& rows, bool of_stiffne
     return curves;
 }
 
-std::vector<std::string> failures(const std::vector<VerifyRow>& rows)
+std::string in_words(const VerifySetting& setting)
+{
+    const std::optional<double>& factor = setting.stiffness_factor;
+    return fmt::format("{} at {}{}", method_name(setting), step_in_words(setting.time_step),
+                       factor ? fmt::format(", stiffness x {:g}", *factor) : std::string());
+}
+
+/// What the axes cannot show: runs that failed, and runs without any error.
+std::vector<std::string> notes_on(const std::vector<VerifyRow>& rows)
 {
     std::vector<std::string> notes;
     for (const VerifyRow& row : rows) {
-        if (row.result.failure.empty()) continue;
-        const std::optional<double>& factor = row.setting.stiffness_factor;
-        notes.push_back(fmt::format("failed: {} at {:g} ms{}", method_name(row.setting),
-                                    1e3 * row.setting.time_step,
-                                    factor ? fmt::format(", stiffness x {:g}", *factor) : std::string()));
+        if (!row.result.failure.empty())
+            notes.push_back("failed: " + in_words(row.setting));
+        else if (row.result.error == 0)
+            notes.push_back("no error at all: " + in_words(row.setting));
     }
     return notes;
 }
@@ -53,7 +60,7 @@ Figure work_precision(const VerifyOutcome& outcome)
     std::vector<Level> levels;
     if (benchmark.tolerance > 0) levels.push_back({"tolerance", benchmark.tolerance, true});
     if (benchmark.paper_level) levels.push_back({"the paper's error", *benchmark.paper_level, false});
-    Figure figure{benchmark.name, benchmark.title, benchmark.source, {}, failures(rows)};
+    Figure figure{benchmark.name, benchmark.title, benchmark.source, {}, notes_on(rows)};
     const auto add = [&](const std::string& x_title, std::vector<Curve> curves) {
         if (!curves.empty()) figure.diagrams.push_back({x_title, "error [-]", std::move(curves), levels});
     };

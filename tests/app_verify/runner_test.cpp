@@ -92,7 +92,9 @@ TEST(Runner, draws_what_was_swept_and_nothing_where_every_error_is_none)
     EXPECT_TRUE(picture(run_benchmark(benchmark, false)).diagrams.empty());
     benchmark.tolerance = 0;
     benchmark.run = [](const VerifySetting&) { return VerifyResult{}; };
-    EXPECT_TRUE(work_precision(run_benchmark(benchmark, true)).diagrams.empty());
+    const Figure none = work_precision(run_benchmark(benchmark, true));
+    EXPECT_TRUE(none.diagrams.empty());
+    EXPECT_EQ(none.notes.size(), 20u) << "each row is one without error";
 }
 
 TEST(Runner, the_same_scene_in_other_unknowns_must_pass_and_agree)
