@@ -56,7 +56,7 @@ Scene bridge_scene(const VerifySetting& setting, double velocity_kept)
     const auto sine =
         std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(0.5 * gravity, 2.5, 0, 10));
     shaking.motions = {{0, 0, sine}, {1, 0, sine}};
-    // A rate of its own per step, as published; other steps than 2 ms get the same rate.
+    // As published at its step; at other steps the same rate, not the same factor.
     constexpr double printed_step = 2e-3;
     weight.damping.rate = shaking.damping.rate = -std::log(velocity_kept) / printed_step;
     scene.stages = {weight, shaking};

@@ -54,7 +54,6 @@ Eigen::Vector3d inclined_gravity(double angle);
 Eigen::Vector3d held_gravity(double angle, double friction);
 
 /// A horizontal acceleration down the dip in the frame of the plane: times cos along it, times sin off it.
-/// sin.
 void add_horizontal(Scene& scene, const GroundMotion& horizontal, double angle);
 
 /// a = amplitude sin(2 pi frequency t + phase) along an axis, as a body force on the scene's block.

@@ -1,0 +1,128 @@
+// Stiffness of the contacts at the last evaluation, patch by patch.
+#include "libdda/step/contact_step.h"
+
+namespace voussoir
+{
+namespace
+{
+
+/// C of one point: -dN/dg n n^T plus the shear tangent without the coupling to the normal force.
+template <int D>
+MatrixIn<D> point_stiffness(const PointStep<D>& p, const VectorIn<D>& n, bool published)
+{
+    const double k_t = 0.5 * (1 + p.shear_blend) * p.shear_stiffness;
+    const MatrixIn<D> across = n * n.transpose(), along = MatrixIn<D>::Identity() - across;
+    if (published) {
+        if (p.status == ContactStatus::open) return MatrixIn<D>::Zero();
+        MatrixIn<D> c = p.normal_stiffness * across;
+        if (p.status == ContactStatus::locked) c += k_t * along;
+        return c;
+    }
+    MatrixIn<D> c = p.normal_tangent * across;
+    if (p.status == ContactStatus::locked) c += k_t * along;
+    if (p.status == ContactStatus::sliding) {
+        const double length = p.trial.norm();
+        const VectorIn<D> slipping = p.trial / length;
+        c += k_t * p.bound / length * (along - slipping * slipping.transpose());
+    }
+    return c;
+}
+
+/// Adds the stiffness c of one point to the blocks of its patch.
+template <class K>
+void add_point(const PointStep<K::dimension>& p, const typename K::Matrix& c, PatchStep<K>& patch)
+{
+    if (patch.row_a >= 0) K::add_stiffness(patch.aa, p.lever_a, p.lever_a, c);
+    if (patch.row_b >= 0) K::add_stiffness(patch.bb, p.lever_b, p.lever_b, c);
+    if (patch.row_a >= 0 && patch.row_b >= 0) K::add_stiffness(patch.ab, p.lever_a, p.lever_b, -c);
+}
+
+/// Sums of k w w^T over the points of a patch, w = (1, y): points that share the matrix C then cost one expansion.
+template <int D>
+struct WeightSums {
+    using Weights = Eigen::Matrix<double, D + 1, 1>;
+    using Sums = Eigen::Matrix<double, D + 1, D + 1>;
+    Sums aa = Sums::Zero(), ab = Sums::Zero(), bb = Sums::Zero();
+
+    void add(double k, const PointStep<D>& p)
+    {
+        Weights a, b;
+        a << 1, p.lever_a;
+        b << 1, p.lever_b;
+        aa += k * a * a.transpose();
+        ab -= k * a * b.transpose();
+        bb += k * b * b.transpose();
+    }
+
+    static void expand(const Sums& sums, const MatrixIn<D>& c, typename DeformableIn<D>::Square& block)
+    {
+        for (int j = 0; j <= D; ++j)
+            for (int i = 0; i <= D; ++i) block.template block<D, D>(D * i, D * j) += sums(i, j) * c;
+    }
+
+    void expand(const MatrixIn<D>& c, PatchStep<DeformableIn<D>>& patch) const
+    {
+        if (patch.row_a >= 0) expand(aa, c, patch.aa);
+        if (patch.row_b >= 0) expand(bb, c, patch.bb);
+        if (patch.row_a >= 0 && patch.row_b >= 0) expand(ab, c, patch.ab);
+    }
+};
+
+template <int D>
+bool has_stiffness(const PointStep<D>& p, bool published)
+{
+    return p.status != ContactStatus::open || (!published && p.normal_tangent != 0);
+}
+
+/// Locked points of a deformable patch share the directions n n^T and 1 - n n^T.
+template <int D>
+void add_points(const std::vector<PointStep<D>>& points, bool published, PatchStep<DeformableIn<D>>& patch)
+{
+    WeightSums<D> normal, shear;
+    bool any = false;
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const PointStep<D>& p = points[i];
+        if (!has_stiffness(p, published)) continue;
+        if (p.status != ContactStatus::locked) {
+            add_point(p, point_stiffness<D>(p, patch.normal, published), patch);
+            continue;
+        }
+        normal.add(published ? p.normal_stiffness : p.normal_tangent, p);
+        shear.add(0.5 * (1 + p.shear_blend) * p.shear_stiffness, p);
+        any = true;
+    }
+    if (!any) return;
+    const MatrixIn<D> across = patch.normal * patch.normal.transpose();
+    normal.expand(across, patch);
+    shear.expand(MatrixIn<D>::Identity() - across, patch);
+}
+
+template <int D>
+void add_points(const std::vector<PointStep<D>>& points, bool published, PatchStep<RigidIn<D>>& patch)
+{
+    for (int i = patch.first; i < patch.first + patch.count; ++i)
+        if (has_stiffness(points[i], published))
+            add_point(points[i], point_stiffness<D>(points[i], patch.normal, published), patch);
+}
+
+}  // namespace
+
+template <class K>
+void contact_stiffness(bool published, int threads, ContactStep<K>& step)
+{
+    const int count = static_cast<int>(step.patches.size());
+#pragma omp parallel for num_threads(threads) schedule(static) if (count > 256)
+    for (int k = 0; k < count; ++k) {
+        PatchStep<K>& patch = step.patches[k];
+        patch.aa.setZero();
+        patch.ab.setZero();
+        patch.bb.setZero();
+        add_points(step.points, published, patch);
+    }
+}
+
+#define VOUSSOIR_INSTANTIATE(K) template void contact_stiffness(bool, int, ContactStep<K>&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir
