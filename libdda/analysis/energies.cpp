@@ -67,7 +67,7 @@ Vector3d angular_momentum(const Model& model, const State& state, int block)
 {
     const Matrix3d map = pose_of(model.kinematics, state, block).map;
     return axial(
-        Matrix3d(map_rate_of(model.kinematics, state, block) * density_second(model, block) * map.transpose()));
+        Matrix3d(map_rate_of(model.kinematics, state, block) * model.mass_second(block) * map.transpose()));
 }
 
 }  // namespace voussoir
