@@ -2,24 +2,16 @@
 // crashes or hangs is a refusal with a reason. Neither assimp nor CGAL is loaded into the program that asks.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "importers/mesh/marked_feature.h"
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 
 namespace voussoir
 {
-
-/// A place on a stone that a picture marks. All coordinates in metres, model coordinates.
-struct MarkedFeature {
-    std::string label;  // a few words: "hole", "faces cross"
-    std::vector<Eigen::Vector3d> points;
-    std::vector<std::array<Eigen::Vector3d, 2>> lines;
-    std::vector<std::vector<Eigen::Vector3d>> polygons;
-};
 
 /// One stone of a mesh file with its certificate.
 struct Stone {

@@ -6,6 +6,7 @@
 
 #include "importers/exact/certify.h"
 #include "importers/exact/overlap.h"
+#include "importers/exact/stones_of.h"
 #include "importers/mesh/read_mesh.h"
 #include "libdda/errors.h"
 
@@ -119,8 +120,14 @@ Stone certified(PolygonSurface surface, const Eigen::Vector3d& origin)
     stone.convex = certificate.convex;
     stone.reason = certificate.reason;
     stone.repairs = certificate.repairs;
-    stone.parts = certificate.parts;
-    if (!stone.parts.empty()) stone.moments = moments_of(stone.parts);
+    stone.parts = std::move(certificate.parts);
+    stone.moments = certificate.moments;
+    stone.volume_error = certificate.volume_error;
+    stone.features = std::move(certificate.features);
+    if (!stone.features.empty()) {
+        stone.vertices = std::move(certificate.surface.vertices);
+        stone.faces = std::move(certificate.surface.faces);
+    }
     return stone;
 }
 
@@ -129,9 +136,13 @@ void certify_all(std::vector<PolygonSurface> surfaces, const Eigen::Vector3d& or
     int refused = 0;
     std::string first;
     for (PolygonSurface& surface : surfaces) {
-        mesh.stones.push_back(certified(std::move(surface), origin));
-        const Stone& stone = mesh.stones.back();
-        if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
+        SeparatedStones separated = separate_stones(std::move(surface), CertifyOptions{}.weld_tolerance);
+        mesh.repairs.insert(mesh.repairs.end(), separated.repairs.begin(), separated.repairs.end());
+        for (PolygonSurface& one : separated.stones) {
+            mesh.stones.push_back(certified(std::move(one), origin));
+            const Stone& stone = mesh.stones.back();
+            if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
+        }
     }
     mesh.accepted = refused == 0 && !mesh.stones.empty();
     if (refused > 0)

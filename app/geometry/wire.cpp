@@ -12,6 +12,9 @@ using nlohmann::json;
 namespace
 {
 
+constexpr double largest_planarity_tolerance =
+    1e-2;  // what a user may allow at most; the helper has judged by his
+
 /// Names that are not UTF-8 get replacement characters; nothing else can fail.
 std::string dump(const json& value)
 {
@@ -51,7 +54,8 @@ json to_json_value(const ConvexPolyhedron& part)
 ConvexPolyhedron part_from(const json& value, const std::string& name)
 {
     ConvexPolyhedron part = make_convex_polyhedron(points_from(value.at("vertices")),
-                                                   value.at("faces").get<std::vector<std::vector<int>>>(), name);
+                                                   value.at("faces").get<std::vector<std::vector<int>>>(), name,
+                                                   largest_planarity_tolerance);
     part.glued = value.at("glued").get<std::vector<bool>>();
     if (!part.glued.empty() && part.glued.size() != part.faces.size())
         throw InputError(name, "marks of glued faces do not fit the faces", "one mark a face");

@@ -1,16 +1,14 @@
 #include "importers/exact/certify.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <set>
 
-#include "importers/exact/convexity.h"
+#include "importers/exact/draft.h"
+#include "importers/exact/repairs.h"
 #include "importers/exact/shell.h"
-#include "importers/exact/surface_checks.h"
 #include "importers/exact/weld.h"
 #include "libdda/errors.h"
-#include "libdda/geometry/moments.h"
 
 namespace voussoir
 {
@@ -20,44 +18,20 @@ namespace
 
 using DirectedEdge = std::pair<int, int>;
 
-template <class... Values>
-std::string format(const char* pattern, Values... values)
+double diagonal_of(const PolygonSurface& surface)
 {
-    std::array<char, 256> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), pattern, values...);  // NOLINT: patterns are literals below
-    return buffer.data();
+    Eigen::Vector3d lower = surface.vertices.front(), upper = lower;
+    for (const Eigen::Vector3d& x : surface.vertices) {
+        lower = lower.cwiseMin(x);
+        upper = upper.cwiseMax(x);
+    }
+    return (upper - lower).norm();
 }
-
-/// A stone on its way to a certificate. A step returns the reason for refusal, or nothing.
-struct Draft {
-    PolygonSurface surface;
-    CertifyOptions options;
-    double diagonal = 0;                            // m
-    std::vector<DirectedEdge> original_directions;  // per face, of its first edge
-    SurfaceExamination examination;
-    Certificate certificate;
-
-    std::string at(int vertex) const
-    {
-        const Eigen::Vector3d x = surface.vertices[vertex] + options.origin;
-        return format("(%.9g, %.9g, %.9g)", x.x(), x.y(), x.z());
-    }
-    std::string along(const DirectedEdge& edge) const
-    {
-        return "from " + at(edge.first) + " to " + at(edge.second);
-    }
-    void repaired(std::string what) { certificate.repairs.push_back(std::move(what)); }
-};
 
 std::string check_size(Draft& draft)
 {
     if (draft.surface.vertices.empty() || draft.surface.faces.empty()) return "it has no faces";
-    Eigen::Vector3d lower = draft.surface.vertices.front(), upper = lower;
-    for (const Eigen::Vector3d& x : draft.surface.vertices) {
-        lower = lower.cwiseMin(x);
-        upper = upper.cwiseMax(x);
-    }
-    draft.diagonal = (upper - lower).norm();
+    draft.diagonal = diagonal_of(draft.surface);
     if (!std::isfinite(draft.diagonal) || draft.diagonal > 1e9) return "it is larger than 1e9 m; check the unit";
     if (draft.diagonal == 0) return "all its vertices lie in one point";
     return "";
@@ -74,126 +48,194 @@ std::string weld_vertices(Draft& draft)
     if (report.removed_faces > 0)
         draft.repaired(
             format("%d faces with fewer than three different corners were dropped", report.removed_faces));
+    if (const int dropped = drop_repeated_faces(draft.surface); dropped > 0)
+        draft.repaired(format("%d faces that repeated another one were dropped", dropped));
     return draft.surface.faces.empty() ? "no face has three different corners" : "";
+}
+
+/// Lets faces that meet in a line share its corners.
+void mend_joints_of_faces(Draft& draft)
+{
+    if (edge_use(draft.surface).open.empty()) return;
+    PolygonSurface mended = draft.surface;
+    const int inserted = insert_corners_on_open_edges(mended, draft.options.weld_tolerance * draft.diagonal);
+    if (inserted == 0 || !edge_use(mended).open.empty()) return;
+    draft.surface = std::move(mended);
+    draft.repaired(
+        format("faces met without sharing their corners: %d corners were inserted into edges", inserted));
+}
+
+/// How far round the first hole is, and whether one flat face would close it.
+std::string describe_holes(const Draft& draft, const std::vector<DirectedEdge>& open)
+{
+    double length = 0;
+    for (const auto& [a, b] : open) length += (draft.surface.vertices[a] - draft.surface.vertices[b]).norm();
+    return format(", %.3g m of open edge in all", length);
 }
 
 std::string check_closed(Draft& draft)
 {
+    mend_joints_of_faces(draft);
     const EdgeUse use = edge_use(draft.surface);
-    if (!use.branching.empty())
+    if (!use.branching.empty()) {
+        draft.mark_edges("more than two faces meet", use.branching);
         return format("more than two faces meet in %zu edges, the first ", use.branching.size()) +
                draft.along(use.branching.front());
-    if (!use.open.empty())
+    }
+    if (!use.open.empty()) {
+        draft.mark_edges("open edge", use.open);
         return format("it is not closed: %zu edges have a face on one side only, the first ", use.open.size()) +
-               draft.along(use.open.front());
+               draft.along(use.open.front()) + describe_holes(draft, use.open);
+    }
     draft.certificate.closed = true;
     return "";
 }
 
-std::string check_one_shell(Draft& draft)
+/// The shell with the largest extent is the outside; the others must be cavities in it.
+std::string check_shells(Draft& draft)
 {
-    const int count = shells(draft.surface);
-    return count == 1 ? ""
-                      : format("it consists of %d separate shells; give each stone an object of its own", count);
+    draft.shell = shell_of_faces(draft.surface);
+    const int count = *std::max_element(draft.shell.begin(), draft.shell.end()) + 1;
+    if (count == 1) return "";
+    std::vector<PolygonSurface> shells(count, PolygonSurface{"", draft.surface.vertices, {}});
+    for (std::size_t f = 0; f < draft.shell.size(); ++f)
+        shells[draft.shell[f]].faces.push_back(draft.surface.faces[f]);
+    for (PolygonSurface& shell : shells) drop_unused_vertices(shell);
+    int outside = 0;
+    for (int s = 1; s < count; ++s)
+        if (diagonal_of(shells[s]) > diagonal_of(shells[outside])) outside = s;
+    for (int s = 0; s < count; ++s)
+        if (s != outside && std::abs(winding_number(shells[outside], shells[s].vertices.front())) < 0.5)
+            return format("it consists of %d separate shells; give each stone an object of its own", count);
+    for (int& shell : draft.shell) shell = shell == outside ? 0 : shell == 0 ? outside : shell;
+    draft.repaired(format("%d closed surfaces inside it were taken as cavities", count - 1));
+    return "";
+}
+
+bool same_direction(const std::vector<int>& before, const std::vector<int>& after)
+{
+    const auto from = std::find(after.begin(), after.end(), before[0]);
+    const int next = from + 1 == after.end() ? after.front() : *(from + 1);
+    return next == before[1];
 }
 
 std::string orient(Draft& draft)
 {
-    for (const std::vector<int>& face : draft.surface.faces)
-        draft.original_directions.emplace_back(face[0], face[1]);
+    draft.turned.assign(draft.surface.faces.size(), false);
     const EdgeUse use = edge_use(draft.surface);
     if (use.clashing.empty()) return "";
-    if (orient_consistently(draft.surface)) return "";
-    return "no choice of directions makes its faces agree, the first clash is " +
-           draft.along(use.clashing.front());
+    const std::vector<std::vector<int>> before = draft.surface.faces;
+    if (!orient_consistently(draft.surface)) {
+        draft.mark_edges("directions clash", use.clashing);
+        return "no choice of directions makes its faces agree, the first clash is " +
+               draft.along(use.clashing.front());
+    }
+    for (std::size_t f = 0; f < before.size(); ++f)
+        draft.turned[f] = !same_direction(before[f], draft.surface.faces[f]);
+    return "";
+}
+
+/// Triangles whose corners lie on a line are dropped, a few times over, for dropping one may make another.
+void examine_and_mend(Draft& draft)
+{
+    draft.examination = examine(draft.surface);
+    std::size_t count = 0;
+    for (int round = 0; round < 10 && !draft.examination.faces_without_area.empty(); ++round) {
+        const std::vector<int> dropped =
+            drop_collinear_triangles(draft.surface, draft.examination.faces_without_area);
+        if (dropped.empty()) break;
+        for (const int f : dropped) {
+            draft.shell.erase(draft.shell.begin() + f);
+            draft.turned.erase(draft.turned.begin() + f);
+        }
+        count += dropped.size();
+        draft.examination = examine(draft.surface);
+    }
+    if (count > 0) draft.repaired(format("%zu triangles with all corners on a line were dropped", count));
 }
 
 std::string check_crossings(Draft& draft)
 {
-    draft.examination = examine(draft.surface);
+    examine_and_mend(draft);
     const SurfaceExamination& found = draft.examination;
     const auto corner = [&](int face) { return draft.at(draft.surface.faces[face].front()); };
-    if (!found.faces_without_area.empty())
+    if (!found.faces_without_area.empty()) {
+        draft.mark_faces("face without area", found.faces_without_area);
         return format("%zu faces have no area, the first at ", found.faces_without_area.size()) +
                corner(found.faces_without_area.front());
+    }
     if (found.crossing_faces.empty()) return "";
+    std::vector<int> crossing;
+    for (const auto& [a, b] : found.crossing_faces) crossing.insert(crossing.end(), {a, b});
+    draft.mark_faces("faces cross", crossing);
     const auto [a, b] = found.crossing_faces.front();
     return format("it crosses itself: %zu pairs of faces cut or overlap each other, the first at ",
                   found.crossing_faces.size()) +
            corner(a) + " and " + corner(b);
 }
 
-std::string check_volume(Draft& draft)
+/// Turns the outside outward and cavities inward.
+void turn_shells(Draft& draft)
 {
-    const double volume = std::abs(moments_of_surface(draft.surface.vertices, draft.examination.triangles).volume);
-    const double least = draft.options.smallest_volume * std::pow(draft.diagonal, 3);
-    return volume >= least ? "" : format("it has no volume (%.3g m3, less than %.3g m3)", volume, least);
+    std::vector<std::vector<Eigen::Vector3i>> triangles(*std::max_element(draft.shell.begin(), draft.shell.end()) +
+                                                        1);
+    for (std::size_t t = 0; t < draft.examination.triangles.size(); ++t)
+        triangles[draft.shell[draft.examination.face_of_triangle[t]]].push_back(draft.examination.triangles[t]);
+    std::vector<bool> turn;
+    for (std::size_t s = 0; s < triangles.size(); ++s)
+        turn.push_back((moments_of_surface(draft.surface.vertices, triangles[s]).volume < 0) == (s == 0));
+    for (std::size_t f = 0; f < draft.surface.faces.size(); ++f)
+        if (turn[draft.shell[f]]) {
+            std::reverse(draft.surface.faces[f].begin(), draft.surface.faces[f].end());
+            draft.turned[f] = !draft.turned[f];
+        }
+    for (std::size_t t = 0; t < draft.examination.triangles.size(); ++t)
+        if (turn[draft.shell[draft.examination.face_of_triangle[t]]])
+            std::swap(draft.examination.triangles[t][1], draft.examination.triangles[t][2]);
 }
 
 /// Says how many faces ended up running the other way than in the file.
 void report_turned_faces(Draft& draft)
 {
-    int turned = 0;
-    for (std::size_t f = 0; f < draft.surface.faces.size(); ++f) {
-        const std::vector<int>& face = draft.surface.faces[f];
-        const auto from = std::find(face.begin(), face.end(), draft.original_directions[f].first);
-        const int next = from + 1 == face.end() ? face.front() : *(from + 1);
-        turned += next != draft.original_directions[f].second;
-    }
-    const int all = static_cast<int>(draft.surface.faces.size());
+    const auto turned = std::count(draft.turned.begin(), draft.turned.end(), true);
+    const auto all = static_cast<std::ptrdiff_t>(draft.turned.size());
     if (turned == all)
-        draft.repaired(format("the surface was inside out: all %d faces were turned outward", all));
+        draft.repaired(format("the surface was inside out: all %td faces were turned outward", all));
     else if (turned > 0)
         draft.repaired(
-            format("%d of %d faces were turned to agree with the others and point outward", turned, all));
+            format("%td of %td faces were turned to agree with the others and point outward", turned, all));
 }
 
-std::string turn_outward(Draft& draft)
+std::string check_volume(Draft& draft)
 {
-    if (!draft.examination.points_outward) {
-        for (std::vector<int>& face : draft.surface.faces) face = {face.rbegin(), face.rend()};
-        for (Eigen::Vector3i& triangle : draft.examination.triangles) std::swap(triangle[1], triangle[2]);
-        draft.examination.points_outward = true;
-    }
+    turn_shells(draft);
+    const double least = draft.options.smallest_volume * std::pow(draft.diagonal, 3);
+    const Moments moments = moments_of_surface(draft.surface.vertices, draft.examination.triangles);
+    if (moments.volume < least)
+        return format("it has no volume (%.3g m3, less than %.3g m3)", moments.volume, least);
+    draft.certificate.moments = moments;
     report_turned_faces(draft);
     return "";
 }
 
-std::string check_convex(Draft& draft)
-{
-    const double allowed = draft.options.planarity_tolerance * draft.diagonal;
-    const std::vector<Outlier> bent = cut_bent_faces(draft.surface, draft.examination, allowed);
-    if (!bent.empty())
-        draft.repaired(format("%zu faces are not flat and were cut into triangles, the first by %.3g m at ",
-                              bent.size(), bent.front().distance) +
-                       draft.at(bent.front().vertex));
-    const Outlier worst = worst_outlier(draft.surface);
-    if (worst.distance > allowed)
-        return "it is not convex: vertex " + draft.at(worst.vertex) +
-               format(" lies %.3g m outside face %d at ", worst.distance, worst.face) +
-               draft.at(draft.surface.faces[worst.face].front()) +
-               "; splitting into convex parts is not there yet";
-    draft.certificate.convex = true;
-    return "";
-}
-
-std::string make_part(Draft& draft)
-{
-    const double before = moments_of_surface(draft.surface.vertices, draft.examination.triangles).volume;
-    const double tolerance = draft.options.planarity_tolerance;
-    PolygonSurface merged = draft.surface;
-    merged.faces = merge_coplanar_faces(merged.vertices, merged.faces, tolerance);
-    drop_unused_vertices(merged);
-    draft.certificate.parts.push_back(
-        make_convex_polyhedron(merged.vertices, merged.faces, merged.name, tolerance));
-    const double change = moments_of(draft.certificate.parts.back()).volume - before;
-    if (std::abs(change) > 1e-12 * before)
-        draft.repaired(format("faces that bulge by less than %.3g m were flattened: the volume changed by %.3g m3",
-                              tolerance * draft.diagonal, change));
-    return "";
-}
-
 }  // namespace
+
+void Draft::mark_edges(const std::string& label, const std::vector<std::pair<int, int>>& edges)
+{
+    MarkedFeature feature{label, {}, {}, {}};
+    for (const auto& [a, b] : edges) feature.lines.push_back({surface.vertices[a], surface.vertices[b]});
+    certificate.features.push_back(std::move(feature));
+}
+
+void Draft::mark_faces(const std::string& label, const std::vector<int>& faces)
+{
+    MarkedFeature feature{label, {}, {}, {}};
+    for (const int f : std::set<int>(faces.begin(), faces.end())) {
+        std::vector<Eigen::Vector3d>& polygon = feature.polygons.emplace_back();
+        for (const int v : surface.faces[f]) polygon.push_back(surface.vertices[v]);
+    }
+    certificate.features.push_back(std::move(feature));
+}
 
 Certificate certify(PolygonSurface surface, const CertifyOptions& options)
 {
@@ -203,8 +245,8 @@ Certificate certify(PolygonSurface surface, const CertifyOptions& options)
     draft.certificate.name = draft.surface.name;
     std::string& reason = draft.certificate.reason;
     try {
-        for (const auto step : {check_size, weld_vertices, check_closed, check_one_shell, orient, check_crossings,
-                                check_volume, turn_outward, check_convex, make_part})
+        for (const CertifyStep step : {check_size, weld_vertices, check_closed, check_shells, orient,
+                                       check_crossings, check_volume, check_convex})
             if (reason = step(draft); !reason.empty()) break;
     } catch (const InputError& error) {
         const Fault& fault = error.faults.front();
@@ -212,6 +254,7 @@ Certificate certify(PolygonSurface surface, const CertifyOptions& options)
         draft.certificate.convex = false;
         draft.certificate.parts.clear();
     }
+    draft.certificate.surface = std::move(draft.surface);
     return std::move(draft.certificate);
 }
 

@@ -1,11 +1,14 @@
-// From a surface as it comes to a convex polyhedron that is proven valid, or to the reason why not.
+// From a surface as it comes to convex polyhedra that are proven valid, or to the reason why not.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "importers/exact/decompose.h"
+#include "importers/mesh/marked_feature.h"
 #include "importers/mesh/polygon_surface.h"
 #include "libdda/geometry/convex_polyhedron.h"
+#include "libdda/geometry/moments.h"
 
 namespace voussoir
 {
@@ -14,9 +17,11 @@ struct CertifyOptions {
     // vertices closer than weld_tolerance x bounding diagonal become one
     double weld_tolerance = 1e-6;
     // a vertex may lie outside a face's plane, or a corner off it, by planarity_tolerance x bounding diagonal
-    double planarity_tolerance = 1e-6;
+    double planarity_tolerance = 1e-5;
     // less than smallest_volume x bounding diagonal^3 is no volume
     double smallest_volume = 1e-9;
+    int most_parts = 64;         // of a concave stone
+    double volume_error = 0.01;  // share of its volume by which the parts of a concave stone may exceed it
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, added to coordinates in messages
 };
 
@@ -26,12 +31,18 @@ struct Certificate {
     bool closed = false, convex = false;
     std::string reason;                   // why it was refused; empty when accepted
     std::vector<std::string> repairs;     // every repair, in words, with numbers
-    std::vector<ConvexPolyhedron> parts;  // one convex part; empty when refused
+    std::vector<ConvexPolyhedron> parts;  // one, or the glued parts of a concave stone; empty when refused
+    Moments moments;          // of the surface as drawn, known when it is closed and does not cross itself
+    double volume_error = 0;  // share of the volume by which the parts differ from it
+    std::vector<MarkedFeature> features;  // what is wrong where
+    PolygonSurface surface;               // as it was judged
 };
 
-/// Welds, then proves in this order: closed, consistently oriented (faces are turned if need be, and it is said),
-/// one shell, faces with area, not crossing itself, outward (a shell inside out is turned), a volume, convex.
-/// Coplanar faces are merged into polygons.
+/// Welds, mends what has one cure (repeated faces, triangles without area, faces that meet without sharing their
+/// corners), then proves in this order: closed, consistently oriented (faces are turned if need be, and it is
+/// said), one outside with or without cavities, faces with area, not crossing itself, outward (a shell inside out
+/// is turned), a volume. A convex stone becomes one part with coplanar faces merged into polygons, a concave one
+/// several (decompose).
 /// @param surface in metres, z up, near the origin
 Certificate certify(PolygonSurface surface, const CertifyOptions& options = {});
 

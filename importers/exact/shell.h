@@ -1,4 +1,4 @@
-// What the faces of a surface say about its topology, without any arithmetic.
+// How the faces of a surface hang together.
 #pragma once
 
 #include <string>
@@ -18,7 +18,21 @@ struct EdgeUse {
 
 EdgeUse edge_use(const PolygonSurface& surface);
 
-/// Number of shells: faces connected by edges.
+/// What shells that touch in an edge only, no face on a face, are taken for.
+enum class TouchingEdges {
+    connect,  // that may as well be a mistake
+    part,     // they are known to be sound
+};
+
+/// For every face the number of its shell, in the order of first faces. Shells are faces connected by edges; where
+/// stones touch face to face and share vertices, more than two faces meet in an edge, and each is followed round
+/// through the inside of its stone to its own neighbour.
+std::vector<int> shell_of_faces(const PolygonSurface& surface, TouchingEdges touching = TouchingEdges::connect);
+
+/// Number of shells.
 int shells(const PolygonSurface& surface);
+
+/// How often a closed surface winds round a point: 1 inside, 0 outside. Source: Van Oosterom and Strackee 1983.
+double winding_number(const PolygonSurface& surface, const Eigen::Vector3d& point);
 
 }  // namespace voussoir

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <sstream>
 
 #include "libdda/errors.h"
@@ -104,17 +105,38 @@ void check_convexity(const std::vector<Vector3d>& vertices, const std::vector<Lo
     }
 }
 
-/// For every face the lowest face of its flat patch: edge-adjacent faces in one plane, facing the same way.
+/// The normals of needles are rounding errors: the large faces have the first say about planes.
+std::vector<int> largest_first(const std::vector<Vector3d>& vertices, const std::vector<Loop>& faces)
+{
+    std::vector<double> area;
+    for (const Loop& face : faces) area.push_back(newell(vertices, face).norm());
+    std::vector<int> order(faces.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return area[a] > area[b]; });
+    return order;
+}
+
+/// Less wide than `allowed`.
+bool is_needle(const std::vector<Vector3d>& vertices, const Loop& face, double allowed)
+{
+    double longest = 0;
+    for (std::size_t i = 0; i < face.size(); ++i)
+        longest = std::max(longest, (vertices[face[(i + 1) % face.size()]] - vertices[face[i]]).norm());
+    return newell(vertices, face).norm() <= allowed * longest;
+}
+
+/// For every face the largest face of its flat patch: edge-adjacent faces in one plane, facing the same way.
 std::vector<int> coplanar_groups(const std::vector<Vector3d>& vertices, const std::vector<Loop>& faces,
                                  const std::map<DirectedEdge, int>& owner, double allowed)
 {
     std::vector<int> group(faces.size(), -1);
-    for (int seed = 0; seed < static_cast<int>(faces.size()); ++seed) {
+    for (const int seed : largest_first(vertices, faces)) {
         if (group[seed] >= 0) continue;
         const Vector3d unit = newell(vertices, faces[seed]).normalized();
         const Vector3d& anchor = vertices[faces[seed].front()];
         const auto in_plane = [&](const Loop& face) {
-            return newell(vertices, face).dot(unit) > 0 && std::all_of(face.begin(), face.end(), [&](int v) {
+            const bool same_side = newell(vertices, face).dot(unit) > 0 || is_needle(vertices, face, allowed);
+            return same_side && std::all_of(face.begin(), face.end(), [&](int v) {
                        return std::abs(unit.dot(vertices[v] - anchor)) <= allowed;
                    });
         };

@@ -1,0 +1,66 @@
+#include <cmath>
+
+#include "importers/exact/convexity.h"
+#include "importers/exact/draft.h"
+#include "importers/exact/weld.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+/// A convex stone: one part, with coplanar faces merged.
+void make_one_part(Draft& draft)
+{
+    const double tolerance = draft.options.planarity_tolerance, volume = draft.certificate.moments.volume;
+    PolygonSurface merged = draft.surface;
+    merged.faces = merge_coplanar_faces(merged.vertices, merged.faces, tolerance / 4);
+    drop_unused_vertices(merged);
+    draft.certificate.parts.push_back(
+        make_convex_polyhedron(merged.vertices, merged.faces, merged.name, tolerance));
+    const double change = moments_of(draft.certificate.parts.back()).volume - volume;
+    draft.certificate.volume_error = std::abs(change) > 1e-12 * volume ? change / volume : 0;
+    if (std::abs(change) > 1e-12 * volume)
+        draft.repaired(format("faces that bulge by less than %.3g m were flattened: the volume changed by %.3g m3",
+                              tolerance * draft.diagonal, change));
+}
+
+std::string make_glued_parts(Draft& draft)
+{
+    const CertifyOptions& options = draft.options;
+    DecomposeOptions how;
+    how.planarity = options.planarity_tolerance;
+    how.most_parts = options.most_parts;
+    how.volume_error = options.volume_error;
+    Decomposition result =
+        decompose({draft.surface.vertices, draft.examination.triangles}, how, draft.certificate.name);
+    if (!result.reason.empty())
+        return format("it is concave in %d edges and ", result.reentrant_edges) + result.reason;
+    draft.certificate.parts = std::move(result.parts);
+    draft.certificate.volume_error = result.volume_error;
+    draft.repaired(format("it is concave in %d edges and became %zu convex parts glued together, ",
+                          result.reentrant_edges, draft.certificate.parts.size()) +
+                   (result.volume_error > 1e-9
+                        ? format("which exceed it by %.2g %% of its volume", 100 * result.volume_error)
+                        : std::string("without change of volume")));
+    return "";
+}
+
+}  // namespace
+
+std::string check_convex(Draft& draft)
+{
+    const double allowed = draft.options.planarity_tolerance * draft.diagonal;
+    const std::vector<Outlier> bent = cut_bent_faces(draft.surface, draft.examination, allowed);
+    if (!bent.empty())
+        draft.repaired(format("%zu faces are not flat and were cut into triangles, the first by %.3g m at ",
+                              bent.size(), bent.front().distance) +
+                       draft.at(bent.front().vertex));
+    draft.certificate.convex = worst_outlier(draft.surface).distance <= allowed;
+    if (!draft.certificate.convex) return make_glued_parts(draft);
+    make_one_part(draft);
+    return "";
+}
+
+}  // namespace voussoir

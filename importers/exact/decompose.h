@@ -1,0 +1,38 @@
+// Concave stones as convex parts that are glued together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "importers/exact/exact_solid.h"
+#include "libdda/geometry/convex_polyhedron.h"
+
+namespace voussoir
+{
+
+struct DecomposeOptions {
+    double planarity = 1e-5;     // share of the diagonal by which a face may bulge inward and still count as flat
+    int most_exact_edges = 48;   // stones with more reentrant edges are approximated
+    int most_parts = 64;         // of any stone
+    double volume_error = 0.01;  // share of the volume that is allowed to approximating parts
+};
+
+struct Decomposition {
+    // Their faces that lie in a cut are marked as glued. Empty when `reason` says why.
+    std::vector<ConvexPolyhedron> parts;
+    int reentrant_edges = 0;
+    double volume_error = 0;  // share of the volume by which the parts together exceed the stone; 0 when exact
+    std::string reason;
+};
+
+/// Cuts a solid by planes through its reentrant edges until every piece is convex, in exact arithmetic. Each plane
+/// is chosen to resolve as many reentrant edges as it can, to cross as few others as possible, and to lie in no
+/// face, so that a face of a part belongs to the surface or to a cut, never to both. A solid of many reentrant
+/// edges is cut where it is most hollow until the convex hulls of the pieces exceed it by less than the allowed
+/// share of its volume: the hull of a piece never leaves its side of a cut, so that parts do not overlap.
+/// Source: Chazelle 1984 (notch resolution); the choice of planes is ours.
+/// @param surface closed, outward, not crossing itself [m]
+Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& options = {},
+                        const std::string& name = "stone");
+
+}  // namespace voussoir

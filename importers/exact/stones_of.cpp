@@ -1,0 +1,133 @@
+#include "importers/exact/stones_of.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "importers/exact/shell.h"
+#include "importers/exact/weld.h"
+
+namespace voussoir
+{
+
+using Eigen::Vector3d;
+
+namespace
+{
+
+std::vector<PolygonSurface> shells_of(const PolygonSurface& surface)
+{
+    const std::vector<int> shell = shell_of_faces(surface);
+    const int count = shell.empty() ? 0 : *std::max_element(shell.begin(), shell.end()) + 1;
+    // One pass per shell would be quadratic for a survey of thousands of stones in one object.
+    std::vector<PolygonSurface> parts(count, PolygonSurface{surface.name, {}, {}});
+    std::vector<std::map<int, int>> local(count);
+    for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+        PolygonSurface& part = parts[shell[f]];
+        std::vector<int> loop;
+        for (const int v : surface.faces[f]) {
+            const auto [entry, is_new] = local[shell[f]].emplace(v, static_cast<int>(part.vertices.size()));
+            if (is_new) part.vertices.push_back(surface.vertices[v]);
+            loop.push_back(entry->second);
+        }
+        part.faces.push_back(std::move(loop));
+    }
+    return parts;
+}
+
+bool is_closed(const PolygonSurface& surface)
+{
+    const EdgeUse use = edge_use(surface);
+    return use.open.empty() && use.branching.empty();
+}
+
+double diagonal_of(const PolygonSurface& surface)
+{
+    Vector3d lower = Vector3d::Constant(1e300), upper = -lower;
+    for (const Vector3d& x : surface.vertices) {
+        lower = lower.cwiseMin(x);
+        upper = upper.cwiseMax(x);
+    }
+    return (upper - lower).norm();
+}
+
+struct Box {
+    Vector3d lower = Vector3d::Constant(1e300), upper = Vector3d::Constant(-1e300);
+    explicit Box(const PolygonSurface& surface)
+    {
+        for (const Vector3d& x : surface.vertices) {
+            lower = lower.cwiseMin(x);
+            upper = upper.cwiseMax(x);
+        }
+    }
+    bool holds(const Box& other) const
+    {
+        return (lower.array() < other.lower.array()).all() && (upper.array() > other.upper.array()).all();
+    }
+};
+
+/// Puts shells that lie inside another one into it, as its cavities. @returns how many
+int join_cavities(std::vector<PolygonSurface>& shells)
+{
+    const std::vector<Box> boxes(shells.begin(), shells.end());
+    std::vector<int> outer(shells.size(), -1);
+    for (std::size_t i = 0; i < shells.size(); ++i)
+        for (std::size_t o = 0; o < shells.size() && outer[i] < 0; ++o)
+            if (o != i && boxes[o].holds(boxes[i]) &&
+                std::abs(winding_number(shells[o], shells[i].vertices.front())) > 0.5)
+                outer[i] = static_cast<int>(o);
+    int count = 0;
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        if (outer[i] < 0 || outer[outer[i]] >= 0) continue;  // a stone inside a cavity stays a stone of its own
+        PolygonSurface& host = shells[outer[i]];
+        const int first = static_cast<int>(host.vertices.size());
+        host.vertices.insert(host.vertices.end(), shells[i].vertices.begin(), shells[i].vertices.end());
+        for (std::vector<int> face : shells[i].faces) {
+            for (int& v : face) v += first;
+            host.faces.push_back(std::move(face));
+        }
+        shells[i].faces.clear();
+        ++count;
+    }
+    std::erase_if(shells, [](const PolygonSurface& shell) { return shell.faces.empty(); });
+    return count;
+}
+
+}  // namespace
+
+SeparatedStones separate_stones(PolygonSurface surface, double weld_tolerance)
+{
+    SeparatedStones result;
+    std::vector<PolygonSurface> shells = shells_of(surface);  // by the file's own vertices
+    const auto all_closed = [&] { return std::all_of(shells.begin(), shells.end(), is_closed); };
+    if (!all_closed()) {
+        PolygonSurface welded = surface;
+        weld(welded, 0);
+        shells = shells_of(welded);
+        if (!all_closed()) {
+            weld(welded, weld_tolerance * diagonal_of(welded));
+            shells = shells_of(welded);
+        }
+    }
+    const auto closed = std::count_if(shells.begin(), shells.end(), is_closed);
+    if (closed < 2) {
+        result.stones.push_back(std::move(surface));
+        return result;
+    }
+    const int cavities = join_cavities(shells);
+    if (cavities > 0)
+        result.repairs.push_back("\"" + surface.name + "\": " + std::to_string(cavities) +
+                                 " closed surfaces inside others were taken as cavities");
+    if (shells.size() == 1) {
+        result.stones.push_back(std::move(surface));
+        return result;
+    }
+    for (std::size_t i = 0; i < shells.size(); ++i) shells[i].name = surface.name + "." + std::to_string(i + 1);
+    result.repairs.push_back("\"" + surface.name + "\" consists of " + std::to_string(shells.size()) +
+                             " separate surfaces, which became stones of their own, \"" + shells.front().name +
+                             "\" and so on");
+    result.stones = std::move(shells);
+    return result;
+}
+
+}  // namespace voussoir

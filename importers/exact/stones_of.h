@@ -1,0 +1,22 @@
+// One surface that holds several stones, taken apart.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "importers/mesh/polygon_surface.h"
+
+namespace voussoir
+{
+
+struct SeparatedStones {
+    std::vector<PolygonSurface> stones;  // named NAME, or NAME.1, NAME.2 ... in the order of their first faces
+    std::vector<std::string> repairs;
+};
+
+/// Takes a surface apart into its closed shells. A shell inside another one is that one's cavity and stays with
+/// it. A surface with fewer than two closed shells is left as it is.
+/// @param surface in any unit @param weld_tolerance share of its diagonal within which vertices are one
+SeparatedStones separate_stones(PolygonSurface surface, double weld_tolerance);
+
+}  // namespace voussoir

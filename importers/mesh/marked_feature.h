@@ -1,0 +1,20 @@
+// Places on a stone that a picture marks.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace voussoir
+{
+
+/// What is wrong, and where. Coordinates in the unit and axes of whoever holds it.
+struct MarkedFeature {
+    std::string label;  // a few words: "hole", "faces cross"
+    std::vector<Eigen::Vector3d> points;
+    std::vector<std::array<Eigen::Vector3d, 2>> lines;
+    std::vector<std::vector<Eigen::Vector3d>> polygons;
+};
+
+}  // namespace voussoir
