@@ -36,11 +36,15 @@ std::string make_glued_parts(Draft& draft)
     Decomposition result =
         decompose({draft.surface.vertices, draft.examination.triangles}, how, draft.certificate.name);
     if (!result.reason.empty())
-        return format("it is concave in %d edges and ", result.reentrant_edges) + result.reason;
+        return format("it is concave in %d edges and ", result.reentrant_edges) + result.reason +
+               format(": so far they exceed it by %.2g %% of its volume, %.2g %% is allowed; simplify the mesh",
+                      100 * result.volume_error, 100 * options.volume_error);
     draft.certificate.parts = std::move(result.parts);
     draft.certificate.volume_error = result.volume_error;
-    draft.repaired(format("it is concave in %d edges and became %zu convex parts glued together, ",
-                          result.reentrant_edges, draft.certificate.parts.size()) +
+    const std::size_t count = draft.certificate.parts.size();
+    const std::string parts =
+        count == 1 ? std::string("its convex hull, ") : format("%zu convex parts glued together, ", count);
+    draft.repaired(format("it is concave in %d edges and became ", result.reentrant_edges) + parts +
                    (result.volume_error > 1e-9
                         ? format("which exceed it by %.2g %% of its volume", 100 * result.volume_error)
                         : std::string("without change of volume")));

@@ -6,7 +6,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
-#include "importers/exact/exact_solid.h"
+#include "importers/exact/triangle_surface.h"
 
 namespace voussoir
 {

@@ -20,12 +20,6 @@ constexpr double least_angle = 0.03;                      // rad, between a cut 
 constexpr double crossing_penalty = 0.75;                 // an edge that is crossed has to be resolved twice
 constexpr double ridge_penalty = 0.1;                     // a convex edge in the cut is lost to edge contacts
 
-Vector3d normal_of(const TriangleSurface& surface, const Eigen::Vector3i& t)
-{
-    return (surface.vertices[t[1]] - surface.vertices[t[0]])
-        .cross(surface.vertices[t[2]] - surface.vertices[t[0]]);
-}
-
 struct Neighbours {
     int first = -1, second = -1;                    // triangles; the first runs along the edge from `from` to `to`
     int opposite_first = -1, opposite_second = -1;  // vertices
@@ -57,16 +51,14 @@ bool resolves(const ReentrantEdge& edge, double a, double margin)
 }
 
 struct Candidate {
-    ExactPlane points;
-    Vector3d anchor, normal;
+    CutPlane plane;
     double score = 0;
-
-    explicit Candidate(const ExactPlane& through) : points(through), anchor(through[0])
-    {
-        normal = (through[1] - through[0]).cross(through[2] - through[0]).normalized();
-    }
-    double distance(const Vector3d& x) const { return normal.dot(x - anchor); }
 };
+
+CutPlane plane_through(const ReentrantEdge& edge, const Vector3d& direction)
+{
+    return {edge.from, (edge.to - edge.from).cross(direction).normalized()};
+}
 
 class Judge
 {
@@ -84,27 +76,28 @@ class Judge
     }
 
     /// False when the plane lies in a face.
-    bool judge(Candidate& plane) const
+    bool judge(Candidate& candidate) const
     {
+        const CutPlane& plane = candidate.plane;
         if (lies_in_a_face(plane)) return false;
-        plane.score = 0;
+        candidate.score = 0;
         for (const ReentrantEdge& edge : edges_) {
             const double from = plane.distance(edge.from), to = plane.distance(edge.to);
             if (std::abs(from) <= tolerance_ && std::abs(to) <= tolerance_)
-                plane.score += edge.weight;  // whatever the angle: all sectors it leaves are at most flat
+                candidate.score += edge.weight;  // whatever the angle: all sectors it leaves are at most flat
             else if (std::min(from, to) < -tolerance_ && std::max(from, to) > tolerance_)
-                plane.score -= crossing_penalty * edge.weight;
+                candidate.score -= crossing_penalty * edge.weight;
         }
         int ridges = 0;
         for (const auto& [from, to] : ridges_)
             ridges += std::abs(plane.distance(surface_.vertices[from])) <= tolerance_ &&
                       std::abs(plane.distance(surface_.vertices[to])) <= tolerance_;
-        plane.score -= ridge_penalty * ridges;
+        candidate.score -= ridge_penalty * ridges;
         return true;
     }
 
  private:
-    bool lies_in_a_face(const Candidate& plane) const
+    bool lies_in_a_face(const CutPlane& plane) const
     {
         return std::any_of(surface_.triangles.begin(), surface_.triangles.end(), [&](const Eigen::Vector3i& t) {
             for (int k = 0; k < 3; ++k)
@@ -123,25 +116,23 @@ class Judge
     std::vector<std::pair<int, int>> ridges_;
 };
 
-/// Planes through one edge: at some angles, and through an end of every other edge in a common plane with it.
+/// Planes through one edge: at some angles, and through every other edge in a common plane with it.
 std::vector<Candidate> candidates_at(const ReentrantEdge& edge, const std::vector<ReentrantEdge>& edges,
                                      double tolerance)
 {
     std::vector<Candidate> found;
-    const Vector3d &from = edge.line[0], &to = edge.line[1];
-    const double length = (to - from).norm();
     const double lowest = edge.angle - pi, range = pi - lowest;
     for (const double share : shares)
-        found.emplace_back(ExactPlane{from, to, from + length * direction_at(edge, lowest + share * range)});
+        found.push_back({plane_through(edge, direction_at(edge, lowest + share * range))});
+    const Vector3d along = (edge.to - edge.from).normalized();
     for (const ReentrantEdge& other : edges) {
-        const Vector3d along = (to - from) / length;
-        const Vector3d arm = other.line[0] - from, across = arm - along.dot(arm) * along;
+        const Vector3d arm = other.from - edge.from, across = arm - along.dot(arm) * along;
         if (across.norm() <= 1e3 * tolerance) continue;
-        Candidate plane(ExactPlane{from, to, other.line[0]});
+        const CutPlane plane = plane_through(edge, across);
         if (std::abs(plane.distance(other.to)) > tolerance) continue;
         double a = std::atan2(-edge.first_normal.dot(across), edge.into_first.dot(across));
         if (a < 0) a += pi;
-        if (resolves(edge, a, least_angle)) found.push_back(plane);
+        if (resolves(edge, a, least_angle)) found.push_back({plane});
     }
     return found;
 }
@@ -160,25 +151,13 @@ std::vector<ReentrantEdge> reentrant_edges(const TriangleSurface& surface, doubl
         const double over_second = n2.dot(surface.vertices[sides.opposite_first] - from);
         if (std::min(over_first, over_second) <= tolerance) continue;
         const Vector3d along = (to - from).normalized();
-        ReentrantEdge edge{from, to, {from, to}, n1.cross(along), n1, 0, 1};
+        ReentrantEdge edge{from, to, n1.cross(along), n1, 0, 1};
         const Vector3d into_second = along.cross(n2);
         edge.angle = std::atan2(-n1.dot(into_second), edge.into_first.dot(into_second));
         if (edge.angle < 0) edge.angle += 2 * pi;
         found.push_back(edge);
     }
     return found;
-}
-
-void put_on_lines(std::vector<ReentrantEdge>& edges, const std::vector<ReentrantEdge>& lines, double tolerance)
-{
-    for (ReentrantEdge& edge : edges)
-        for (const ReentrantEdge& line : lines) {
-            const Vector3d along = (line.to - line.from).normalized();
-            if (along.cross(edge.from - line.from).norm() > tolerance) continue;
-            if (along.cross(edge.to - line.from).norm() > tolerance) continue;
-            edge.line = line.line;
-            break;
-        }
 }
 
 void weight_by_depth(std::vector<ReentrantEdge>& edges, const TriangleSurface& hull)
@@ -192,18 +171,18 @@ void weight_by_depth(std::vector<ReentrantEdge>& edges, const TriangleSurface& h
     }
 }
 
-std::vector<ExactPlane> cutting_planes(const TriangleSurface& surface, const std::vector<ReentrantEdge>& edges,
-                                       double tolerance, std::size_t count)
+std::vector<CutPlane> cutting_planes(const TriangleSurface& surface, const std::vector<ReentrantEdge>& edges,
+                                     double tolerance, std::size_t count)
 {
     const Judge judge(surface, edges, tolerance);
     std::vector<Candidate> good;
     for (const ReentrantEdge& edge : edges)
-        for (Candidate& plane : candidates_at(edge, edges, tolerance))
-            if (judge.judge(plane)) good.push_back(plane);
+        for (Candidate& candidate : candidates_at(edge, edges, tolerance))
+            if (judge.judge(candidate)) good.push_back(candidate);
     std::stable_sort(good.begin(), good.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-    std::vector<ExactPlane> planes;
-    for (std::size_t i = 0; i < std::min(count, good.size()); ++i) planes.push_back(good[i].points);
+    std::vector<CutPlane> planes;
+    for (std::size_t i = 0; i < std::min(count, good.size()); ++i) planes.push_back(good[i].plane);
     return planes;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "importers/exact/cut_choice.h"
 #include "importers/exact/weld.h"
@@ -17,118 +18,121 @@ using Eigen::Vector3d;
 namespace
 {
 
-constexpr double same_point = 1e-9;  // share of the diagonal
-constexpr double nothing = 1e-9;     // share of the volume: smaller pieces are crumbs of rounding
-constexpr std::size_t tries = 12;    // planes, before a piece is left as it is
-
-struct CutFace {
-    Vector3d anchor, normal;
-};
+constexpr double in_plane = 1e-9;  // share of the diagonal: nearer points lie in a plane
+constexpr double nothing = 1e-9;   // share of the volume: smaller pieces are crumbs of rounding
+constexpr std::size_t tries = 12;  // planes, of which the best is taken
 
 /// A piece of the stone, with the cuts that bound it.
 struct Piece {
-    ExactSolid solid;
-    std::vector<CutFace> cuts;
     TriangleSurface surface, hull;
+    std::vector<CutPlane> cuts;  // normals out of the piece
     std::vector<ReentrantEdge> edges;
     double excess = 0;   // m3, of the hull over the piece
     bool stuck = false;  // no plane cuts it
 };
 
-double volume_of(const TriangleSurface& surface)
-{
-    return surface.triangles.empty() ? 0 : moments_of_surface(surface.vertices, surface.triangles).volume;
-}
-
-double diagonal_of(const TriangleSurface& surface)
-{
-    Vector3d lower = surface.vertices.front(), upper = lower;
-    for (const Vector3d& x : surface.vertices) {
-        lower = lower.cwiseMin(x);
-        upper = upper.cwiseMax(x);
-    }
-    return (upper - lower).norm();
-}
-
 class Cutter
 {
  public:
     Cutter(const TriangleSurface& surface, const DecomposeOptions& options)
-        : options_(options),
-          diagonal_(diagonal_of(surface)),
-          volume_(volume_of(surface)),
-          lines_(reentrant_edges(surface, options.planarity * diagonal_)),
-          exact_(static_cast<int>(lines_.size()) <= options.most_exact_edges)
+        : options_(options), diagonal_(diagonal_of(surface)), volume_(volume_of(surface))
     {
-        add(ExactSolid(surface), {});
+        const std::vector<ReentrantEdge> all = reentrant_edges(surface, options.planarity * diagonal_);
+        reentrant_count = static_cast<int>(all.size());
+        approximate_ = reentrant_count > options.most_exact_edges;
+        pieces.push_back(make_piece(surface, {}));
     }
 
     void cut_all()
     {
-        while (static_cast<int>(pieces_.size()) < options_.most_parts) {
-            if (!exact_ && excess() <= options_.volume_error * volume_) return;
-            const auto worst = std::max_element(pieces_.begin(), pieces_.end(),
+        while (static_cast<int>(pieces.size()) < options_.most_parts) {
+            if (approximate_ && excess() <= options_.volume_error * volume_) return;
+            const auto worst = std::max_element(pieces.begin(), pieces.end(),
                                                 [&](const Piece& a, const Piece& b) { return need(a) < need(b); });
             if (need(*worst) <= 0) return;
-            cut(worst - pieces_.begin());
+            cut(worst - pieces.begin());
         }
     }
 
-    const std::vector<Piece>& pieces() const { return pieces_; }
+    /// By how much the parts exceed the stone, as a share of its volume: what the hulls add, and what the cuts
+    /// lost.
+    double volume_error() const
+    {
+        double sum = 0;
+        for (const Piece& piece : pieces) sum += volume_of(piece.hull);
+        return sum / volume_ - 1;
+    }
+    double diagonal() const { return diagonal_; }
+
+    std::vector<Piece> pieces;
+    int reentrant_count = 0;
+
+ private:
     double excess() const
     {
         double sum = 0;
-        for (const Piece& piece : pieces_) sum += piece.excess;
+        for (const Piece& piece : pieces) sum += piece.excess;
         return sum;
     }
-    double volume() const { return volume_; }
-    double diagonal() const { return diagonal_; }
-    int reentrant_count() const { return static_cast<int>(lines_.size()); }
 
- private:
     /// What there is to gain from cutting a piece; 0: nothing, or it cannot be cut.
     static double need(const Piece& piece)
     {
         return piece.edges.empty() || piece.stuck ? 0 : std::max(piece.excess, 1e-300);
     }
 
-    void add(ExactSolid solid, std::vector<CutFace> cuts)
+    Piece make_piece(const TriangleSurface& surface, std::vector<CutPlane> cuts) const
     {
-        Piece piece{std::move(solid), std::move(cuts), {}, {}, {}, 0, false};
-        piece.surface = piece.solid.rounded();
-        const double own = volume_of(piece.surface);
-        if (own <= nothing * volume_) return;
-        piece.hull = convex_hull(piece.surface.vertices);
-        piece.excess = volume_of(piece.hull) - own;
-        piece.edges = reentrant_edges(piece.surface, options_.planarity * diagonal_);
-        put_on_lines(piece.edges, lines_, same_point * diagonal_);
-        if (!exact_) weight_by_depth(piece.edges, piece.hull);
-        pieces_.push_back(std::move(piece));
+        Piece piece{surface, convex_hull(surface.vertices), std::move(cuts), {}, 0, false};
+        piece.excess = volume_of(piece.hull) - volume_of(surface);
+        piece.edges = reentrant_edges(surface, options_.planarity * diagonal_);
+        if (approximate_) weight_by_depth(piece.edges, piece.hull);
+        return piece;
+    }
+
+    std::vector<Piece> pieces_of(const Halves& halves, const CutPlane& plane, const Piece& whole) const
+    {
+        std::vector<Piece> made;
+        std::vector<CutPlane> cuts = whole.cuts;
+        cuts.push_back(plane);
+        for (const bool behind : {true, false}) {
+            if (!behind) cuts.back().normal = -plane.normal;
+            for (const TriangleSurface& surface : behind ? halves.behind : halves.before)
+                if (volume_of(surface) > nothing * volume_) made.push_back(make_piece(surface, cuts));
+        }
+        return made;
+    }
+
+    /// How much is left to do; the smaller the better.
+    double remainder(const std::vector<Piece>& made) const
+    {
+        double sum = 0;
+        for (const Piece& piece : made)
+            sum += approximate_ ? piece.excess : 2.0 * static_cast<double>(piece.edges.size()) + 1;
+        return sum;
     }
 
     void cut(std::size_t index)
     {
-        Piece& piece = pieces_[index];
-        for (const ExactPlane& plane : cutting_planes(piece.surface, piece.edges, same_point * diagonal_, tries)) {
-            std::optional<ExactSolid::Halves> halves = piece.solid.cut(plane);
+        Piece& piece = pieces[index];
+        std::vector<Piece> best;
+        for (const CutPlane& plane : cutting_planes(piece.surface, piece.edges, in_plane * diagonal_, tries)) {
+            const std::optional<Halves> halves = cut_solid(piece.surface, plane, in_plane * diagonal_);
             if (!halves) continue;
-            const Vector3d front = (plane[1] - plane[0]).cross(plane[2] - plane[0]).normalized();
-            std::vector<CutFace> cuts = std::move(piece.cuts);
-            pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(index));
-            cuts.push_back({plane[0], front});
-            for (ExactSolid& part : halves->behind) add(std::move(part), cuts);
-            cuts.back().normal = -front;
-            for (ExactSolid& part : halves->before) add(std::move(part), cuts);
+            std::vector<Piece> made = pieces_of(*halves, plane, piece);
+            if (made.size() > 1 && (best.empty() || remainder(made) < remainder(best))) best = std::move(made);
+        }
+        if (best.empty()) {
+            piece.stuck = true;
             return;
         }
-        piece.stuck = true;
+        pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(index));
+        std::move(best.begin(), best.end(), std::back_inserter(pieces));
     }
 
     DecomposeOptions options_;
     double diagonal_, volume_;
-    std::vector<ReentrantEdge> lines_;
-    bool exact_;
-    std::vector<Piece> pieces_;
+    bool approximate_ = false;
 };
 
 /// The hull of a piece; the faces in its cuts are glued.
@@ -140,9 +144,9 @@ ConvexPolyhedron part_of(const Piece& piece, double planarity, double diagonal, 
     drop_unused_vertices(merged);
     ConvexPolyhedron part = make_convex_polyhedron(merged.vertices, merged.faces, name, planarity);
     for (const std::vector<int>& face : part.faces)
-        part.glued.push_back(std::any_of(piece.cuts.begin(), piece.cuts.end(), [&](const CutFace& cut) {
+        part.glued.push_back(std::any_of(piece.cuts.begin(), piece.cuts.end(), [&](const CutPlane& cut) {
             return std::all_of(face.begin(), face.end(), [&](int v) {
-                return std::abs(cut.normal.dot(part.vertices[v] - cut.anchor)) <= planarity * diagonal;
+                return std::abs(cut.distance(part.vertices[v])) <= planarity * diagonal;
             });
         }));
     return part;
@@ -155,13 +159,13 @@ Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& 
     Cutter cutter(surface, options);
     cutter.cut_all();
     Decomposition result;
-    result.reentrant_edges = cutter.reentrant_count();
-    result.volume_error = cutter.excess() / cutter.volume();
-    if (result.volume_error > options.volume_error) {
+    result.reentrant_edges = cutter.reentrant_count;
+    result.volume_error = cutter.volume_error();
+    if (std::abs(result.volume_error) > options.volume_error) {
         result.reason = "needs more than " + std::to_string(options.most_parts) + " convex parts";
         return result;
     }
-    for (const Piece& piece : cutter.pieces())
+    for (const Piece& piece : cutter.pieces)
         result.parts.push_back(part_of(piece, options.planarity, cutter.diagonal(), name));
     return result;
 }

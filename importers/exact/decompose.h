@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "importers/exact/exact_solid.h"
+#include "importers/exact/triangle_surface.h"
 #include "libdda/geometry/convex_polyhedron.h"
 
 namespace voussoir
@@ -25,12 +25,13 @@ struct Decomposition {
     std::string reason;
 };
 
-/// Cuts a solid by planes through its reentrant edges until every piece is convex, in exact arithmetic. Each plane
-/// is chosen to resolve as many reentrant edges as it can, to cross as few others as possible, and to lie in no
-/// face, so that a face of a part belongs to the surface or to a cut, never to both. A solid of many reentrant
-/// edges is cut where it is most hollow until the convex hulls of the pieces exceed it by less than the allowed
-/// share of its volume: the hull of a piece never leaves its side of a cut, so that parts do not overlap.
-/// Source: Chazelle 1984 (notch resolution); the choice of planes is ours.
+/// Cuts a solid by planes through its reentrant edges until every piece is convex. Each plane is chosen to leave
+/// as few reentrant edges and pieces as it can, and lies in no face, so that a face of a part belongs to the
+/// surface or to a cut, never to both. The parts are convex hulls by exact predicates, and their volume is
+/// compared with the solid's. A solid of many reentrant edges is cut where that brings the hulls of the pieces
+/// nearest to it, until they exceed it by less than the allowed share of its volume: the hull of a piece never
+/// leaves its side of a cut, so that parts do not overlap. Source: Chazelle 1984 (notch resolution); the choice of
+/// planes is ours.
 /// @param surface closed, outward, not crossing itself [m]
 Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& options = {},
                         const std::string& name = "stone");

@@ -1,0 +1,24 @@
+// A closed triangle surface in plain doubles, and what is asked of it.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voussoir
+{
+
+struct TriangleSurface {
+    std::vector<Eigen::Vector3d> vertices;
+    std::vector<Eigen::Vector3i> triangles;  // counter-clockwise from outside
+};
+
+/// Twice the area times the unit normal.
+Eigen::Vector3d normal_of(const TriangleSurface& surface, const Eigen::Vector3i& triangle);
+
+double volume_of(const TriangleSurface& surface);
+double diagonal_of(const TriangleSurface& surface);
+
+/// The convex hull of points by exact predicates (CGAL); no triangles when the points lie in a plane.
+TriangleSurface convex_hull(const std::vector<Eigen::Vector3d>& points);
+
+}  // namespace voussoir

@@ -1,0 +1,95 @@
+#include "importers/exact/stones_of.h"
+
+#include <gtest/gtest.h>
+
+#include "importers/exact/certify.h"
+#include "importers/exact/shell.h"
+#include "tests/importers/concave_shapes.h"
+
+namespace voussoir
+{
+namespace
+{
+
+void append(const PolygonSurface& from, PolygonSurface& to)
+{
+    const int first = static_cast<int>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (std::vector<int> face : from.faces) {
+        for (int& v : face) v += first;
+        to.faces.push_back(face);
+    }
+}
+
+/// Every triangle with corners of its own, as STL has them.
+PolygonSurface soup(const PolygonSurface& surface)
+{
+    PolygonSurface result{surface.name, {}, {}};
+    for (const std::vector<int>& face : triangulated(surface).faces) {
+        const int first = static_cast<int>(result.vertices.size());
+        for (const int v : face) result.vertices.push_back(surface.vertices[v]);
+        result.faces.push_back({first, first + 1, first + 2});
+    }
+    return result;
+}
+
+double volume_of(const PolygonSurface& surface)
+{
+    const Certificate certificate = certify(surface);
+    EXPECT_EQ(certificate.reason, "");
+    return certificate.moments.volume;
+}
+
+TEST(SeparateStones, TakesBoxesThatTouchFaceToFaceApart)
+{
+    PolygonSurface row{"row", {}, {}};
+    for (int i = 0; i < 4; ++i) append(box({1. * i, 0, 0}, {i + 1., 1, 1 + 0.1 * i}), row);
+    append(box({0, 0, -1}, {2, 1, 0}), row);  // under two of them
+    const SeparatedStones separated = separate_stones(soup(row), 1e-6);
+    ASSERT_EQ(separated.stones.size(), 5U);
+    EXPECT_EQ(separated.stones[0].name, "row.1");
+    EXPECT_EQ(separated.stones[4].name, "row.5");
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(volume_of(separated.stones[i]), 1 + 0.1 * i, 1e-12);
+    EXPECT_NEAR(volume_of(separated.stones[4]), 2, 1e-12);
+    ASSERT_EQ(separated.repairs.size(), 1U);
+    EXPECT_NE(separated.repairs[0].find("5 separate surfaces"), std::string::npos);
+}
+
+TEST(SeparateStones, LeavesStonesThatTouchInAnEdgeOnlyAsTheyAre)
+{
+    PolygonSurface two = unit_cube();
+    append(box({1, 1, 0}, {2, 2, 1}), two);
+    const SeparatedStones separated = separate_stones(soup(two), 1e-6);
+    ASSERT_EQ(separated.stones.size(), 1U);
+    EXPECT_NE(certify(separated.stones[0]).reason.find("more than two faces meet in 1 edges"), std::string::npos);
+}
+
+TEST(SeparateStones, KeepsACavityWithItsStone)
+{
+    const SeparatedStones separated = separate_stones(hollow_cube(), 1e-6);
+    ASSERT_EQ(separated.stones.size(), 1U);
+    const Certificate certificate = certify(separated.stones[0]);
+    ASSERT_EQ(certificate.reason, "");
+    EXPECT_NEAR(certificate.moments.volume, 1 - 0.064, 1e-14);
+    ASSERT_FALSE(certificate.repairs.empty());
+    EXPECT_NE(certificate.repairs[0].find("cavities"), std::string::npos);
+}
+
+TEST(SeparateStones, LeavesASurfaceWithOneClosedShellAlone)
+{
+    PolygonSurface cube_and_sheet = unit_cube();
+    append({"", {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}}}, cube_and_sheet);
+    EXPECT_EQ(separate_stones(cube_and_sheet, 1e-6).stones.size(), 1U);
+    EXPECT_EQ(separate_stones(unit_cube(), 1e-6).stones[0].name, unit_cube().name);
+}
+
+TEST(SeparateStones, WindingNumberTellsInsideFromOutside)
+{
+    const PolygonSurface shape = l_shape();
+    EXPECT_NEAR(winding_number(shape, {0.5, 0.5, 0.5}), 1, 1e-12);
+    EXPECT_NEAR(winding_number(shape, {1.5, 1.5, 0.5}), 0, 1e-12);
+    EXPECT_NEAR(winding_number(shape, {-3, 0.5, 0.5}), 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace voussoir
