@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 namespace
 {
 
-constexpr double in_plane = 1e-9;  // share of the diagonal: nearer points lie in a plane
+constexpr double in_plane = 1e-6;  // share of the diagonal: nearer points lie in a plane; as wide as the welding
 constexpr double nothing = 1e-9;   // share of the volume: smaller pieces are crumbs of rounding
 constexpr std::size_t tries = 12;  // planes, of which the best is taken
 
@@ -103,13 +103,31 @@ class Cutter
         return made;
     }
 
+    /// A cut that makes needles may hide a reentrant edge between them: a piece that shows none must be its own
+    /// hull, but for faces that bulge within the planarity.
+    bool is_sound(const Piece& piece) const
+    {
+        double area = 0;
+        for (const Eigen::Vector3i& t : piece.hull.triangles) area += normal_of(piece.hull, t).norm() / 2;
+        return !piece.edges.empty() || piece.excess <= options_.planarity * diagonal_ * area;
+    }
+
     /// How much is left to do; the smaller the better.
     double remainder(const std::vector<Piece>& made) const
     {
         double sum = 0;
-        for (const Piece& piece : made)
+        for (const Piece& piece : made) {
             sum += approximate_ ? piece.excess : 2.0 * static_cast<double>(piece.edges.size()) + 1;
+            if (!is_sound(piece)) sum += approximate_ ? piece.excess : 1000;
+        }
         return sum;
+    }
+
+    bool keeps_volume(const std::vector<Piece>& made, const Piece& whole) const
+    {
+        double sum = 0;
+        for (const Piece& piece : made) sum += volume_of(piece.surface);
+        return std::abs(sum - volume_of(whole.surface)) <= 1e-6 * volume_;
     }
 
     void cut(std::size_t index)
@@ -120,7 +138,8 @@ class Cutter
             const std::optional<Halves> halves = cut_solid(piece.surface, plane, in_plane * diagonal_);
             if (!halves) continue;
             std::vector<Piece> made = pieces_of(*halves, plane, piece);
-            if (made.size() > 1 && (best.empty() || remainder(made) < remainder(best))) best = std::move(made);
+            if (made.size() < 2 || !keeps_volume(made, piece)) continue;
+            if (best.empty() || remainder(made) < remainder(best)) best = std::move(made);
         }
         if (best.empty()) {
             piece.stuck = true;
