@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/assertions_behaviour.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
 
@@ -56,21 +57,40 @@ struct NumberingVisitor {
     void after_subface_creations() {}
 };
 
+/// A face as a fan from its first corner, as most programs read it, so that a face that is not flat encloses the
+/// volume it has elsewhere; one polygon when the fan would fold over.
+std::vector<std::vector<int>> fan_of(const PolygonSurface& surface, const std::vector<int>& face)
+{
+    std::vector<std::vector<int>> triangles;
+    std::vector<Eigen::Vector3d> normals;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    const Eigen::Vector3d& first = surface.vertices[face[0]];
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+        triangles.push_back({face[0], face[i], face[i + 1]});
+        normals.emplace_back((surface.vertices[face[i]] - first).cross(surface.vertices[face[i + 1]] - first));
+        sum += normals.back();
+    }
+    for (const Eigen::Vector3d& normal : normals)
+        if (normal.dot(sum) <= 1e-6 * sum.squaredNorm()) return {face};
+    return triangles;
+}
+
 Mesh to_mesh(const PolygonSurface& surface, FaceNumbers& numbers)
 {
     Mesh mesh;
     std::vector<Mesh::Vertex_index> vertices;
     for (const Kernel::Point_3& point : points_of(surface)) vertices.push_back(mesh.add_vertex(point));
     numbers = mesh.add_property_map<Mesh::Face_index, int>("f:number", -1).first;
-    for (int f = 0; f < static_cast<int>(surface.faces.size()); ++f) {
-        std::vector<Mesh::Vertex_index> loop;
-        for (const int v : surface.faces[f]) loop.push_back(vertices[v]);
-        const Mesh::Face_index face = mesh.add_face(loop);
-        if (face == Mesh::null_face())
-            throw InputError(surface.name, "shells touch in an edge or a vertex only",
-                             "every vertex lies inside one fan of faces");
-        numbers[face] = f;
-    }
+    for (int f = 0; f < static_cast<int>(surface.faces.size()); ++f)
+        for (const std::vector<int>& part : fan_of(surface, surface.faces[f])) {
+            std::vector<Mesh::Vertex_index> loop;
+            for (const int v : part) loop.push_back(vertices[v]);
+            const Mesh::Face_index face = mesh.add_face(loop);
+            if (face == Mesh::null_face())
+                throw InputError(surface.name, "shells touch in an edge or a vertex only",
+                                 "every vertex lies inside one fan of faces");
+            numbers[face] = f;
+        }
     return mesh;
 }
 
