@@ -223,8 +223,10 @@ class ColladaReader
         corners.vertices.clear();
         for (std::size_t i = corners.offset; i < values.size(); i += corners.stride) {
             const long long index = values[i] >= 0 && values[i] < 9e15 ? static_cast<long long>(values[i]) : -1;
-            corners.vertices.push_back(checked_index(
-                index, surface.vertices.size(), line_place(source_.place, source_.bytes, list.offset_debug())));
+            if (index < 0 || index >= static_cast<long long>(surface.vertices.size()))
+                refuse(list, "a face names vertex " + std::to_string(index) + ", counted from 0",
+                       "the mesh has " + std::to_string(surface.vertices.size()) + " vertices");
+            corners.vertices.push_back(static_cast<int>(index));
         }
     }
 

@@ -222,10 +222,10 @@ class GltfReader
         std::vector<int> corners;
         if (primitive.contains("indices")) {
             const GltfNumbers indices = numbers(number(primitive, "indices"), "SCALAR", 1);
+            const std::string place = source_.place + ": " + surface.name;
             for (std::size_t i = 0; i < indices.count; ++i) {
                 const double index = load_component(indices, indices.first + i * indices.stride);
-                corners.push_back(first + checked_index(static_cast<long long>(index), points.count,
-                                                        source_.place + ": " + surface.name));
+                corners.push_back(first + checked_index(static_cast<long long>(index), points.count, place));
             }
         } else {
             for (std::size_t i = 0; i < points.count; ++i) corners.push_back(first + static_cast<int>(i));

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "importers/mesh/formats.h"
+#include "importers/mesh/step_text.h"
 #include "importers/mesh/text.h"
 
 namespace voussoir
@@ -71,6 +71,7 @@ PolygonSurface surface_of(const aiNode& node, const aiScene& scene)
 
 MeshFile read_ifc(const MeshSource& source)
 {
+    check_step_text(source);
     Assimp::Importer importer;
     const aiScene& scene = parse(importer, source);
     // assimp's root turns the scene to y up and scales it to metres: both are taken back.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
@@ -175,8 +174,9 @@ std::string read_bytes(const std::filesystem::path& file)
     if (!std::filesystem::is_regular_file(status))
         throw InputError(file.string(), "this is not a file", "give the path of a mesh file");
     std::ifstream stream(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (!stream) throw InputError(file.string(), "the file cannot be read", "check its permissions");
+    std::string bytes(std::filesystem::file_size(file, error), '\0');
+    if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+        throw InputError(file.string(), "the file cannot be read", "check its permissions");
     if (bytes.empty()) throw InputError(file.string(), "the file is empty", "a mesh file has vertices and faces");
     return bytes;
 }

@@ -63,8 +63,8 @@ class ObjScanner
         if (word.empty()) return;
         if (word[0] == "v") return read_vertex(word, line);
         if (word[0] == "f" || word[0] == "fo") return read_face(word, line);
-        if (word[0] == "o") object_ = begin(objects_, trimmed(text.substr(1)), "object", false);
-        if (word[0] == "g") group_ = begin(groups_, trimmed(text.substr(1)), "group", true);
+        if (word[0] == "o") begin_object(trimmed(text.substr(1)));
+        if (word[0] == "g") begin_group(trimmed(text.substr(1)));
         for (const char* kind : {"l", "p", "curv", "curv2", "surf"}) left_out_ += word[0] == kind;
     }
 
@@ -103,13 +103,18 @@ class ObjScanner
 
     /// An equal group name goes on with the same stone, as the format has it; an equal object name is another
     /// stone.
-    static int begin(std::vector<std::string>& names, std::string_view name, const char* nameless, bool goes_on)
+    void begin_object(std::string_view name)
     {
-        const std::string wanted(name.empty() ? nameless : name);
-        const auto known = std::find(names.begin() + 1, names.end(), wanted);
-        if (goes_on && known != names.end()) return static_cast<int>(known - names.begin());
-        names.push_back(wanted);
-        return static_cast<int>(names.size()) - 1;
+        object_ = static_cast<int>(objects_.size());
+        objects_.emplace_back(name.empty() ? "object" : name);
+    }
+
+    void begin_group(std::string_view name)
+    {
+        const std::string wanted(name.empty() ? "group" : name);
+        const auto [known, is_new] = group_of_.emplace(wanted, static_cast<int>(groups_.size()));
+        if (is_new) groups_.push_back(wanted);
+        group_ = known->second;
     }
 
     std::size_t used(int ObjFace::*level) const
@@ -152,6 +157,7 @@ class ObjScanner
     std::vector<std::size_t> corners_;
     std::vector<ObjFace> faces_;
     std::vector<std::string> objects_{""}, groups_{""};
+    std::map<std::string, int> group_of_;
     int object_ = 0, group_ = 0;
     std::size_t left_out_ = 0;
     std::vector<std::pair<long long, int>> ahead_;  // vertices beyond those read so far, with their lines

@@ -43,16 +43,17 @@ void SurfaceList::add(PolygonSurface surface, const Eigen::Affine3d& placement)
     const std::string wanted = own.empty() ? default_name_ : own;
     faces_left_out_ += std::erase_if(surface.faces, [](const auto& face) { return face.size() < 3; });
     if (surface.faces.empty()) return note("\"" + wanted + "\" has no faces and was left out");
+    const std::string place = place_ + ": " + wanted;
     const bool moves = !placement.isApprox(Eigen::Affine3d::Identity(), 0);
     for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
         if (moves) surface.vertices[v] = placement * surface.vertices[v];
         if (!surface.vertices[v].allFinite())
-            throw InputError(place_ + ": " + wanted, "vertex " + std::to_string(v) + " is not finite",
+            throw InputError(place, "vertex " + std::to_string(v) + " is not finite",
                              "coordinates and transforms must be finite numbers");
     }
     const bool mirrors = placement.linear().determinant() < 0;
     for (std::vector<int>& face : surface.faces) {
-        for (const int v : face) checked_index(v, surface.vertices.size(), place_ + ": " + wanted);
+        for (const int v : face) checked_index(v, surface.vertices.size(), place);
         if (mirrors) std::reverse(face.begin(), face.end());
     }
     surface.name = merge_ ? wanted : unique(wanted);

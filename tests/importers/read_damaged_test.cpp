@@ -71,6 +71,30 @@ TEST(ReadDamaged, CutFilesWhoseLengthIsAnnouncedAreRefused)
                 << name << " cut off at " << i << "/20 was read";
 }
 
+TEST(ReadDamaged, DeepNestingIsNoCrash)
+{
+    const ScratchFolder folder;
+    std::string open, close, xml, end;
+    for (int i = 0; i < 200000; ++i) {
+        open += "[";
+        close += "]";
+        xml += "<node>";
+        end += "</node>";
+    }
+    refused_in_words(folder.write("deep.json", open + close), "nested lists");
+    for (const std::string& start : {std::string("{\"a\":"), std::string("{\"node\":{\"a\":")}) {
+        std::string text;
+        for (int i = 0; i < 100000; ++i) text += start;
+        text +=
+            "1" + std::string(100000 * static_cast<std::size_t>(std::count(start.begin(), start.end(), '{')), '}');
+        refused_in_words(folder.write("deep.json", text), "nested dictionaries");
+    }
+    const std::string scene =
+        "<library_visual_scenes><visual_scene>" + xml + end + "</visual_scene></library_visual_scenes>";
+    refused_in_words(folder.write("deep.dae", "<COLLADA>" + scene + "</COLLADA>"), "nested nodes");
+    refused_in_words(folder.write("deep.amf", "<amf>" + xml + end + "</amf>"), "nested elements");
+}
+
 /// Without IFC, whose reader is not ours: it runs in a child of its own (app/geometry).
 TEST(ReadDamaged, RealFilesOfEveryFormat)
 {
