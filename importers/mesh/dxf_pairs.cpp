@@ -1,5 +1,9 @@
 #include "importers/mesh/dxf_pairs.h"
 
+#include <charconv>
+#include <cstdint>
+#include <system_error>
+
 #include "importers/mesh/text.h"
 
 namespace voussoir
@@ -36,6 +40,24 @@ std::optional<double> metres(std::string_view insunits)
 }
 
 }  // namespace
+
+std::string dxf_name(std::string_view value)
+{
+    std::string name;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const std::string_view hex = value.substr(i).starts_with("\\U+") ? value.substr(i + 3).substr(0, 4) : "";
+        std::uint32_t code = 0;
+        const auto [end, error] = std::from_chars(hex.data(), hex.data() + hex.size(), code, 16);
+        const bool escaped = hex.size() == 4 && error == std::errc() && end == hex.data() + 4;
+        const bool character = escaped && (code < 0xD800 || code > 0xDFFF);
+        if (character)
+            append_utf8(code, name);
+        else
+            name.push_back(value[i]);
+        i += character ? 6 : 0;
+    }
+    return name;
+}
 
 DxfFile read_dxf_pairs(const MeshSource& source)
 {

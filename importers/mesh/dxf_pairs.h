@@ -28,6 +28,9 @@ struct DxfFile {
     std::optional<double> metres_per_unit;  // $INSUNITS
 };
 
+/// A name as DXF writes it: old files have "\U+65E5" for what is not plain.
+std::string dxf_name(std::string_view value);
+
 /// @throws InputError with the line where the file stops being pairs, or when it is cut off
 DxfFile read_dxf_pairs(const MeshSource& source);
 

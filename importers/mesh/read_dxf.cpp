@@ -105,7 +105,7 @@ class DxfReader
             const Entity entity = entity_at(at, range.end);
             at = entity.range.end;
             if (entity.name == "3DFACE") {
-                const std::string name = owner.empty() || by_layer_ ? std::string(entity.layer) : owner;
+                const std::string name = owner.empty() || by_layer_ ? dxf_name(entity.layer) : owner;
                 const auto [known, is_new] = loose_of.emplace(name, loose.size());
                 if (is_new) loose.push_back({name, {}, {}});
                 add_3dface(entity, loose[known->second]);
@@ -145,7 +145,7 @@ class DxfReader
     std::size_t add_polyline(const Entity& polyline, std::size_t end, const Eigen::Affine3d& placement)
     {
         const int flags = whole(polyline, 70);
-        PolygonSurface surface{std::string(polyline.layer), {}, {}};
+        PolygonSurface surface{dxf_name(polyline.layer), {}, {}};
         std::size_t at = polyline.range.end;
         for (; at < end;) {
             const Entity vertex = entity_at(at, end);
@@ -196,7 +196,7 @@ class DxfReader
     /// corners.
     void add_mesh(const Entity& entity, const Eigen::Affine3d& placement)
     {
-        PolygonSurface surface{std::string(entity.layer), {}, {}};
+        PolygonSurface surface{dxf_name(entity.layer), {}, {}};
         int list = 0, corners_left = 0;
         for (std::size_t i = entity.range.first; i < entity.range.end; ++i) {
             const int code = file_.pairs[i].code;
@@ -256,7 +256,7 @@ class DxfReader
                 local.translate(Eigen::Vector3d(column * number(entity, 44, 0), row * number(entity, 45, 0), 0));
                 local.scale(Eigen::Vector3d(number(entity, 41, 1), number(entity, 42, 1), number(entity, 43, 1)));
                 local.translate(-point(head, 10));
-                read_entities({head.range.end, block->second.end}, placement * local, name, depth + 1);
+                read_entities({head.range.end, block->second.end}, placement * local, dxf_name(name), depth + 1);
             }
     }
 

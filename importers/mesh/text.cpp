@@ -21,23 +21,6 @@ std::errc parse(std::string_view word, Number& value)
     return error == std::errc() && end != word.data() + word.size() ? std::errc::invalid_argument : error;
 }
 
-void append_utf8(char32_t code, std::string& text)
-{
-    const auto byte = [&](char32_t value) { text.push_back(static_cast<char>(value)); };
-    if (code < 0x80) return byte(code);
-    if (code < 0x800) {
-        byte(0xC0 | code >> 6);
-    } else if (code < 0x10000) {
-        byte(0xE0 | code >> 12);
-        byte(0x80 | (code >> 6 & 0x3F));
-    } else {
-        byte(0xF0 | code >> 18);
-        byte(0x80 | (code >> 12 & 0x3F));
-        byte(0x80 | (code >> 6 & 0x3F));
-    }
-    byte(0x80 | (code & 0x3F));
-}
-
 /// Bytes of the character that begins the text; 0: it is not UTF-8.
 std::size_t utf8_length(std::string_view text)
 {
@@ -75,6 +58,23 @@ Utf16 kind_of(std::string_view bytes)
 }
 
 }  // namespace
+
+void append_utf8(char32_t code, std::string& text)
+{
+    const auto byte = [&](char32_t value) { text.push_back(static_cast<char>(value)); };
+    if (code < 0x80) return byte(code);
+    if (code < 0x800) {
+        byte(0xC0 | code >> 6);
+    } else if (code < 0x10000) {
+        byte(0xE0 | code >> 12);
+        byte(0x80 | (code >> 6 & 0x3F));
+    } else {
+        byte(0xF0 | code >> 18);
+        byte(0x80 | (code >> 12 & 0x3F));
+        byte(0x80 | (code >> 6 & 0x3F));
+    }
+    byte(0x80 | (code & 0x3F));
+}
 
 std::string_view trimmed(std::string_view text)
 {

@@ -57,6 +57,9 @@ std::string line_place(const std::string& place, std::string_view text, std::ptr
 /// UTF-16 with a byte order mark, or plainly alternating with zero bytes, as UTF-8; nothing when it is not UTF-16.
 std::optional<std::string> from_utf16(std::string_view bytes);
 
+/// Appends one character.
+void append_utf8(char32_t code, std::string& text);
+
 /// Text that is not UTF-8 is taken for Latin-1, as old files have it.
 std::string as_utf8(std::string_view text);
 

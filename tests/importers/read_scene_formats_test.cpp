@@ -191,11 +191,11 @@ TEST(ReadDxf, ReadsPolyfaceMeshesBlocksFacesByLayerAndTheUnit)
                                                "BLOCKS\n0 BLOCK\n2 unit\n10 1\n20 0\n30 "
                                                "0\n" +
                                                polyface("0") + "0 ENDBLK\n0 ENDSEC\n0 SECTION\n2 ENTITIES\n" +
-                                               face + polyface("key stone") + face +
+                                               face + polyface("key \\U+65E5\\U+672C \\U+") + face +
                                                "0 INSERT\n2 unit\n10 500000.123456789\n20 4600000\n30 0\n41 "
                                                "-2\n50 90\n0 LINE\n10 0\n0 ENDSEC\n0 EOF\n")));
     ASSERT_EQ(read.surfaces.size(), 3U);
-    EXPECT_EQ(read.surfaces[0].name, "key stone");
+    EXPECT_EQ(read.surfaces[0].name, "key 日本 \\U+");
     EXPECT_NEAR(volume_of(read.surfaces[0]), 1, 1e-12);
     EXPECT_NEAR(volume_of(read.surfaces[1]), 2, 1e-8) << "mirrored: its faces are turned";
     EXPECT_TRUE(lowest_of(read.surfaces[1]).isApprox(Eigen::Vector3d(500000.123456789 - 1, 4600000, 0), 1e-15));
