@@ -29,6 +29,8 @@ class CompasReader
         } catch (const Json::parse_error& error) {
             throw InputError(line_place(source_.place, source_.bytes, static_cast<std::ptrdiff_t>(error.byte)),
                              "this is not JSON", "the file was cut off or damaged here");
+        } catch (const Json::out_of_range&) {
+            throw InputError(source_.place, "a number in this JSON is too large", "write coordinates in metres");
         }
         search(document, "", Eigen::Affine3d::Identity(), 0);
         if (meshes_ == 0)

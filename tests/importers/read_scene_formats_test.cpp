@@ -329,6 +329,8 @@ TEST(ReadCompas, SaysWhatIsMissing)
     EXPECT_NE(
         refusal(folder.write("d.json", R"({"vertex":{"0":{"x":0,"y":0}},"face":{}})")).find("no coordinates"),
         std::string::npos);
+    EXPECT_NE(refusal(folder.write("f.json", "{\"vertex\":{\"0\":{\"x\":1e999}}}")).find("too large"),
+              std::string::npos);
     EXPECT_NE(refusal(folder.write("e.json", std::string(100000, '['))).find("not JSON"), std::string::npos);
 }
 
