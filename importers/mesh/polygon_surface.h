@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,13 @@ struct PolygonSurface {
     std::vector<std::vector<int>> faces;    // every index names a vertex; nothing else is known
 };
 
-/// What a mesh file holds, in its own unit and axes.
+/// What a mesh file holds, in its own unit and axes, with the transforms of its nodes applied.
 struct MeshFile {
-    std::vector<PolygonSurface> surfaces;  // with unique names
-    double rounding = 0;                   // file units: largest rounding on reading; 0: every digit was kept
-    std::vector<std::string> repairs;      // what was changed or left out on reading, in words
+    std::vector<PolygonSurface> surfaces;   // with unique names
+    double rounding = 0;                    // file units: largest rounding on reading; 0: every digit was kept
+    std::optional<double> metres_per_unit;  // as the file or its format states it; absent: it does not say
+    std::optional<char> up;                 // 'x', 'y' or 'z', likewise
+    std::vector<std::string> repairs;       // what was changed or left out on reading, in words
 };
 
 }  // namespace voussoir

@@ -1,16 +1,11 @@
 #include "importers/mesh/read_mesh.h"
 
-#include <assimp/scene.h>
 #include <algorithm>
-#include <assimp/Importer.hpp>
-#include <cmath>
+#include <cstdint>
 #include <fstream>
-#include <iterator>
-#include <map>
-#include <set>
 
-#include "importers/mesh/obj_text.h"
-#include "libdda/errors.h"
+#include "importers/mesh/formats.h"
+#include "importers/mesh/text.h"
 
 namespace voussoir
 {
@@ -18,9 +13,159 @@ namespace voussoir
 namespace
 {
 
-using Node = std::pair<const aiNode*, aiMatrix4x4>;  // with its transform to the file's own axes
+enum class Kind { unknown, obj, stl, ply, off, gltf, compas, collada, amf, archive, max_3ds, dxf, ifc };
 
-std::string read_text(const std::filesystem::path& file)
+/// What cannot be read but is met often, by how it begins.
+void refuse_known_strangers(const MeshSource& source)
+{
+    const std::string_view bytes = source.bytes;
+    const std::string_view start = trimmed(bytes.substr(0, 4096));
+    const auto refuse = [&](const char* found, const char* expected) {
+        throw InputError(source.place, found, expected);
+    };
+    if (bytes.starts_with("\x1F\x8B")) refuse("this file is compressed (gzip)", "unpack it");
+    if (bytes.starts_with("7z\xBC\xAF") || bytes.starts_with("Rar!") || bytes.starts_with("BZh") ||
+        bytes.starts_with("\xFD"
+                          "7zXZ"))
+        refuse("this file is compressed", "unpack it");
+    if (bytes.starts_with("Kaydara FBX")) refuse("FBX is not read", "convert it to glTF, COLLADA or OBJ");
+    if (bytes.starts_with("BLENDER")) refuse("Blender's own files are not read", "export it as OBJ or glTF");
+    if (bytes.starts_with("AC10") && bytes.size() > 6) refuse("this is a DWG file", "save it as text DXF");
+    if (start.starts_with("ISO-10303-21") && bytes.find("IFC") == std::string_view::npos)
+        refuse("STEP files are not read", "export the stones as OBJ or STL");
+}
+
+Kind kind_of_xml(std::string_view text)
+{
+    if (text.find("<COLLADA") != text.npos) return Kind::collada;
+    return text.find("<amf") != text.npos || text.find("<AMF") != text.npos ? Kind::amf : Kind::unknown;
+}
+
+Kind kind_of_json(std::string_view text)
+{
+    const bool asset = text.find("\"asset\"") != text.npos;
+    return asset && (text.find("\"meshes\"") != text.npos || text.find("\"nodes\"") != text.npos) ? Kind::gltf
+                                                                                                  : Kind::compas;
+}
+
+bool is_off_keyword(std::string_view word)
+{
+    const std::size_t end = word.find("OFF");
+    return end != word.npos && word.substr(0, end).find_first_not_of("STCN4n") == word.npos;
+}
+
+/// A line that only OBJ has among the first that are neither empty nor comments.
+bool looks_like_obj(std::string_view text)
+{
+    Lines lines(text.substr(0, 1 << 16));
+    int looked_at = 0;
+    for (std::string_view line; looked_at < 50 && lines.next(line);) {
+        const std::vector<std::string_view> word = words(line);
+        if (word.empty() || word[0].starts_with('#')) continue;
+        ++looked_at;
+        Eigen::Vector3d x;
+        if (word[0] == "v" && parse_point(word, 1, x)) return true;
+    }
+    return false;
+}
+
+Kind kind_by_content(std::string_view bytes)
+{
+    const std::string_view start = trimmed(bytes.substr(0, 4096));
+    const std::vector<std::string_view> word = words(start.substr(0, 256));
+    if (bytes.starts_with("PK\x03\x04")) return Kind::archive;
+    if (bytes.starts_with("glTF")) return Kind::gltf;
+    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::ply;
+    if (bytes.starts_with("AutoCAD Binary DXF")) return Kind::dxf;
+    if (start.starts_with("ISO-10303-21")) return Kind::ifc;
+    if (bytes.size() > 6 && bytes.starts_with("MM") && load<std::uint32_t>(&bytes[2]) == bytes.size())
+        return Kind::max_3ds;
+    if (is_binary_stl(bytes)) return Kind::stl;
+    if (word.empty()) return Kind::unknown;
+    if (start.starts_with('<')) return kind_of_xml(bytes.substr(0, 1 << 16));
+    if (start.starts_with('{') || start.starts_with('[')) return kind_of_json(bytes);
+    if (lower_case(word[0]) == "solid" && lower_case(start).find("facet") != std::string::npos) return Kind::stl;
+    if (is_off_keyword(word[0])) return Kind::off;
+    if (word.size() > 1 && word[0] == "0" && word[1] == "SECTION") return Kind::dxf;
+    if (word[0] == "999" && bytes.find("SECTION") != bytes.npos) return Kind::dxf;
+    return looks_like_obj(bytes) ? Kind::obj : Kind::unknown;
+}
+
+Kind kind_by_name(const std::filesystem::path& path)
+{
+    const std::string extension = lower_case(path.extension().string());
+    const std::map<std::string, Kind> known{{".obj", Kind::obj},     {".stl", Kind::stl},     {".ply", Kind::ply},
+                                            {".off", Kind::off},     {".gltf", Kind::gltf},   {".glb", Kind::gltf},
+                                            {".json", Kind::compas}, {".dae", Kind::collada}, {".amf", Kind::amf},
+                                            {".3mf", Kind::archive}, {".3ds", Kind::max_3ds}, {".dxf", Kind::dxf},
+                                            {".ifc", Kind::ifc}};
+    const auto found = known.find(extension);
+    return found == known.end() ? Kind::unknown : found->second;
+}
+
+MeshFile read_kind(Kind kind, const MeshSource& source, const ReadOptions& options)
+{
+    switch (kind) {
+        case Kind::obj:
+            return read_obj(source, options);
+        case Kind::stl:
+            return read_stl(source);
+        case Kind::ply:
+            return read_ply(source);
+        case Kind::off:
+            return read_off(source);
+        case Kind::gltf:
+            return read_gltf(source);
+        case Kind::compas:
+            return read_compas(source);
+        case Kind::collada:
+            return read_collada(source);
+        case Kind::amf:
+            return read_amf(source);
+        case Kind::archive:
+            return kind_by_name(source.path) == Kind::amf ? read_amf(source) : read_3mf(source);
+        case Kind::max_3ds:
+            return read_3ds(source);
+        case Kind::dxf:
+            return read_dxf(source, options);
+        case Kind::ifc:
+            return read_ifc(source);
+        case Kind::unknown:
+            break;
+    }
+    throw InputError(source.place, "this is no mesh file of a kind that is read",
+                     "give OBJ, STL, PLY, OFF, glTF, COLLADA, DXF, 3DS, 3MF, AMF, IFC or COMPAS JSON");
+}
+
+MeshFile read_source(MeshSource& source, const ReadOptions& options)
+{
+    std::vector<std::string> repairs;
+    if (std::optional<std::string> text = from_utf16(source.bytes)) {
+        source.bytes = std::move(*text);
+        repairs.push_back("the text is UTF-16 and was read as such");
+    }
+    if (source.bytes.starts_with("\xEF\xBB\xBF")) source.bytes.erase(0, 3);
+    refuse_known_strangers(source);
+    const Kind named = kind_by_name(source.path), found = kind_by_content(source.bytes);
+    const Kind kind = found == Kind::unknown ? named : found;
+    if (found != Kind::unknown && named != Kind::unknown && named != found &&
+        !(found == Kind::archive && named == Kind::amf) && !(found == Kind::gltf && named == Kind::compas))
+        repairs.push_back("the content is of another kind than the name says, and was read as what it is");
+    MeshFile mesh = read_kind(kind, source, options);
+    mesh.repairs.insert(mesh.repairs.begin(), repairs.begin(), repairs.end());
+    return mesh;
+}
+
+void merge_all(MeshFile& mesh, const std::string& name)
+{
+    PolygonSurface whole{name, {}, {}};
+    for (const PolygonSurface& part : mesh.surfaces) append(part, whole);
+    mesh.surfaces = {std::move(whole)};
+}
+
+}  // namespace
+
+std::string read_bytes(const std::filesystem::path& file)
 {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
@@ -29,195 +174,26 @@ std::string read_text(const std::filesystem::path& file)
     if (!std::filesystem::is_regular_file(status))
         throw InputError(file.string(), "this is not a file", "give the path of a mesh file");
     std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (!stream) throw InputError(file.string(), "the file cannot be read", "check its permissions");
-    if (text.empty()) throw InputError(file.string(), "the file is empty", "a mesh file has vertices and faces");
-    return text;
+    std::string bytes(std::filesystem::file_size(file, error), '\0');
+    if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+        throw InputError(file.string(), "the file cannot be read", "check its permissions");
+    if (bytes.empty()) throw InputError(file.string(), "the file is empty", "a mesh file has vertices and faces");
+    return bytes;
 }
 
-const aiScene* parse(Assimp::Importer& importer, const std::string& text, const std::string& format,
-                     const std::string& place)
+MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options)
 {
-    const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, format.c_str());
-    if (scene != nullptr && scene->mRootNode != nullptr && scene->mNumMeshes > 0) return scene;
-    std::string why = importer.GetErrorString();
-    while (!why.empty() && (why.back() == '\n' || why.back() == ' ' || why.back() == '.')) why.pop_back();
-    throw InputError(place, "this is not a readable " + format + " mesh" + (why.empty() ? "" : " (" + why + ")"),
-                     "give an OBJ, STL, PLY or OFF file with faces");
-}
-
-std::vector<Node> nodes_with_meshes(const aiScene& scene)
-{
-    std::vector<Node> open{{scene.mRootNode, aiMatrix4x4()}}, found;
-    while (!open.empty()) {
-        const auto [node, parent] = open.back();
-        open.pop_back();
-        const aiMatrix4x4 transform = parent * node->mTransformation;
-        if (node->mNumMeshes > 0) found.emplace_back(node, transform);
-        for (unsigned i = node->mNumChildren; i-- > 0;) open.emplace_back(node->mChildren[i], transform);
+    MeshSource source{file, file.string(), as_utf8(file.stem().string()), read_bytes(file)};
+    try {
+        MeshFile mesh = read_source(source, options);
+        if (options.stones == StonesBy::file) merge_all(mesh, source.name);
+        for (std::string& repair : mesh.repairs) repair = as_utf8(repair);
+        return mesh;
+    } catch (InputError& error) {  // words of the file are quoted in faults: they must be text
+        std::vector<Fault> faults = std::move(error.faults);
+        for (Fault& fault : faults) fault = {as_utf8(fault.place), as_utf8(fault.found), as_utf8(fault.expected)};
+        throw InputError(std::move(faults));
     }
-    return found;
-}
-
-/// Faces as assimp holds them, checked: every index names a vertex of the mesh.
-std::vector<std::vector<int>> faces_of(const aiMesh& mesh, const std::string& place)
-{
-    std::vector<std::vector<int>> faces;
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-        const aiFace& face = mesh.mFaces[f];
-        faces.emplace_back(face.mIndices, face.mIndices + face.mNumIndices);
-        for (const int v : faces.back())
-            if (v < 0 || static_cast<unsigned>(v) >= mesh.mNumVertices)
-                throw InputError(place, "a face names vertex " + std::to_string(v),
-                                 "the mesh has " + std::to_string(mesh.mNumVertices) + " vertices");
-    }
-    return faces;
-}
-
-/// Puts the double coordinates back: every corner carries the number of its `v` line.
-class ObjAssembler
-{
- public:
-    ObjAssembler(const ObjText& obj, std::string place)
-        : obj_(obj),
-          place_(std::move(place)),
-          surfaces_(obj.stone_names.size()),
-          local_(surfaces_.size()),
-          faces_(obj.segments.size(), 0),
-          corners_(obj.segments.size(), 0)
-    {
-        for (std::size_t i = 0; i < surfaces_.size(); ++i) surfaces_[i].name = obj.stone_names[i];
-    }
-
-    void add(const aiNode& node, const aiScene& scene)
-    {
-        const std::size_t segment = std::strtoul(node.mName.C_Str(), nullptr, 10);
-        if (segment >= obj_.segments.size()) disagree();
-        for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-            const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
-            for (const std::vector<int>& face : faces_of(mesh, place_)) add_face(mesh, face, segment);
-        }
-    }
-
-    std::vector<PolygonSurface> finish()
-    {
-        for (std::size_t s = 0; s < obj_.segments.size(); ++s)
-            if (faces_[s] != obj_.segments[s].faces || corners_[s] != obj_.segments[s].corners) disagree();
-        std::erase_if(surfaces_, [](const PolygonSurface& surface) { return surface.faces.empty(); });
-        return std::move(surfaces_);
-    }
-
- private:
-    void add_face(const aiMesh& mesh, const std::vector<int>& face, std::size_t segment)
-    {
-        const int stone = obj_.segments[segment].stone;
-        PolygonSurface& surface = surfaces_[stone];
-        std::vector<int> loop;
-        for (const int corner : face) {
-            const aiVector3D& code = mesh.mVertices[corner];
-            const std::size_t number = vertex_number(code.x, code.y);
-            if (number >= obj_.vertices.size()) disagree();
-            const auto [entry, is_new] = local_[stone].emplace(number, static_cast<int>(surface.vertices.size()));
-            if (is_new) surface.vertices.push_back(obj_.vertices[number]);
-            loop.push_back(entry->second);
-        }
-        faces_[segment] += 1;
-        corners_[segment] += loop.size();
-        surface.faces.push_back(std::move(loop));
-    }
-
-    [[noreturn]] void disagree() const
-    {
-        throw InputError(place_, "two readings of the file disagree about its objects, faces or corners",
-                         "write each face as `f a b c ...` after its vertices");
-    }
-
-    const ObjText& obj_;
-    std::string place_;
-    std::vector<PolygonSurface> surfaces_;
-    std::vector<std::map<std::size_t, int>> local_;  // per stone: number of the `v` line -> vertex of the surface
-    std::vector<std::size_t> faces_, corners_;       // per segment, as assimp gave them
-};
-
-MeshFile read_obj(const std::string& text, const std::filesystem::path& file)
-{
-    const ObjText obj = read_obj_text(text, file.string(), file.stem().string());
-    Assimp::Importer importer;
-    const aiScene* scene = parse(importer, obj.structure, "obj", file.string());
-    ObjAssembler assembler(obj, file.string());
-    for (const Node& node : nodes_with_meshes(*scene)) assembler.add(*node.first, *scene);
-    return {assembler.finish(), 0, obj.repairs};
-}
-
-/// Appends a mesh of a node; faces that assimp reduced to points or lines are counted and left out.
-std::size_t append(const aiMesh& mesh, const aiMatrix4x4& transform, const std::string& place,
-                   PolygonSurface& surface)
-{
-    const int first = static_cast<int>(surface.vertices.size());
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-        const aiVector3D x = transform * mesh.mVertices[v];
-        if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z))
-            throw InputError(place, "vertex " + std::to_string(v) + " is not finite", "coordinates are numbers");
-        surface.vertices.emplace_back(x.x, x.y, x.z);
-    }
-    std::size_t left_out = 0;
-    for (std::vector<int> face : faces_of(mesh, place)) {
-        for (int& v : face) v += first;
-        if (face.size() < 3)
-            ++left_out;
-        else
-            surface.faces.push_back(std::move(face));
-    }
-    return left_out;
-}
-
-std::string name_of(const aiNode& node, const aiScene& scene, const std::string& fallback)
-{
-    std::string mesh = scene.mMeshes[node.mMeshes[0]]->mName.C_Str();
-    const std::string own = node.mName.C_Str();
-    if (!mesh.empty()) return mesh;
-    return own.empty() || own.front() == '<' ? fallback : own;  // "<STL_BINARY>" and the like are assimp's words
-}
-
-MeshFile read_by_assimp(const std::string& text, const std::string& format, const std::filesystem::path& file)
-{
-    Assimp::Importer importer;
-    const aiScene* scene = parse(importer, text, format, file.string());
-    MeshFile mesh;
-    std::set<std::string> taken;
-    double largest = 0;
-    for (const auto& [node, transform] : nodes_with_meshes(*scene)) {
-        const std::string wanted = name_of(*node, *scene, file.stem().string());
-        PolygonSurface surface{wanted, {}, {}};
-        for (int copy = 2; !taken.insert(surface.name).second; ++copy)
-            surface.name = wanted + " (" + std::to_string(copy) + ")";
-        std::size_t left_out = 0;
-        for (unsigned m = 0; m < node->mNumMeshes; ++m)
-            left_out += append(*scene->mMeshes[node->mMeshes[m]], transform, file.string(), surface);
-        if (left_out > 0)
-            mesh.repairs.push_back(std::to_string(left_out) + " faces of \"" + surface.name +
-                                   "\" have fewer than three corners and were left out");
-        for (const Eigen::Vector3d& x : surface.vertices) largest = std::max(largest, x.cwiseAbs().maxCoeff());
-        if (!surface.faces.empty()) mesh.surfaces.push_back(std::move(surface));
-    }
-    if (mesh.surfaces.empty())
-        throw InputError(file.string(), "the file holds no faces", "a stone is a closed surface");
-    mesh.rounding = largest * 6e-8;  // half a unit in the last place of a 32-bit number
-    return mesh;
-}
-
-}  // namespace
-
-MeshFile read_mesh(const std::filesystem::path& file)
-{
-    std::string format = file.extension().string();
-    std::transform(format.begin(), format.end(), format.begin(), [](unsigned char c) { return std::tolower(c); });
-    const std::string text = read_text(file);
-    if (format == ".obj") return read_obj(text, file);
-    if (format == ".stl" || format == ".ply" || format == ".off")
-        return read_by_assimp(text, format.substr(1), file);
-    throw InputError(file.string(), "meshes of this kind (\"" + format + "\") are not read yet",
-                     "convert it to OBJ, STL, PLY or OFF");
 }
 
 }  // namespace voussoir

@@ -50,7 +50,8 @@ TEST_P(ConvexMeshes, AreAcceptedWithTheKnownNamesAndVolumes)
 
 INSTANTIATE_TEST_SUITE_P(Each, ConvexMeshes,
                          testing::Values("meshes/masonry/wall.obj", "meshes/awkward/box.obj",
-                                         "meshes/awkward/two_objects.obj", "meshes/awkward/joined_tetrahedra.obj",
+                                         "meshes/awkward/box_UTF16BE.obj", "meshes/awkward/two_objects.obj",
+                                         "meshes/awkward/joined_tetrahedra.obj",
                                          "meshes/awkward/negative_indices.obj", "meshes/awkward/nancolor.obj",
                                          "meshes/awkward/unit_cube.STL", "meshes/awkward/tet.ply",
                                          "meshes/awkward/cube_binary.ply", "meshes/awkward/chamfer-cube.off",
@@ -69,11 +70,10 @@ TEST_P(AwkwardMeshes, AreRefusedWithAReason)
 INSTANTIATE_TEST_SUITE_P(Each, AwkwardMeshes,
                          testing::Values("meshes/awkward/empty.obj", "meshes/awkward/malformed.obj",
                                          "meshes/awkward/index901.obj", "meshes/awkward/index0.obj",
-                                         "meshes/awkward/box_UTF16BE.obj", "meshes/awkward/number_formats.obj",
-                                         "meshes/awkward/open_cube.off", "meshes/awkward/moebius.obj",
-                                         "meshes/awkward/soup.stl", "meshes/awkward/empty.stl",
-                                         "meshes/awkward/invalid.off", "meshes/awkward/issue623.ply",
-                                         "meshes/awkward/nonmanifold.obj",
+                                         "meshes/awkward/number_formats.obj", "meshes/awkward/open_cube.off",
+                                         "meshes/awkward/moebius.obj", "meshes/awkward/soup.stl",
+                                         "meshes/awkward/empty.stl", "meshes/awkward/invalid.off",
+                                         "meshes/awkward/issue623.ply", "meshes/awkward/nonmanifold.obj",
                                          "meshes/awkward/tetra_intersected_by_triangle.off"));
 
 }  // namespace

@@ -1,0 +1,80 @@
+// Text as the readers of this folder take it apart: lines, words, numbers, places.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+std::string_view trimmed(std::string_view text);
+std::string lower_case(std::string_view text);
+
+/// The words between white space.
+std::vector<std::string_view> words(std::string_view line);
+
+/// The whole word as a number, or nothing. Independent of the locale; a leading plus is allowed. May be infinite
+/// or not a number where the word says so; too large is nothing, too small is zero.
+std::optional<double> parse_number(std::string_view word);
+std::optional<long long> parse_integer(std::string_view word);
+
+/// A finite number, or nothing.
+std::optional<double> parse_finite(std::string_view word);
+
+/// Three finite numbers from the words `first`, `first`+1, `first`+2 into `x`; false where they are not there.
+template <class Vector>
+bool parse_point(const std::vector<std::string_view>& word, std::size_t first, Vector& x)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::optional<double> value =
+            first + i < word.size() ? parse_finite(word[first + i]) : std::optional<double>();
+        if (!value) return false;
+        x[static_cast<int>(i)] = *value;
+    }
+    return true;
+}
+
+/// Line by line; "\n", "\r\n" and "\r" end a line.
+class Lines
+{
+ public:
+    explicit Lines(std::string_view text) : rest_(text) {}
+    bool next(std::string_view& line);
+    int number() const { return number_; }  // of the last line, counted from 1
+
+ private:
+    std::string_view rest_;
+    int number_ = 0;
+};
+
+/// "arch.dae:17", the line that holds the byte `offset` of the text.
+std::string line_place(const std::string& place, std::string_view text, std::ptrdiff_t offset);
+
+/// UTF-16 with a byte order mark, or plainly alternating with zero bytes, as UTF-8; nothing when it is not UTF-16.
+std::optional<std::string> from_utf16(std::string_view bytes);
+
+/// Appends one character.
+void append_utf8(char32_t code, std::string& text);
+
+/// Text that is not UTF-8 is taken for Latin-1, as old files have it.
+std::string as_utf8(std::string_view text);
+
+/// Faults of one file, at most twenty of them.
+class FaultList
+{
+ public:
+    explicit FaultList(std::string place) : place_(std::move(place)) {}
+    void add(int line, std::string found, std::string expected);
+    bool full() const { return faults_.size() >= 20; }
+    void throw_if_any() const;
+
+ private:
+    std::string place_;
+    std::vector<Fault> faults_;
+};
+
+}  // namespace voussoir
