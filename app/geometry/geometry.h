@@ -2,6 +2,7 @@
 // crashes or hangs is a refusal with a reason. Neither assimp nor CGAL is loaded into the program that asks.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,15 +13,28 @@
 namespace voussoir
 {
 
+/// A place on a stone that a picture marks. All coordinates in metres, model coordinates.
+struct MarkedFeature {
+    std::string label;  // a few words: "hole", "faces cross"
+    std::vector<Eigen::Vector3d> points;
+    std::vector<std::array<Eigen::Vector3d, 2>> lines;
+    std::vector<std::vector<Eigen::Vector3d>> polygons;
+};
+
 /// One stone of a mesh file with its certificate.
 struct Stone {
     std::string name;
     bool closed = false, convex = false;
     std::string reason;                // why it was refused; empty when accepted
     std::vector<std::string> repairs;  // every repair that was made, in words
-    std::vector<ConvexPolyhedron>
-        parts;        // in metres, z up, model coordinates (origin subtracted); empty when refused
-    Moments moments;  // of all parts, m
+    // In metres, z up, model coordinates (origin subtracted); empty when refused.
+    std::vector<ConvexPolyhedron> parts;
+    Moments moments;          // of the stone as drawn, m; volume 0: it encloses none
+    double volume_error = 0;  // share of the volume by which approximating parts differ from it; 0: exact
+    std::vector<MarkedFeature> features;  // what is wrong where; empty when nothing is
+    // The surface as it was judged, for pictures; sent for stones with features only.
+    std::vector<Eigen::Vector3d> vertices;
+    std::vector<std::vector<int>> faces;
 };
 
 /// What a mesh file gave.

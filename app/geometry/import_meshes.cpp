@@ -113,13 +113,13 @@ Stone certified(PolygonSurface surface, const Eigen::Vector3d& origin)
     CertifyOptions options;
     options.origin = origin;
     Certificate certificate = certify(std::move(surface), options);
-    Stone stone{certificate.name,
-                certificate.closed,
-                certificate.convex,
-                certificate.reason,
-                certificate.repairs,
-                certificate.parts,
-                {}};
+    Stone stone;
+    stone.name = certificate.name;
+    stone.closed = certificate.closed;
+    stone.convex = certificate.convex;
+    stone.reason = certificate.reason;
+    stone.repairs = certificate.repairs;
+    stone.parts = certificate.parts;
     if (!stone.parts.empty()) stone.moments = moments_of(stone.parts);
     return stone;
 }

@@ -29,27 +29,87 @@ Eigen::Vector3d vector_from(const json& value)
     return {numbers[0], numbers[1], numbers[2]};
 }
 
+json to_json_value(const std::vector<Eigen::Vector3d>& points)
+{
+    json value = json::array();
+    for (const Eigen::Vector3d& x : points) value.push_back(to_json_value(x));
+    return value;
+}
+
+std::vector<Eigen::Vector3d> points_from(const json& value)
+{
+    std::vector<Eigen::Vector3d> points;
+    for (const json& x : value) points.push_back(vector_from(x));
+    return points;
+}
+
 json to_json_value(const ConvexPolyhedron& part)
 {
-    json vertices = json::array();
-    for (const Eigen::Vector3d& x : part.vertices) vertices.push_back(to_json_value(x));
-    return {{"vertices", std::move(vertices)}, {"faces", part.faces}};
+    return {{"vertices", to_json_value(part.vertices)}, {"faces", part.faces}, {"glued", part.glued}};
 }
 
 ConvexPolyhedron part_from(const json& value, const std::string& name)
 {
-    std::vector<Eigen::Vector3d> vertices;
-    for (const json& x : value.at("vertices")) vertices.push_back(vector_from(x));
-    return make_convex_polyhedron(std::move(vertices), value.at("faces").get<std::vector<std::vector<int>>>(),
-                                  name);
+    ConvexPolyhedron part = make_convex_polyhedron(points_from(value.at("vertices")),
+                                                   value.at("faces").get<std::vector<std::vector<int>>>(), name);
+    part.glued = value.at("glued").get<std::vector<bool>>();
+    if (!part.glued.empty() && part.glued.size() != part.faces.size())
+        throw InputError(name, "marks of glued faces do not fit the faces", "one mark a face");
+    return part;
+}
+
+json to_json_value(const Moments& moments)
+{
+    json second = json::array();
+    for (int k = 0; k < 3; ++k) second.push_back(to_json_value(Eigen::Vector3d(moments.second.col(k))));
+    return {{"volume", moments.volume}, {"centroid", to_json_value(moments.centroid)}, {"second", second}};
+}
+
+Moments moments_from(const json& value)
+{
+    Moments moments{value.at("volume"), vector_from(value.at("centroid")), Eigen::Matrix3d::Zero()};
+    for (int k = 0; k < 3; ++k) moments.second.col(k) = vector_from(value.at("second").at(k));
+    return moments;
+}
+
+json to_json_value(const MarkedFeature& feature)
+{
+    json lines = json::array(), polygons = json::array();
+    for (const auto& [from, to] : feature.lines) lines.push_back({to_json_value(from), to_json_value(to)});
+    for (const std::vector<Eigen::Vector3d>& polygon : feature.polygons)
+        polygons.push_back(to_json_value(polygon));
+    return {{"label", feature.label},
+            {"points", to_json_value(feature.points)},
+            {"lines", std::move(lines)},
+            {"polygons", std::move(polygons)}};
+}
+
+MarkedFeature feature_from(const json& value)
+{
+    MarkedFeature feature{value.at("label"), points_from(value.at("points")), {}, {}};
+    for (const json& line : value.at("lines"))
+        feature.lines.push_back({vector_from(line.at(0)), vector_from(line.at(1))});
+    for (const json& polygon : value.at("polygons")) feature.polygons.push_back(points_from(polygon));
+    return feature;
 }
 
 json to_json_value(const Stone& stone)
 {
     json parts = json::array();
     for (const ConvexPolyhedron& part : stone.parts) parts.push_back(to_json_value(part));
-    return {{"name", stone.name},     {"closed", stone.closed},   {"convex", stone.convex},
-            {"reason", stone.reason}, {"repairs", stone.repairs}, {"parts", std::move(parts)}};
+    json features = json::array();
+    for (const MarkedFeature& feature : stone.features) features.push_back(to_json_value(feature));
+    return {{"name", stone.name},
+            {"closed", stone.closed},
+            {"convex", stone.convex},
+            {"reason", stone.reason},
+            {"repairs", stone.repairs},
+            {"parts", std::move(parts)},
+            {"moments", to_json_value(stone.moments)},
+            {"volume_error", stone.volume_error},
+            {"features", std::move(features)},
+            {"vertices", to_json_value(stone.vertices)},
+            {"faces", stone.faces}};
 }
 
 Stone stone_from(const json& value)
@@ -61,7 +121,11 @@ Stone stone_from(const json& value)
     stone.reason = value.at("reason");
     stone.repairs = value.at("repairs").get<std::vector<std::string>>();
     for (const json& part : value.at("parts")) stone.parts.push_back(part_from(part, stone.name));
-    if (!stone.parts.empty()) stone.moments = moments_of(stone.parts);
+    stone.moments = moments_from(value.at("moments"));
+    stone.volume_error = value.at("volume_error");
+    for (const json& feature : value.at("features")) stone.features.push_back(feature_from(feature));
+    stone.vertices = points_from(value.at("vertices"));
+    stone.faces = value.at("faces").get<std::vector<std::vector<int>>>();
     return stone;
 }
 

@@ -20,7 +20,6 @@ std::string to_json(const HelperRequest& request);
 /// @throws std::exception when the text is not what to_json wrote
 HelperRequest request_from_json(const std::string& text);
 
-/// Moments are not sent: the reader integrates them again.
 std::string to_json(const Geometry& geometry);
 
 /// Trusts nothing: every polyhedron is made, and so checked, again.

@@ -19,11 +19,6 @@ const Foundation* foundation_of(const Model& model, int block)
     return nullptr;
 }
 
-Matrix3d density_second(const Model& model, int block)
-{
-    return model.materials[model.blocks[block].material].density * model.blocks[block].moments.second;
-}
-
 }  // namespace
 
 double kinetic_energy(const Model& model, const State& state)
@@ -36,7 +31,7 @@ double kinetic_energy(const Model& model, const State& state)
             if (!foundation || !foundation->translation_held[k]) twice += model.mass(b) * v[k] * v[k];
         if (foundation && foundation->rotation_held) continue;
         const Matrix3d rate = map_rate_of(model.kinematics, state, b);
-        twice += (rate * density_second(model, b)).cwiseProduct(rate).sum();
+        twice += (rate * model.mass_second(b)).cwiseProduct(rate).sum();
     }
     return twice / 2;
 }
@@ -72,7 +67,7 @@ Vector3d angular_momentum(const Model& model, const State& state, int block)
 {
     const Matrix3d map = pose_of(model.kinematics, state, block).map;
     return axial(
-        Matrix3d(map_rate_of(model.kinematics, state, block) * density_second(model, block) * map.transpose()));
+        Matrix3d(map_rate_of(model.kinematics, state, block) * model.mass_second(block) * map.transpose()));
 }
 
 }  // namespace voussoir

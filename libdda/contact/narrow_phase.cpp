@@ -24,7 +24,9 @@ struct FaceAxis {
     double separation = -std::numeric_limits<double>::infinity();  // m
 };
 
-/// The face of `reference` from which `other` is furthest away. Stops early when beyond `margin`.
+/// The face of `reference` from which `other` is furthest away. Stops early when beyond `margin`. A glued face may
+/// keep parts apart but is never touched: without this rule a stone that slides along a flat wall of a glued one
+/// would catch on the joint between two of its parts. Face -1: all faces are glued.
 FaceAxis best_face(const PlacedPart& reference, const PlacedPart& other, double margin, int favoured, double bonus)
 {
     FaceAxis best;
@@ -33,21 +35,23 @@ FaceAxis best_face(const PlacedPart& reference, const PlacedPart& other, double 
         const Vector3d& n = reference.normals[f];
         const double plane = n.dot(reference.vertices[reference.shape->faces[f].front()]);
         const double separation = -other.support(-n) - plane;
+        if (separation > margin) return {f, separation};
         const double score = separation + (f == favoured ? bonus : 0);
-        if (score > best_score) {
+        if (score > best_score && !reference.shape->is_glued(f)) {
             best = {f, separation};
             best_score = score;
         }
-        if (separation > margin) return {f, separation};
     }
     return best;
 }
 
+/// -1 when all faces are glued.
 int most_opposed_face(const PlacedPart& part, const Vector3d& normal)
 {
-    int best = 0;
-    for (int f = 1; f < static_cast<int>(part.normals.size()); ++f)
-        if (part.normals[f].dot(normal) < part.normals[best].dot(normal)) best = f;
+    int best = -1;
+    for (int f = 0; f < static_cast<int>(part.normals.size()); ++f)
+        if (!part.shape->is_glued(f) && (best < 0 || part.normals[f].dot(normal) < part.normals[best].dot(normal)))
+            best = f;
     return best;
 }
 
@@ -83,6 +87,7 @@ std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const Pl
     const Vector3d& n = reference.normals[face];
     const std::vector<int>& loop = reference.shape->faces[face];
     const int opposed = most_opposed_face(incident, n);
+    if (opposed < 0) return std::nullopt;
     const std::vector<int>& incident_loop = incident.shape->faces[opposed];
     const std::size_t incident_edges = incident_loop.size();
 
@@ -129,12 +134,13 @@ Vector3d edge_vector(const PlacedPart& part, int edge)
     return part.vertices[e.to] - part.vertices[e.from];
 }
 
-/// One edge of each direction that occurs.
+/// One edge of the stone of each direction that occurs.
 std::vector<int> distinct_edge_directions(const PlacedPart& part)
 {
     std::vector<int> distinct;
     std::vector<Vector3d> directions;
     for (int e = 0; e < static_cast<int>(part.shape->edges.size()); ++e) {
+        if (part.shape->is_glued(part.shape->edges[e])) continue;
         const Vector3d d = edge_vector(part, e).normalized();
         const bool known = std::any_of(directions.begin(), directions.end(), [&](const Vector3d& other) {
             return d.cross(other).squaredNorm() < 1e-18;
@@ -153,8 +159,9 @@ int extreme_edge(const PlacedPart& part, int like, const Vector3d& direction)
     int best = like;
     double most = -std::numeric_limits<double>::infinity();
     for (int e = 0; e < static_cast<int>(part.shape->edges.size()); ++e) {
-        if (edge_vector(part, e).normalized().cross(d).squaredNorm() >= 1e-18) continue;
         const ConvexPolyhedron::Edge& edge = part.shape->edges[e];
+        if (part.shape->is_glued(edge)) continue;
+        if (edge_vector(part, e).normalized().cross(d).squaredNorm() >= 1e-18) continue;
         const double reach = direction.dot(part.vertices[edge.from] + part.vertices[edge.to]);
         if (reach <= most) continue;
         most = reach;
@@ -245,6 +252,7 @@ std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const Pla
     const FaceAxis of_second =
         best_face(second, first, margin, last_face && last->second_is_reference ? favoured : -1, bonus);
     if (of_second.separation > margin) return std::nullopt;
+    if (of_first.face < 0 && of_second.face < 0) return std::nullopt;
 
     double lead = of_second.separation - of_first.separation - body_preference * size;
     if (last_face) lead += last->second_is_reference ? bonus : -bonus;

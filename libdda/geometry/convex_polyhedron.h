@@ -18,6 +18,11 @@ struct ConvexPolyhedron {
     std::vector<Eigen::Vector3d> vertices;  // m
     std::vector<std::vector<int>> faces;    // vertex loops, counter-clockwise seen from outside
     std::vector<Edge> edges;                // each once
+    // Per face: it lies against another part of the same stone and never touches anything. Empty: no face does.
+    std::vector<bool> glued;
+    bool is_glued(int face) const { return !glued.empty() && glued[face]; }
+    /// An edge of the cut between two parts; no edge of the stone.
+    bool is_glued(const Edge& edge) const { return is_glued(edge.left) || is_glued(edge.right); }
 };
 
 /// Checks closedness, orientation and convexity, and finds the edges. Coplanar triangles should be merged into

@@ -27,11 +27,18 @@ double size_of(const Model& model, int block)
 
 Block make_block(std::string name, int group, int material, std::vector<ConvexPolyhedron> parts)
 {
+    const Moments moments = moments_of(parts);
+    return make_block(std::move(name), group, material, std::move(parts), moments);
+}
+
+Block make_block(std::string name, int group, int material, std::vector<ConvexPolyhedron> parts,
+                 const Moments& moments)
+{
     Block block;
     block.name = std::move(name);
     block.group = group;
     block.material = material;
-    block.moments = moments_of(parts);
+    block.moments = moments;
     for (ConvexPolyhedron& part : parts)
         block.parts.push_back(translated(std::move(part), -block.moments.centroid));
     return block;
@@ -50,6 +57,21 @@ Block make_planar_block(std::string name, int group, int material, std::vector<C
     for (ConvexPolygon& outline : block.outlines)
         for (Eigen::Vector2d& x : outline.vertices) x -= centroid;
     return block;
+}
+
+void attach_mass(Model& model, int block, double mass, const Eigen::Vector3d& point)
+{
+    Block& own = model.blocks[block];
+    const double before = model.mass(block);
+    Eigen::Vector3d arm = point - own.moments.centroid;
+    if (is_planar(model.kinematics)) arm.y() = 0;
+    const Eigen::Vector3d shift = mass / (before + mass) * arm;  // of the centre of mass
+    own.attached_second += before * shift * shift.transpose() + mass * (arm - shift) * (arm - shift).transpose();
+    own.attached_mass += mass;
+    own.moments.centroid += shift;
+    for (ConvexPolyhedron& part : own.parts) part = translated(std::move(part), -shift);
+    for (ConvexPolygon& outline : own.outlines)
+        for (Eigen::Vector2d& x : outline.vertices) x -= from_space<2>(shift);
 }
 
 void set_thickness(Model& model, double thickness)

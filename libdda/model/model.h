@@ -61,7 +61,11 @@ struct Block {
     int material = 0;                     // index into Model::materials
     std::vector<ConvexPolyhedron> parts;  // spatial scenes; vertices relative to the block's centroid, m
     std::vector<ConvexPolygon> outlines;  // planar scenes; the same
-    Moments moments;                      // of all parts; centroid in model coordinates, m
+    Moments moments;  // of the stone; centroid in model coordinates, m: the block's reference point
+    // What attach_mass added; the reference point is then the common centre of mass.
+    double attached_mass = 0;                                   // kg: floor, roof, fill
+    Eigen::Matrix3d attached_second = Eigen::Matrix3d::Zero();  // kg m2, on top of the stone's own
+    double friction_factor = 1;  // -, times tan(friction angle); a joint takes the mean of its two blocks
 };
 
 /// A block that follows the ground. Each component is held (it follows the motion given for it, or stays) or free.
@@ -93,7 +97,18 @@ struct Model {
 
     double mass(int block) const
     {
-        return materials[blocks[block].material].density * blocks[block].moments.volume;
+        return materials[blocks[block].material].density * blocks[block].moments.volume +
+               blocks[block].attached_mass;
+    }
+    /// Integral of (x-c)(x-c)^T dm about the block's centre of mass [kg m2].
+    Eigen::Matrix3d mass_second(int block) const
+    {
+        return materials[blocks[block].material].density * blocks[block].moments.second +
+               blocks[block].attached_second;
+    }
+    double friction_factor(int block_a, int block_b) const
+    {
+        return 0.5 * (blocks[block_a].friction_factor + blocks[block_b].friction_factor);
     }
     const JointMaterial& joint_between(int block_a, int block_b) const
     {
@@ -111,6 +126,14 @@ double size_of(const Model& model, int block);
 
 /// Makes a block from parts in model coordinates: moves them to their common centroid and integrates the moments.
 Block make_block(std::string name, int group, int material, std::vector<ConvexPolyhedron> parts);
+
+/// The same with the stone's own moments, where the parts only approximate its shape.
+Block make_block(std::string name, int group, int material, std::vector<ConvexPolyhedron> parts,
+                 const Moments& moments);
+
+/// Lets a mass [kg] at a point (3) [m, model coordinates] move with a block, whose reference point goes to the
+/// common centre of mass; its elasticity stays. In a planar scene the thickness must have been set before.
+void attach_mass(Model& model, int block, double mass, const Eigen::Vector3d& point);
 
 /// The same for a planar scene, from outlines in model coordinates (x, z) and the scene's thickness [m].
 Block make_planar_block(std::string name, int group, int material, std::vector<ConvexPolygon> outlines,

@@ -128,7 +128,7 @@ Vector3d angular_velocity_of(const Model& model, const State& state, int block)
     if (model.kinematics == Kinematics::planar_rigid) return {0, -v[2], 0};
     const Matrix3d map = pose_of(model.kinematics, state, block).map;
     const Matrix3d rate = map_rate_of(model.kinematics, state, block);
-    const Matrix3d& second = model.blocks[block].moments.second;
+    const Matrix3d second = model.mass_second(block);
     const Matrix3d spread = map * second * map.transpose();
     const Matrix3d inertia = spread.trace() * Matrix3d::Identity() - spread;
     const Matrix3d m = rate * second * map.transpose();  // momentum = axial vector of m - m^T

@@ -159,10 +159,9 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
                  BlockStep<K>& step)
 {
     constexpr int dimension = K::dimension;
-    const Block& shape = model.blocks[block];
     step.mass = model.mass(block);
     step.size = size_of(model, block);
-    step.density_second = model.materials[shape.material].density * from_space<dimension>(shape.moments.second);
+    step.density_second = from_space<dimension>(model.mass_second(block));
     step.start = pose_in<dimension>(K::kinematics, state, block);
     hold_components(model, block, step);
     predict(state, block, h, step);

@@ -76,7 +76,8 @@ template <class K>
 double friction_of(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
 {
     if (!patch.friction_law) return patch.friction;
-    return friction_coefficient(*patch.friction_law, tangential(p.displacement, patch.normal).norm() / patch.h);
+    return patch.friction_factor *
+           friction_coefficient(*patch.friction_law, tangential(p.displacement, patch.normal).norm() / patch.h);
 }
 
 template <int D>
@@ -153,7 +154,8 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         patch.first = found.first_point;
         patch.count = found.point_count;
         patch.normal = found.normal;
-        patch.friction = std::tan(joint.friction_angle);
+        patch.friction_factor = model.friction_factor(found.block_a, found.block_b);
+        patch.friction = patch.friction_factor * std::tan(joint.friction_angle);
         const bool has_speeds = stage.type == StageType::dynamic && !joint.friction_at_speed.empty();
         patch.friction_law = has_speeds ? &joint : nullptr;
         patch.h = h;

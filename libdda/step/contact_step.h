@@ -35,7 +35,8 @@ struct PatchStep {
     int row_a = -1, row_b = -1;
     int first = 0, count = 0;
     typename K::Vector normal;
-    double friction = 0;  // -, tan of the friction angle; at rest if it depends on the speed
+    double friction = 0;         // -, tan of the friction angle; at rest if it depends on the speed
+    double friction_factor = 1;  // -, of the two blocks; `friction` has it already
     const JointMaterial* friction_law = nullptr;  // only if it does, and the stage has speeds: a dynamic one
     double h = 0;                                 // s, the step
     double dashpot_over_h = 0;                    // -
