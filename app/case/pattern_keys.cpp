@@ -144,11 +144,15 @@ void add_pattern(const std::vector<MasonryBlock>& blocks, const YamlCursor& map,
                          "the first one is at " + known->second + ": give one of them another name");
     }
     const std::string place = map.place();
-    reading.model.blocks.reserve(reading.model.blocks.size() + blocks.size());
+    std::vector<Block>& all = reading.model.blocks;
+    all.reserve(all.size() + blocks.size());
     try {
-        for (const MasonryBlock& block : blocks)
+        for (const MasonryBlock& block : blocks) {
+            const std::size_t before = all.size();
             add_block(block.name, place, group_of(block.name, entry.groups), entry.material,
                       {to_polyhedron(block)}, reading);
+            if (all.size() > before) all.back().friction_factor = block.friction_factor;
+        }
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "importers/patterns/openings.h"
@@ -84,9 +85,10 @@ std::vector<double> fixed_joints(const Laying& laying, int course)
     return joints;
 }
 
-/// The place nearest to `wanted` that is a quarter block away from the joints to avoid and inside `room`; `wanted`
-/// itself if there is none.
-double place_joint(double wanted, const Stretch& room, double length, const std::vector<double>& avoid)
+/// The place nearest to `wanted` that is a quarter block away from the joints to avoid and inside `room`, if there
+/// is one at most a quarter block away.
+std::optional<double> place_joint(double wanted, const Stretch& room, double length,
+                                  const std::vector<double>& avoid)
 {
     const double quarter = length / 4, margin = same_place * length;
     const auto good = [&](double x) {
@@ -95,11 +97,11 @@ double place_joint(double wanted, const Stretch& room, double length, const std:
                             [&](double other) { return std::abs(x - other) < quarter - margin; });
     };
     if (good(wanted)) return wanted;
-    double best = wanted, best_shift = INFINITY;
+    std::optional<double> best;
+    double best_shift = quarter + margin;
     for (const double other : avoid)
         for (const double x : {other - quarter, other + quarter}) {
-            if (std::abs(x - wanted) > quarter + margin || std::abs(x - wanted) >= best_shift || !good(x))
-                continue;
+            if (std::abs(x - wanted) >= best_shift || !good(x)) continue;
             best = x;
             best_shift = std::abs(x - wanted);
         }
@@ -110,12 +112,17 @@ double place_joint(double wanted, const Stretch& room, double length, const std:
 std::vector<double> joints_of(const Stretch& stretch, double origin, double length,
                               const std::vector<double>& avoid)
 {
-    const double piece = (smallest_piece - same_place) * length;
+    const double piece = (smallest_piece - same_place) * length, longest = (1.5 + same_place) * length;
     std::vector<double> joints = {stretch.begin};
     for (double number = std::ceil((stretch.begin + piece - origin) / length);; ++number) {
         const double wanted = origin + number * length;
         if (wanted > stretch.end - piece) break;
-        const double joint = place_joint(wanted, {joints.back() + piece, stretch.end - piece}, length, avoid);
+        const std::optional<double> bonded =
+            place_joint(wanted, {joints.back() + piece, stretch.end - piece}, length, avoid);
+        // Near an end a joint without bond is better left out; elsewhere there must be one.
+        const double next = wanted + length > stretch.end - piece ? stretch.end : wanted + length;
+        if (!bonded && next - joints.back() <= longest) continue;
+        const double joint = bonded.value_or(wanted);
         if (joint - joints.back() >= piece) joints.push_back(joint);
     }
     joints.push_back(stretch.end);

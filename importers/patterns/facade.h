@@ -49,8 +49,9 @@ std::vector<double> bed_levels(double height, const BlockFormat& block, const Li
 ///
 /// Joints lie whole lengths from the beginning (at corners: from the inner corner), and half a length off in every
 /// second course. A joint less than a quarter length from one in the course below, from a lintel's end or from a
-/// corner is moved to a quarter length, if no piece gets shorter than a third of a length. Pieces shorter than
-/// that are part of their neighbour; where a piece of wall has no neighbour it is a fault.
+/// corner is moved to a quarter length, if no piece gets shorter than a third of a length, or left out where the
+/// block is then at most one and a half lengths long; else it stays. Pieces shorter than a third of a length are
+/// part of their neighbour; where a piece of wall has no neighbour it is a fault.
 void lay(const Facade& facade, const std::vector<double>& beds, const BlockFormat& block, const Lintel& lintel,
          std::vector<Cell>& cells, std::vector<Fault>& faults);
 
