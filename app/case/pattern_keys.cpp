@@ -156,7 +156,8 @@ void add_pattern(const std::vector<MasonryBlock>& blocks, const YamlCursor& map,
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
     }
-    refuse_unused_patterns(entry.groups, "blocks are named " + blocks.front().name + ", " + blocks.back().name);
+    refuse_unused_patterns(entry.groups,
+                           "blocks are named " + blocks.front().name + ", ..., " + blocks.back().name);
 }
 
 }  // namespace voussoir

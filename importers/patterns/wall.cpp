@@ -41,6 +41,7 @@ void check(const Wall& wall, const Facade& facade)
     check_imperfection(wall.imperfection, wall.thickness / wall.leaves, faults);
     if (wall.flat && wall.leaves > 1)
         faults.push_back({"leaves", std::to_string(wall.leaves), "a planar scene has one leaf"});
+    if (!faults.empty()) throw InputError(faults);
     check_openings(facade, wall.height, wall.lintel, faults);
     if (!faults.empty()) throw InputError(faults);
 }

@@ -125,7 +125,8 @@ TEST(Wall, MakesWayForOpeningsAndBearsOnLintels)
 TEST(Wall, BondsItsJointsByAQuarterBlockRoundOpenings)
 {
     Wall asked = pierced_wall();
-    asked.openings.erase(asked.openings.begin() + 1);  // its lintel reaches through two courses, and so do its ends
+    asked.openings.erase(asked.openings.begin() +
+                         1);  // its lintel reaches through two courses, and so do its ends
     for (double at = 0.7; at < 3.5; at += 0.0319) {
         asked.openings[0].at = at;
         EXPECT_GE(smallest_bond(vertical_joints(wall(asked), "wall", 0, 0, 0)), 0.125 - 1e-5) << at;
