@@ -4,6 +4,7 @@
 #include <chrono>
 #include <set>
 
+#include "libdda/analysis/run.h"
 #include "tests/app/case_reading.h"
 
 namespace voussoir
@@ -146,6 +147,50 @@ TEST(WallCase, BadWallsAreRefusedWithTheirLine)
         faults_of(a_wall, {"blocks[1]={wall: {length: 1, height: 1, thickness: 1, block: [1, 1]}}"}),
         "--set blocks[1]: blocks[1].wall: a second block named wall_c01_b01; the first one is at case.yaml:8: "
         "blocks[0].wall: give one of them another name");
+}
+
+std::filesystem::path shipped(const std::string& name)
+{
+    return std::filesystem::path(VOUSSOIR_CASES) / name;
+}
+
+TEST(WallCase, ShippedCasesHaveTheBlocksTheyNeed)
+{
+    EXPECT_EQ(read_case(shipped("wall.yaml"), {}).model.blocks.size(), 73U);
+    EXPECT_EQ(read_case(shipped("wall.yaml"), {"kinematics=planar_rigid"}).model.blocks.size(), 73U);
+    EXPECT_EQ(read_case(shipped("house.yaml"), {}).model.blocks.size(), 201U);
+    EXPECT_EQ(read_case(shipped("house_large.yaml"), {}).model.blocks.size(), 985U);
+}
+
+/// Force of the base on all that stands on it [N].
+Eigen::Vector3d reaction_of_base(const State& state)
+{
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    for (const ContactPatch& patch : state.contacts.patches) {
+        if (patch.block_a != 0 && patch.block_b != 0) continue;
+        const double sign = patch.block_b == 0 ? 1 : -1;  // forces act on block a
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+            const ContactPoint& point = state.contacts.points[i];
+            force += sign * (point.normal_force * patch.normal - point.shear_force);
+        }
+    }
+    return force;
+}
+
+/// Joints that slide a little as the house settles are at their friction bound; they must not keep it from rest.
+TEST(WallCase, TheShippedHouseStandsUnderItsOwnWeight)
+{
+    const Case the_case = read_case(shipped("house.yaml"), {"foundation.motion=null", "stages[1]=null"});
+    State state = initial_state(the_case.model);
+    const RunReport report = run(the_case.model, the_case.stages, state, {});
+    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_LT(report.steps, 20);
+    double weight = 0;
+    for (int block = 1; block < static_cast<int>(the_case.model.blocks.size()); ++block)
+        weight += the_case.model.mass(block) * the_case.stages[0].gravity.norm();
+    const Eigen::Vector3d reaction = reaction_of_base(state);
+    EXPECT_NEAR(reaction.z(), weight, 1e-7 * weight);
+    EXPECT_LT(reaction.head<2>().norm(), 1e-7 * weight);
 }
 
 TEST(WallCase, OfTenThousandBlocksIsReadInSeconds)
