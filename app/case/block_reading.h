@@ -1,4 +1,4 @@
-// What the readers of meshes and boxes share while `blocks` is read.
+// What the readers of meshes, boxes and patterns share while `blocks` is read.
 #pragma once
 
 #include <filesystem>
@@ -64,6 +64,15 @@ std::vector<ConvexPolygon> outlines_of(const std::string& name, const std::strin
 /// Index of `material: name`; the only material if none is named.
 int read_material_name(YamlCursor& entry, const std::vector<BlockMaterial>& materials);
 
+/// `groups` of an entry that gives several stones.
+std::vector<GroupPattern> read_group_patterns(YamlCursor& entry);
+
+/// The group of the first pattern that matches a stone's name, and `masonry` if none does.
+std::string group_of(const std::string& stone, std::vector<GroupPattern>& patterns);
+
+/// A fault for each pattern that no stone was left for.
+void refuse_unused_patterns(const std::vector<GroupPattern>& patterns, const std::string& how_stones_are_named);
+
 /// What an entry of one block says beside its shape: `material` and `group`.
 struct Belonging {
     int material = 0;
@@ -79,6 +88,12 @@ void read_flat_box(YamlCursor& entry, YamlCursor& box, BlockReading& reading);
 
 /// `{polygon: {name, corners: [[x, z], ...]}}`: adds the block, in planar scenes.
 void read_polygon(YamlCursor& entry, YamlCursor& polygon, BlockReading& reading);
+
+/// `{wall: {length, height, thickness, block, ...}}`: adds its blocks; in planar scenes one that runs along x.
+void read_wall(YamlCursor& entry, YamlCursor& wall, BlockReading& reading);
+
+/// `{house: {length, width, height, wall_thickness, block, ...}}`: adds its blocks.
+void read_house(YamlCursor& entry, YamlCursor& house, BlockReading& reading);
 
 /// `{mesh: file}`: adds to reading.meshes.
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
 #include "app/case/block_reading.h"
 #include "app/case/nearest_word.h"
@@ -43,21 +44,37 @@ bool take_name(const std::string& name, const std::string& place, BlockReading& 
     return is_new;
 }
 
+/// What a block can be given as, and who reads it.
+struct ShapeReader {
+    const char* key;
+    void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
+};
+constexpr std::array<ShapeReader, 5> shape_readers = {{
+    {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
+    {"box", read_box},
+    {"polygon", read_polygon},
+    {"wall", read_wall},
+    {"house", read_house},
+}};
+
 void read_entry(YamlCursor& entry, BlockReading& reading)
 {
-    if (!entry.expect_map("a block {mesh: file}, {box: {...}} or {polygon: {...}}")) return;
-    std::optional<YamlCursor> mesh = entry.find("mesh"), box = entry.find("box"), polygon = entry.find("polygon");
-    const int shapes = static_cast<int>(mesh.has_value()) + static_cast<int>(box.has_value()) +
-                       static_cast<int>(polygon.has_value());
-    if (shapes != 1)
-        entry.fault(shapes == 0 ? "no mesh, box or polygon" : "more than one of mesh, box and polygon",
-                    "give one of them");
-    else if (mesh)
-        read_mesh(entry, *mesh, reading);
-    else if (box)
-        read_box(entry, *box, reading);
-    else
-        read_polygon(entry, *polygon, reading);
+    if (!entry.expect_map("a block {mesh: file}, {box: {...}}, {polygon: {...}}, {wall: {...}} or {house: {...}}"))
+        return;
+    const ShapeReader* chosen = nullptr;
+    std::optional<YamlCursor> shape;
+    int shapes = 0;
+    for (const ShapeReader& reader : shape_readers) {
+        std::optional<YamlCursor> found = entry.find(reader.key);
+        if (!found) continue;
+        ++shapes;
+        chosen = &reader;
+        shape = std::move(found);
+    }
+    if (shapes == 1) return chosen->read(entry, *shape, reading);
+    const std::string all = "mesh, box, polygon, wall ";
+    entry.fault(shapes == 0 ? "no " + all + "or house" : "more than one of " + all + "and house",
+                "give one of them");
 }
 
 }  // namespace
@@ -142,9 +159,9 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     const std::optional<YamlCursor> section = top.require("blocks", "the stones, [{mesh: stones.obj}]");
     if (!section) return {};
     BlockReading reading{folder, model, findings, {}, {}, Eigen::Vector3d::Zero(), {}};
-    std::vector<YamlCursor> entries = section->items("a list of meshes, boxes and polygons");
+    std::vector<YamlCursor> entries = section->items("a list of meshes, boxes, polygons, walls and houses");
     if (entries.empty() && section->is_list())
-        section->fault("no block", "give at least one mesh, box or polygon");
+        section->fault("no block", "give at least one mesh, box, polygon, wall or house");
     for (YamlCursor& entry : entries) read_entry(entry, reading);
     const std::size_t without_mesh = model.blocks.size();
     import_meshes(reading);

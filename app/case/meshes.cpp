@@ -1,26 +1,12 @@
 #include <fmt/core.h>
 
 #include "app/case/block_reading.h"
-#include "app/case/blocks.h"
 #include "libdda/geometry/plane.h"
 
 namespace voussoir
 {
 namespace
 {
-
-void read_patterns(YamlCursor& entry, std::vector<GroupPattern>& patterns)
-{
-    std::optional<YamlCursor> groups = entry.find("groups");
-    if (!groups) return entry.took_default("groups", std::string("all ") + default_group);
-    for (auto& [group, value] : groups->named_entries("groups by name, {foundation: \"abutment_*\"}")) {
-        if (!value.is_list()) {
-            patterns.push_back({group, value.as_text(), value});
-            continue;
-        }
-        for (const YamlCursor& item : value.items("patterns")) patterns.push_back({group, item.as_text(), item});
-    }
-}
 
 /// `unit: cm`: metres in one of the file's units.
 double read_unit(YamlCursor& entry)
@@ -35,16 +21,6 @@ double read_unit(YamlCursor& entry)
     if (one.problem.empty() && one.has(dimension::length) && !one.bare) return one.value;
     value->fault("\"" + name + "\" is no unit of length", "expected m, cm, mm, ft, in or km");
     return 1;
-}
-
-std::string group_of(const std::string& stone, std::vector<GroupPattern>& patterns)
-{
-    for (GroupPattern& pattern : patterns)
-        if (matches_pattern(stone, pattern.pattern)) {
-            pattern.used = true;
-            return pattern.group;
-        }
-    return default_group;
 }
 
 void warn_of_repairs(const std::string& place, const std::vector<std::string>& repairs, Findings& findings)
@@ -72,10 +48,7 @@ void take_mesh(MeshEntry& entry, const ImportedMesh& mesh, BlockReading& reading
     if (!mesh.accepted && !stone_refused)
         reading.findings.faults.push_back({place, mesh.reason, "give another mesh"});
     if (!mesh.accepted) return;
-    for (const GroupPattern& pattern : entry.patterns)
-        if (!pattern.used && !pattern.pattern.empty())
-            pattern.written.fault("\"" + pattern.pattern + "\" matches no stone that an earlier pattern left",
-                                  "stones are named as the objects of the mesh");
+    refuse_unused_patterns(entry.patterns, "stones are named as the objects of the mesh");
 }
 
 }  // namespace
@@ -85,7 +58,7 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
     MeshEntry mesh{file, file.as_text(), {}, 0, {}};
     mesh.request.file = reading.folder / mesh.name;
     mesh.material = read_material_name(entry, reading.model.materials);
-    read_patterns(entry, mesh.patterns);
+    mesh.patterns = read_group_patterns(entry);
     mesh.request.metres_per_unit = read_unit(entry);
     mesh.request.up = entry.choice_or<char>("up", {{"x", 'x'}, {"y", 'y'}, {"z", 'z'}}, 'z');
     entry.reject_unknown_keys();

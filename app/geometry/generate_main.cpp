@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "app/geometry/generate_walls.h"
 #include "importers/mesh/write_obj.h"
 #include "importers/patterns/arch_bridge.h"
 #include "libdda/errors.h"
@@ -29,25 +30,23 @@ void add_options(CLI::App& command, voussoir::ArchBridge& bridge)
         ->capture_default_str();
 }
 
-/// The command with every parameter spelled out, so that a default that changes one day changes no mesh.
-std::string command_line(const voussoir::ArchBridge& bridge, const std::filesystem::path& file)
+/// The arch and the command that makes it again.
+voussoir::GeneratedMesh make(const voussoir::ArchBridge& bridge)
 {
     std::ostringstream line;
     line.precision(17);
-    line << "voussoir-generate arch-bridge --span " << bridge.span << " --rise " << bridge.rise << " --voussoirs "
+    line << "arch-bridge --span " << bridge.span << " --rise " << bridge.rise << " --voussoirs "
          << bridge.voussoirs << " --springing-thickness " << bridge.springing_thickness << " --crown-thickness "
          << bridge.crown_thickness << " --width " << bridge.width << " --abutment-length "
-         << bridge.abutment_length << " --abutment-depth " << bridge.abutment_depth << " -o "
-         << file.filename().string();
-    return line.str();
+         << bridge.abutment_length << " --abutment-depth " << bridge.abutment_depth;
+    return {voussoir::arch_bridge(bridge), line.str(), "Metres, z up, x along the span, springings at z = 0."};
 }
 
-void write(const voussoir::ArchBridge& bridge, const std::filesystem::path& file)
+void write(const voussoir::GeneratedMesh& mesh, const std::filesystem::path& file)
 {
     const std::string text = voussoir::to_obj(
-        voussoir::arch_bridge(bridge),
-        {command_line(bridge, file), "Made by the program above (GPL-3.0-or-later); this mesh itself is CC0-1.0.",
-         "Metres, z up, x along the span, springings at z = 0."});
+        mesh.surfaces, {"voussoir-generate " + mesh.command + " -o " + file.filename().string(),
+                        "Made by the program above (GPL-3.0-or-later); this mesh itself is CC0-1.0.", mesh.axes});
     std::ofstream stream(file, std::ios::binary);
     stream << text << std::flush;
     if (!stream) throw voussoir::InputError(file.string(), "the file cannot be written", "choose another place");
@@ -63,15 +62,20 @@ int main(int argc, char** argv)
         CLI::App* arch =
             program.add_subcommand("arch-bridge", "a segmental stone arch between two abutment blocks");
         voussoir::ArchBridge bridge;
-        std::string file;
         add_options(*arch, bridge);
-        arch->add_option("-o,--output", file, "OBJ file to write")->required();
+        CLI::App* wall = program.add_subcommand("wall", "a straight wall in running bond");
+        const auto wall_command = voussoir::add_wall_options(*wall);
+        CLI::App* house = program.add_subcommand("house", "four walls with bonded corners, openings and lintels");
+        const auto house_command = voussoir::add_house_options(*house);
+        std::string file;
+        for (CLI::App* command : {arch, wall, house})
+            command->add_option("-o,--output", file, "OBJ file to write")->required();
         try {
             program.parse(argc, argv);
         } catch (const CLI::ParseError& error) {
             return program.exit(error) == 0 ? 0 : 2;
         }
-        write(bridge, file);
+        write(arch->parsed() ? make(bridge) : (wall->parsed() ? wall_command : house_command)->make(), file);
         return 0;
     } catch (const voussoir::InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());

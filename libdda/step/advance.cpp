@@ -246,7 +246,8 @@ void update_contacts(const Stage& stage, const StepSystem<K>& system, const Cont
         if (patch.row_a >= 0) d_a = system.d.template segment<n>(n * patch.row_a);
         if (patch.row_b >= 0) d_b = system.d.template segment<n>(n * patch.row_b);
         const typename K::Matrix turn = rotation_of_step(reference, d_b);
-        // A point that carries next to nothing flickers by rounding; its state is no change of the structure.
+        // A point that carries next to nothing flickers by rounding, and so does one that has come to rest at its
+        // friction bound, between sticking and sliding; neither is a change of the structure.
         const double load = std::max(patch.row_a >= 0 ? system.load[patch.row_a] : 0,
                                      patch.row_b >= 0 ? system.load[patch.row_b] : 0);
         const double enough = stage.unbalanced_tolerance * load;
@@ -261,8 +262,10 @@ void update_contacts(const Stage& stage, const StepSystem<K>& system, const Cont
             point.plastic_slip = turn * point.plastic_slip;
             point.elastic_slip = turn * slip;
             const double carried = std::max(p.normal, -p.normal_stiffness * p.gap_start);
+            const bool stays_closed = p.status != ContactStatus::open && point.status != ContactStatus::open;
+            const bool at_bound = stays_closed && std::abs(p.trial.norm() - p.bound) <= enough;
             report.contact_state_changed =
-                report.contact_state_changed || (point.status != p.status && carried > enough);
+                report.contact_state_changed || (point.status != p.status && carried > enough && !at_bound);
             point.status = p.status;
             point.gap = p.gap;
             point.normal_force = p.normal;

@@ -1,0 +1,90 @@
+#include "importers/patterns/openings.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "importers/patterns/facade.h"
+
+namespace voussoir
+{
+namespace
+{
+
+std::string metres(double value)
+{
+    std::ostringstream text;
+    text << value << " m";
+    return text.str();
+}
+
+bool positive(double value)
+{
+    return std::isfinite(value) && value > 0;
+}
+
+/// A patch and how to name it: "the lintel over openings[2]".
+struct NamedPatch {
+    Patch patch;
+    std::string name, key;
+};
+
+bool overlap(const Patch& a, const Patch& b)
+{
+    const double margin = 1e-9 * (a.right - a.left + a.top - a.foot);
+    return a.left < b.right - margin && b.left < a.right - margin && a.foot < b.top - margin &&
+           b.foot < a.top - margin;
+}
+
+bool check_place(const NamedOpening& named, const Facade& facade, double height, std::vector<Fault>& faults)
+{
+    const Opening& opening = named.opening;
+    const Patch hole = patch_of(opening);
+    const std::size_t before = faults.size();
+    if (!positive(opening.width) || !positive(opening.height))
+        faults.push_back({named.key, metres(opening.width) + " by " + metres(opening.height),
+                          "an opening has a width and a height > 0 m"});
+    if (!(hole.left >= facade.corner && hole.right <= (facade.length - facade.corner) * (1 + 1e-9)))
+        faults.push_back(
+            {named.key, "from " + metres(hole.left) + " to " + metres(hole.right) + " along " + facade.name,
+             "it must lie between " + metres(facade.corner) + " and " + metres(facade.length - facade.corner)});
+    if (!(hole.foot >= 0 && hole.top <= height * (1 + 1e-9)))
+        faults.push_back({named.key, "from " + metres(hole.foot) + " to " + metres(hole.top) + " above the foot",
+                          "it must lie between 0 m and " + metres(height)});
+    return faults.size() == before;
+}
+
+void check_lintel(const NamedPatch& lintel, const Facade& facade, double height, std::vector<Fault>& faults)
+{
+    const Patch& patch = lintel.patch;
+    const double margin = 1e-9 * facade.length;
+    if (patch.left < facade.corner - margin || patch.right > facade.length - facade.corner + margin)
+        faults.push_back({lintel.key,
+                          "its lintel would reach from " + metres(patch.left) + " to " + metres(patch.right) +
+                              " along " + facade.name,
+                          "both bearings must lie between " + metres(facade.corner) + " and " +
+                              metres(facade.length - facade.corner)});
+    if (patch.top > height * (1 + 1e-9))
+        faults.push_back({lintel.key, "its lintel would reach up to " + metres(patch.top),
+                          "it must end at the top, " + metres(height) + ", or below"});
+}
+
+}  // namespace
+
+void check_openings(const Facade& facade, double height, const Lintel& lintel, std::vector<Fault>& faults)
+{
+    std::vector<NamedPatch> patches;
+    for (const NamedOpening& named : facade.openings) {
+        if (!check_place(named, facade, height, faults)) continue;
+        patches.push_back({patch_of(named.opening), named.key, named.key});
+        if (!needs_lintel(named.opening, height)) continue;
+        patches.push_back({patch_of(named.opening, lintel), "the lintel over " + named.key, named.key});
+        check_lintel(patches.back(), facade, height, faults);
+    }
+    for (std::size_t b = 0; b < patches.size(); ++b)
+        for (std::size_t a = 0; a < b; ++a)
+            if (overlap(patches[a].patch, patches[b].patch))
+                faults.push_back({patches[b].key, patches[a].name + " and " + patches[b].name + " overlap",
+                                  "leave wall between them"});
+}
+
+}  // namespace voussoir

@@ -1,0 +1,65 @@
+#include "importers/patterns/wall.h"
+
+#include "importers/patterns/parameter_checks.h"
+
+namespace voussoir
+{
+namespace
+{
+
+Facade facade_of(const Wall& wall)
+{
+    Facade facade{.name = wall.name,
+                  .length = wall.length,
+                  .lower = 0,
+                  .upper = wall.thickness,
+                  .leaves = wall.leaves,
+                  .header_every = wall.header_every,
+                  .openings = {}};
+    for (std::size_t i = 0; i < wall.openings.size(); ++i)
+        facade.openings.push_back({wall.openings[i], "openings[" + std::to_string(i) + "]"});
+    return facade;
+}
+
+void check(const Wall& wall, const Facade& facade)
+{
+    std::vector<Fault> faults;
+    if (wall.name.empty()) faults.push_back({"name", "no name", "its blocks are named NAME_c01_b01"});
+    check_positive("length", wall.length, faults);
+    check_positive("height", wall.height, faults);
+    check_positive("thickness", wall.thickness, faults);
+    if (wall.leaves < 1 || wall.leaves > 99)
+        faults.push_back({"leaves", std::to_string(wall.leaves), "must be 1 to 99"});
+    if (wall.header_every < 0 || (wall.header_every > 0 && wall.leaves == 1))
+        faults.push_back(
+            {"header_every", std::to_string(wall.header_every), "must be > 0, in a wall of several leaves"});
+    check_lintel_size(wall.lintel, faults);
+    check_base(wall.base, faults);
+    check_placement(wall.placement, faults);
+    if (!faults.empty()) throw InputError(faults);
+    check_block({wall.block_length, wall.block_height}, wall.length, wall.height, faults);
+    check_imperfection(wall.imperfection, wall.thickness / wall.leaves, faults);
+    if (wall.flat && wall.leaves > 1)
+        faults.push_back({"leaves", std::to_string(wall.leaves), "a planar scene has one leaf"});
+    if (!faults.empty()) throw InputError(faults);
+    check_openings(facade, wall.height, wall.lintel, faults);
+    if (!faults.empty()) throw InputError(faults);
+}
+
+}  // namespace
+
+std::vector<MasonryBlock> wall(const Wall& wall)
+{
+    const Facade facade = facade_of(wall);
+    check(wall, facade);
+    const BlockFormat block{wall.block_length, wall.block_height};
+    const std::vector<double> beds = bed_levels(wall.height, block, wall.lintel, {facade});
+    std::vector<Cell> cells;
+    std::vector<Fault> faults;
+    add_base(wall.name, wall.base, {wall.length, wall.thickness}, wall.flat, cells);
+    lay(facade, beds, block, wall.lintel, cells, faults);
+    if (!faults.empty()) throw InputError(faults);
+    return blocks_in(cells, wall.imperfection, wall.flat, wall.placement);
+}
+
+}  // namespace voussoir
