@@ -25,6 +25,6 @@ struct OverlappingPair {
 /// All pairs of stones, each a list of convex parts, whose shared volume exceeds `tolerance` times that of the
 /// smaller one. Bounding boxes are swept along x first.
 std::vector<OverlappingPair> find_overlaps(std::span<const std::vector<ConvexPolyhedron>> stones,
-                                           double tolerance = 1e-6);
+                                           double tolerance = 1e-2);
 
 }  // namespace voussoir
