@@ -1,0 +1,339 @@
+#include "app/geometry/assembly_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr std::size_t names_given = 4;
+constexpr double mortar_modulus = 1e9;  // Pa, of the example: a lime mortar
+
+std::string plural(std::size_t count, const std::string& word)
+{
+    return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+/// "a, b, c, d and 12 more".
+std::string names_of(const Assembly& assembly, const std::vector<int>& stones)
+{
+    std::string words;
+    for (std::size_t i = 0; i < std::min(stones.size(), names_given); ++i)
+        words += (i == 0 ? "" : ", ") + assembly.stones[stones[i]].name;
+    if (stones.size() > names_given) words += fmt::format(" and {} more", stones.size() - names_given);
+    return words;
+}
+
+std::string pair_words(const Assembly& assembly, int a, int b)
+{
+    return assembly.stones[a].name + " and " + assembly.stones[b].name;
+}
+
+template <typename Pairs>
+std::vector<int> stones_of(const Pairs& pairs)
+{
+    std::vector<int> stones;
+    for (const auto& pair : pairs) {
+        stones.push_back(pair.a);
+        stones.push_back(pair.b);
+    }
+    std::sort(stones.begin(), stones.end());
+    stones.erase(std::unique(stones.begin(), stones.end()), stones.end());
+    return stones;
+}
+
+/// "a and b, c and d and 3 more pairs".
+template <typename Pairs>
+std::string pairs_words(const Assembly& assembly, const Pairs& pairs)
+{
+    constexpr std::size_t given = 2;
+    std::string words;
+    for (std::size_t i = 0; i < std::min(pairs.size(), given); ++i)
+        words += (i == 0 ? "" : "; ") + pair_words(assembly, pairs[i].a, pairs[i].b);
+    if (pairs.size() > given) words += fmt::format("; and {} more", plural(pairs.size() - given, "pair"));
+    return words;
+}
+
+std::string close_joints_words(double widest, const AssemblyOrigin& origin)
+{
+    const std::string width = length_words(closing_width(widest));
+    if (origin.from_case) return "close_joints: " + width + " in the mesh entry of the case";
+    std::string option = width;
+    option.erase(std::remove(option.begin(), option.end(), ' '), option.end());
+    return "--close-joints " + option;
+}
+
+void tell_overlaps(const Assembly& assembly, std::vector<AssemblyFinding>& findings)
+{
+    if (assembly.overlaps.empty()) return;
+    const auto deepest =
+        std::max_element(assembly.overlaps.begin(), assembly.overlaps.end(),
+                         [](const StoneOverlap& x, const StoneOverlap& y) { return x.depth < y.depth; });
+    const auto largest =
+        std::max_element(assembly.overlaps.begin(), assembly.overlaps.end(),
+                         [](const StoneOverlap& x, const StoneOverlap& y) { return x.volume < y.volume; });
+    AssemblyFinding finding{"overlaps", {}, {}, stones_of(assembly.overlaps)};
+    finding.what = fmt::format("{} of stones overlap: {}; the largest shared volume is {:.3g} m3",
+                               plural(assembly.overlaps.size(), "pair"), pairs_words(assembly, assembly.overlaps),
+                               largest->volume);
+    if (deepest->depth > 0)
+        finding.what += fmt::format(", the deepest overlap {} ({})", length_words(deepest->depth),
+                                    pair_words(assembly, deepest->a, deepest->b));
+    finding.advice = "stones may touch but not share space: ";
+    finding.advice +=
+        deepest->depth > 0
+            ? fmt::format("in the CAD file move one stone of each pair back, or cut it, by the depth of its "
+                          "overlap (at most {}; or {} off each of the two faces)",
+                          length_words(deepest->depth), length_words(0.5 * deepest->depth))
+            : "in the CAD file cut one stone of each pair by the other";
+    findings.push_back(std::move(finding));
+}
+
+struct NamedUnit {
+    const char* name;
+    double metres;
+};
+
+/// A unit in which the stones would be of a size that people move, if the file's own gives none.
+void suspect_unit(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
+{
+    constexpr double least_stone = 0.02, most_stone = 20, least_whole = 0.05, most_whole = 1500;  // m
+    constexpr double likely_least = 0.04, likely_most = 4;                                        // m
+    constexpr std::array<NamedUnit, 5> units{{{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}, {"m", 1}}};
+    const double size = assembly.typical_size, whole = assembly.extent.maxCoeff();
+    if (size >= least_stone && size <= most_stone && whole >= least_whole && whole <= most_whole) return;
+    AssemblyFinding finding{
+        "unit",
+        fmt::format("the whole is {} long, a typical stone {}: is the unit right?", length_words(whole),
+                    length_words(size)),
+        "", {}};
+    std::string likely;
+    for (const NamedUnit& unit : units) {
+        if (origin.metres_per_unit == 0) break;
+        const double factor = unit.metres / origin.metres_per_unit;
+        if (factor * size < likely_least || factor * size > likely_most) continue;
+        likely += fmt::format("{}with {}{} the whole is {} long and a typical stone {}", likely.empty() ? "" : "; ",
+                              origin.from_case ? "unit: " : "--unit ", unit.name, length_words(factor * whole),
+                              length_words(factor * size));
+    }
+    finding.advice = likely.empty() ? "give the unit that the file was drawn in" : likely;
+    findings.push_back(std::move(finding));
+}
+
+/// The narrowest gap of a stone, none if no stone is near.
+const StoneGap* nearest_gap(const Assembly& assembly, int stone)
+{
+    const StoneGap* nearest = nullptr;
+    for (const StoneGap& gap : assembly.gaps)
+        if ((gap.a == stone || gap.b == stone) && (!nearest || gap.width < nearest->width)) nearest = &gap;
+    return nearest;
+}
+
+void tell_floating(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
+{
+    std::vector<int> near, alone;
+    double widest = 0;
+    for (const int stone : assembly.floating) {
+        const StoneGap* gap = nearest_gap(assembly, stone);
+        (gap ? near : alone).push_back(stone);
+        if (gap) widest = std::max(widest, gap->widest);
+    }
+    if (!near.empty())
+        findings.push_back(
+            {"floating",
+             fmt::format("{} touch no other but have neighbours across a gap: {}", plural(near.size(), "stone"),
+                         names_of(assembly, near)),
+             fmt::format("close the gaps: {} reaches all of them", close_joints_words(widest, origin)), near});
+    if (!alone.empty())
+        findings.push_back({"floating",
+                            fmt::format("{} touch no other and none is near: {}", plural(alone.size(), "stone"),
+                                        names_of(assembly, alone)),
+                            "in the CAD file move them to their neighbours, or delete them", alone});
+}
+
+void tell_unsupported(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
+{
+    std::vector<int> stones;
+    std::set_difference(assembly.unsupported.begin(), assembly.unsupported.end(), assembly.floating.begin(),
+                        assembly.floating.end(), std::back_inserter(stones));
+    if (stones.empty()) return;
+    const std::string ground = assembly.ground_given ? "foundation" : "stone at the lowest level";
+    findings.push_back(
+        {"unsupported",
+         fmt::format("{} hang together but no path of contacts leads from them to a {}: {}",
+                     plural(stones.size(), "stone"), ground, names_of(assembly, stones)),
+         origin.from_case ? "they would fall as one: close the gap to what should carry them, or make the lowest of "
+                            "them foundations"
+                          : "they would fall as one: close the gap to what should carry them",
+         stones});
+}
+
+void tell_gaps(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
+{
+    for (const GapGroup& group : assembly.gap_groups) {
+        std::vector<StoneGap> gaps;
+        double area = 0, mean = 0;
+        for (const int gap : group.gaps) {
+            gaps.push_back(assembly.gaps[gap]);
+            area += gaps.back().area;
+            mean += gaps.back().area * gaps.back().width;
+        }
+        mean /= area;
+        const std::string widths = group.widest > 1.005 * group.narrowest
+                                       ? length_words(group.narrowest) + " to " + length_words(group.widest)
+                                       : length_words(group.widest);
+        AssemblyFinding finding{"gaps", {}, {}, stones_of(gaps)};
+        finding.what = fmt::format("{} {} {} apart, over {:.3g} m2 in all: {}", plural(gaps.size(), "pair"),
+                                   gaps.size() == 1 ? "stands" : "stand", widths, area,
+                                   pairs_words(assembly, gaps));
+        finding.advice = fmt::format(
+            "a joint drawn open carries nothing. If it is mortar, close it: {} moves both faces to the middle; a "
+            "mortar of modulus E is then carried by contact_stiffness: E / {} of its joint (with E = 1 GPa: {:.3g} "
+            "GPa/m). If it is dry, move the stones together in the CAD file",
+            close_joints_words(group.widest, origin), length_words(mean), mortar_modulus / mean / 1e9);
+        findings.push_back(std::move(finding));
+    }
+}
+
+void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& findings)
+{
+    std::vector<StoneContact> tilted, small;
+    double opening = 0;
+    for (const StoneContact& contact : assembly.contacts) {
+        if (contact.touch == Touch::tilted) {
+            tilted.push_back(contact);
+            opening = std::max(opening, contact.largest_gap);
+        } else if (contact.touch != Touch::face) {
+            small.push_back(contact);
+        }
+    }
+    if (!tilted.empty())
+        findings.push_back(
+            {"tilted",
+             fmt::format("{} touch with an edge only, for their faces are tilted against each other and open up to "
+                         "{}: {}",
+                         plural(tilted.size(), "pair"), length_words(opening), pairs_words(assembly, tilted)),
+             "the joint will rock on that edge: in the CAD file give both stones the same joint plane",
+             stones_of(tilted)});
+    if (!small.empty())
+        findings.push_back(
+            {"small contact",
+             fmt::format("{} touch with a corner, two crossing edges or less than {:g} % of a face only: {}",
+                         plural(small.size(), "pair"), 100 * assembly_tolerance::sliver_share,
+                         pairs_words(assembly, small)),
+             "such contacts flicker and cost iterations: part the stones there, or let them share a face",
+             stones_of(small), true});
+}
+
+void tell_slivers(const Assembly& assembly, std::vector<AssemblyFinding>& findings)
+{
+    std::vector<int> thin, short_edged;
+    double thinnest = 1, shortest = 1;
+    for (const SliverStone& sliver : assembly.slivers) {
+        (sliver.thin ? thin : short_edged).push_back(sliver.stone);
+        if (sliver.thin)
+            thinnest = std::min(thinnest, sliver.width / sliver.diameter);
+        else
+            shortest = std::min(shortest, sliver.shortest_edge / sliver.diameter);
+    }
+    if (!thin.empty())
+        findings.push_back({"slivers",
+                            fmt::format("{} thinner than 1:{:g} (down to 1:{:.0f}): {}", plural(thin.size(), "stone"),
+                                        1 / assembly_tolerance::thin, 1 / thinnest, names_of(assembly, thin)),
+                            "a sliver has next to no stiffness and makes steps small: in the CAD file join it to its "
+                            "neighbour, or draw the joint without it",
+                            thin});
+    if (!short_edged.empty())
+        findings.push_back(
+            {"short edges",
+             fmt::format("{} with an edge shorter than 1:{:g} of the stone (down to 1:{:.0f}): {}",
+                         plural(short_edged.size(), "stone"), 1 / assembly_tolerance::short_edge, 1 / shortest,
+                         names_of(assembly, short_edged)),
+             "in the CAD file merge the two corners", short_edged, true});
+}
+
+void tell_sizes(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
+{
+    if (assembly.size_ratio > assembly_tolerance::size_ratio) {
+        const AssemblyStone& large = assembly.stones[assembly.largest];
+        const AssemblyStone& small = assembly.stones[assembly.smallest];
+        findings.push_back(
+            {"size ratio",
+             fmt::format("the largest stone, {} ({:.3g} m3), has {:.3g} times the volume of the smallest, {} ({:.3g} "
+                         "m3)",
+                         large.name, large.volume, assembly.size_ratio, small.name, small.volume),
+             origin.from_case ? "make the large one a foundation if it is the ground, or leave chips away"
+                              : "leave chips away, or cut the large stone where it is cut in nature",
+             {assembly.largest, assembly.smallest}});
+    }
+    std::vector<int> many, approximated;
+    double error = 0;
+    for (int i = 0; i < static_cast<int>(assembly.stones.size()); ++i) {
+        const AssemblyStone& stone = assembly.stones[i];
+        if (static_cast<int>(stone.parts.size()) > assembly_tolerance::many_parts) many.push_back(i);
+        if (stone.volume_error > 0) approximated.push_back(i);
+        error = std::max(error, stone.volume_error);
+    }
+    if (!many.empty())
+        findings.push_back({"many parts",
+                            fmt::format("{} of more than {} convex parts: {}", plural(many.size(), "stone"),
+                                        assembly_tolerance::many_parts, names_of(assembly, many)),
+                            "each part is searched for contact: a simpler outline runs faster", many, true});
+    if (!approximated.empty())
+        findings.push_back(
+            {"approximated",
+             fmt::format("{} whose convex parts only approximate them, by up to {:.3g} % of the volume: {}",
+                         plural(approximated.size(), "stone"), 100 * error, names_of(assembly, approximated)),
+             "volume and moments are those of the stone as drawn; contact is with the parts", approximated, true});
+}
+
+void tell_refused(const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
+{
+    if (origin.refused_stones == 0) return;
+    findings.push_back({"refused",
+                        fmt::format("{} refused and not in the contact graph: what touches only them counts as "
+                                    "floating",
+                                    plural(origin.refused_stones, "stone")),
+                        "mend the refused stones first",
+                        {}});
+}
+
+}  // namespace
+
+std::string length_words(double metres)
+{
+    const double size = std::abs(metres);
+    if (size == 0) return "0 mm";
+    if (size < 1e-5) return fmt::format("{:.3g} um", metres * 1e6);
+    if (size < 0.9995) return fmt::format("{:.3g} mm", metres * 1e3);
+    return size < 100 ? fmt::format("{:.3g} m", metres) : fmt::format("{:.0f} m", metres);
+}
+
+double closing_width(double widest)
+{
+    const double digit = std::pow(10.0, std::floor(std::log10(widest)) - 1);
+    return std::ceil(widest / digit * (1 + 1e-12)) * digit;
+}
+
+std::vector<AssemblyFinding> findings_in_words(const Assembly& assembly, const AssemblyOrigin& origin)
+{
+    std::vector<AssemblyFinding> findings;
+    tell_refused(origin, findings);
+    suspect_unit(assembly, origin, findings);
+    tell_overlaps(assembly, findings);
+    tell_floating(assembly, origin, findings);
+    tell_unsupported(assembly, origin, findings);
+    tell_gaps(assembly, origin, findings);
+    tell_poor_contacts(assembly, findings);
+    tell_slivers(assembly, findings);
+    tell_sizes(assembly, origin, findings);
+    return findings;
+}
+
+}  // namespace voussoir
