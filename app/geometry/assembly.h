@@ -1,5 +1,5 @@
-// Stones as a structure: what touches what and over which area, what stands apart, hangs in the air, overlaps or is
-// too thin, and what to do about it. Knows nothing of files: the same for mesh files, boxes and patterns.
+// Stones as a structure: what touches what and over which area, what stands apart, hangs in the air, overlaps or
+// is too thin, and what to do about it. Knows nothing of files: the same for mesh files, boxes and patterns.
 #pragma once
 
 #include <string>
@@ -18,10 +18,10 @@ constexpr double contact = 1e-3;  // of each of two stones: nearer faces touch; 
 constexpr double gap = 0.2;       // of the smaller stone: facing faces nearer than this were meant to touch
 constexpr double ground = 0.05;   // of the stone: it stands on the ground when it reaches so near the lowest point
 constexpr double thin = 0.01;     // least width over largest diameter: less is a sliver
-constexpr double short_edge = 1e-3;     // length over largest diameter: less is a short edge
-constexpr double size_ratio = 1e3;      // of the volumes of two stones: more is extreme
-constexpr double touching_share = 0.25; // of the facing area: less is an edge that touches, not a face
-constexpr double sliver_share = 0.01;   // of the smaller face: less is a corner that touches
+constexpr double short_edge = 1e-3;      // length over largest diameter: less is a short edge
+constexpr double size_ratio = 1e3;       // of the volumes of two stones: more is extreme
+constexpr double touching_share = 0.25;  // of the facing area: less is an edge that touches, not a face
+constexpr double sliver_share = 0.01;    // of the smaller face: less is a corner that touches
 constexpr int many_parts = 20;
 }  // namespace assembly_tolerance
 
@@ -45,13 +45,13 @@ enum class Touch {
 struct StoneContact {
     int a = 0, b = 0;
     Touch touch = Touch::face;
-    int patches = 0;          // pairs of parts that touch
-    double area = 0;          // m2, nearer than the contact tolerance
-    double facing_area = 0;   // m2, of the contact polygons
-    double smaller_face = 0;  // m2, of the two faces of the largest patch
-    double smallest_gap = 0;  // m, < 0: the stones overlap by this depth
-    double largest_gap = 0;   // m, inside the contact polygons
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, mean over the area, from a to b
+    int patches = 0;                                     // pairs of parts that touch
+    double area = 0;                                     // m2, nearer than the contact tolerance
+    double facing_area = 0;                              // m2, of the contact polygons
+    double smaller_face = 0;                             // m2, of the two faces of the largest patch
+    double smallest_gap = 0;                             // m, < 0: the stones overlap by this depth
+    double largest_gap = 0;                              // m, inside the contact polygons
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();    // unit, mean over the area, from a to b
     std::vector<std::vector<Eigen::Vector3d>> polygons;  // the contact polygons, m
 };
 
@@ -106,9 +106,9 @@ struct Assembly {
     std::vector<int> floating;                 // touch no other stone
     std::vector<int> unsupported;              // no path of contacts leads from them to the ground
     std::vector<SliverStone> slivers;
-    int largest = -1, smallest = -1;  // stones, foundations that were given apart
-    double size_ratio = 1;            // of their volumes
-    double typical_size = 0;          // m, median of the stones' sizes
+    int largest = -1, smallest = -1;                   // stones, foundations that were given apart
+    double size_ratio = 1;                             // of their volumes
+    double typical_size = 0;                           // m, median of the stones' sizes
     Eigen::Vector3d extent = Eigen::Vector3d::Zero();  // m, of the bounding box
     std::vector<AssemblyFinding> findings;
 };
@@ -121,9 +121,9 @@ struct AssemblyOrigin {
 };
 
 /// Examines stones as a structure. Contacts are found by the engine's own search and so are what a run will see.
-/// @param overlaps pairs of stones whose shared volume [m3] is known from exact intersection; those that the contact
-/// search finds deeper than the contact tolerance are added
-/// Cost: two contact searches; 10,000 stones take about a second.
+/// @param overlaps pairs of stones whose shared volume [m3] is known from exact intersection; those that the
+/// contact search finds deeper than the contact tolerance are added Cost: two contact searches; 10,000 stones take
+/// about a second.
 Assembly examine_assembly(std::vector<AssemblyStone> stones, const std::vector<StoneOverlap>& overlaps,
                           const AssemblyOrigin& origin);
 

@@ -19,8 +19,8 @@ using Eigen::Vector3d;
 using Polygon = std::vector<Vector3d>;
 using Pair = std::pair<int, int>;
 
-constexpr double most_gap_tilt = 0.35;    // rad: faces at a larger angle do not face each other
-constexpr double least_gap_depth = 2;     // a gap is at most as wide as the root of its area over this
+constexpr double most_gap_tilt = 0.35;       // rad: faces at a larger angle do not face each other
+constexpr double least_gap_depth = 2;        // a gap is at most as wide as the root of its area over this
 constexpr double least_facing_share = 0.02;  // of the squared size of the smaller stone
 
 /// The stones as a model of rigid blocks, for the engine's contact search. Materials do not matter to it.
@@ -162,8 +162,8 @@ bool is_filled(const Polygon& middle, const std::set<int>& others, const std::ve
     std::size_t filled = 0;
     for (const Vector3d& corner : middle) {
         const Vector3d sample = 0.5 * (centre + corner);
-        filled += std::any_of(others.begin(), others.end(),
-                              [&](int stone) { return is_inside(stones[stone], sample); });
+        filled +=
+            std::any_of(others.begin(), others.end(), [&](int stone) { return is_inside(stones[stone], sample); });
     }
     return 2 * filled >= middle.size();
 }

@@ -106,8 +106,7 @@ void judge_sizes(Assembly& assembly)
     std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
     assembly.typical_size = sizes[sizes.size() / 2];
     if (assembly.largest >= 0)
-        assembly.size_ratio =
-            assembly.stones[assembly.largest].volume / assembly.stones[assembly.smallest].volume;
+        assembly.size_ratio = assembly.stones[assembly.largest].volume / assembly.stones[assembly.smallest].volume;
 }
 
 }  // namespace

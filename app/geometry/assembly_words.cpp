@@ -86,12 +86,12 @@ void tell_overlaps(const Assembly& assembly, std::vector<AssemblyFinding>& findi
         finding.what += fmt::format(", the deepest overlap {} ({})", length_words(deepest->depth),
                                     pair_words(assembly, deepest->a, deepest->b));
     finding.advice = "stones may touch but not share space: ";
-    finding.advice +=
-        deepest->depth > 0
-            ? fmt::format("in the CAD file move one stone of each pair back, or cut it, by the depth of its "
-                          "overlap (at most {}; or {} off each of the two faces)",
-                          length_words(deepest->depth), length_words(0.5 * deepest->depth))
-            : "in the CAD file cut one stone of each pair by the other";
+    finding.advice += deepest->depth > 0
+                          ? fmt::format(
+                                "in the CAD file move one stone of each pair back, or cut it, by the depth of its "
+                                "overlap (at most {}; or {} off each of the two faces)",
+                                length_words(deepest->depth), length_words(0.5 * deepest->depth))
+                          : "in the CAD file cut one stone of each pair by the other";
     findings.push_back(std::move(finding));
 }
 
@@ -105,22 +105,23 @@ void suspect_unit(const Assembly& assembly, const AssemblyOrigin& origin, std::v
 {
     constexpr double least_stone = 0.02, most_stone = 20, least_whole = 0.05, most_whole = 1500;  // m
     constexpr double likely_least = 0.04, likely_most = 4;                                        // m
-    constexpr std::array<NamedUnit, 5> units{{{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}, {"m", 1}}};
+    constexpr std::array<NamedUnit, 5> units{
+        {{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}, {"m", 1}}};
     const double size = assembly.typical_size, whole = assembly.extent.maxCoeff();
     if (size >= least_stone && size <= most_stone && whole >= least_whole && whole <= most_whole) return;
-    AssemblyFinding finding{
-        "unit",
-        fmt::format("the whole is {} long, a typical stone {}: is the unit right?", length_words(whole),
-                    length_words(size)),
-        "", {}};
+    AssemblyFinding finding{"unit",
+                            fmt::format("the whole is {} long, a typical stone {}: is the unit right?",
+                                        length_words(whole), length_words(size)),
+                            "",
+                            {}};
     std::string likely;
     for (const NamedUnit& unit : units) {
         if (origin.metres_per_unit == 0) break;
         const double factor = unit.metres / origin.metres_per_unit;
         if (factor * size < likely_least || factor * size > likely_most) continue;
-        likely += fmt::format("{}with {}{} the whole is {} long and a typical stone {}", likely.empty() ? "" : "; ",
-                              origin.from_case ? "unit: " : "--unit ", unit.name, length_words(factor * whole),
-                              length_words(factor * size));
+        likely += fmt::format("{}with {}{} the whole is {} long and a typical stone {}",
+                              likely.empty() ? "" : "; ", origin.from_case ? "unit: " : "--unit ", unit.name,
+                              length_words(factor * whole), length_words(factor * size));
     }
     finding.advice = likely.empty() ? "give the unit that the file was drawn in" : likely;
     findings.push_back(std::move(finding));
@@ -157,7 +158,8 @@ void tell_floating(const Assembly& assembly, const AssemblyOrigin& origin, std::
                             "in the CAD file move them to their neighbours, or delete them", alone});
 }
 
-void tell_unsupported(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
+void tell_unsupported(const Assembly& assembly, const AssemblyOrigin& origin,
+                      std::vector<AssemblyFinding>& findings)
 {
     std::vector<int> stones;
     std::set_difference(assembly.unsupported.begin(), assembly.unsupported.end(), assembly.floating.begin(),
@@ -168,9 +170,10 @@ void tell_unsupported(const Assembly& assembly, const AssemblyOrigin& origin, st
         {"unsupported",
          fmt::format("{} hang together but no path of contacts leads from them to a {}: {}",
                      plural(stones.size(), "stone"), ground, names_of(assembly, stones)),
-         origin.from_case ? "they would fall as one: close the gap to what should carry them, or make the lowest of "
-                            "them foundations"
-                          : "they would fall as one: close the gap to what should carry them",
+         origin.from_case
+             ? "they would fall as one: close the gap to what should carry them, or make the lowest of "
+               "them foundations"
+             : "they would fall as one: close the gap to what should carry them",
          stones});
 }
 
@@ -189,12 +192,13 @@ void tell_gaps(const Assembly& assembly, const AssemblyOrigin& origin, std::vect
                                        ? length_words(group.narrowest) + " to " + length_words(group.widest)
                                        : length_words(group.widest);
         AssemblyFinding finding{"gaps", {}, {}, stones_of(gaps)};
-        finding.what = fmt::format("{} {} {} apart, over {:.3g} m2 in all: {}", plural(gaps.size(), "pair"),
-                                   gaps.size() == 1 ? "stands" : "stand", widths, area,
-                                   pairs_words(assembly, gaps));
+        finding.what =
+            fmt::format("{} {} {} apart, over {:.3g} m2 in all: {}", plural(gaps.size(), "pair"),
+                        gaps.size() == 1 ? "stands" : "stand", widths, area, pairs_words(assembly, gaps));
         finding.advice = fmt::format(
             "a joint drawn open carries nothing. If it is mortar, close it: {} moves both faces to the middle; a "
-            "mortar of modulus E is then carried by contact_stiffness: E / {} of its joint (with E = 1 GPa: {:.3g} "
+            "mortar of modulus E is then carried by contact_stiffness: E / {} of its joint (with E = 1 GPa: "
+            "{:.3g} "
             "GPa/m). If it is dry, move the stones together in the CAD file",
             close_joints_words(group.widest, origin), length_words(mean), mortar_modulus / mean / 1e9);
         findings.push_back(std::move(finding));
@@ -216,9 +220,10 @@ void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& 
     if (!tilted.empty())
         findings.push_back(
             {"tilted",
-             fmt::format("{} touch with an edge only, for their faces are tilted against each other and open up to "
-                         "{}: {}",
-                         plural(tilted.size(), "pair"), length_words(opening), pairs_words(assembly, tilted)),
+             fmt::format(
+                 "{} touch with an edge only, for their faces are tilted against each other and open up to "
+                 "{}: {}",
+                 plural(tilted.size(), "pair"), length_words(opening), pairs_words(assembly, tilted)),
              "the joint will rock on that edge: in the CAD file give both stones the same joint plane",
              stones_of(tilted)});
     if (!small.empty())
@@ -243,19 +248,19 @@ void tell_slivers(const Assembly& assembly, std::vector<AssemblyFinding>& findin
             shortest = std::min(shortest, sliver.shortest_edge / sliver.diameter);
     }
     if (!thin.empty())
-        findings.push_back({"slivers",
-                            fmt::format("{} thinner than 1:{:g} (down to 1:{:.0f}): {}", plural(thin.size(), "stone"),
-                                        1 / assembly_tolerance::thin, 1 / thinnest, names_of(assembly, thin)),
-                            "a sliver has next to no stiffness and makes steps small: in the CAD file join it to its "
-                            "neighbour, or draw the joint without it",
-                            thin});
-    if (!short_edged.empty())
         findings.push_back(
-            {"short edges",
-             fmt::format("{} with an edge shorter than 1:{:g} of the stone (down to 1:{:.0f}): {}",
-                         plural(short_edged.size(), "stone"), 1 / assembly_tolerance::short_edge, 1 / shortest,
-                         names_of(assembly, short_edged)),
-             "in the CAD file merge the two corners", short_edged, true});
+            {"slivers",
+             fmt::format("{} thinner than 1:{:g} (down to 1:{:.0f}): {}", plural(thin.size(), "stone"),
+                         1 / assembly_tolerance::thin, 1 / thinnest, names_of(assembly, thin)),
+             "a sliver has next to no stiffness and makes steps small: in the CAD file join it to its "
+             "neighbour, or draw the joint without it",
+             thin});
+    if (!short_edged.empty())
+        findings.push_back({"short edges",
+                            fmt::format("{} with an edge shorter than 1:{:g} of the stone (down to 1:{:.0f}): {}",
+                                        plural(short_edged.size(), "stone"), 1 / assembly_tolerance::short_edge,
+                                        1 / shortest, names_of(assembly, short_edged)),
+                            "in the CAD file merge the two corners", short_edged, true});
 }
 
 void tell_sizes(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
@@ -265,9 +270,10 @@ void tell_sizes(const Assembly& assembly, const AssemblyOrigin& origin, std::vec
         const AssemblyStone& small = assembly.stones[assembly.smallest];
         findings.push_back(
             {"size ratio",
-             fmt::format("the largest stone, {} ({:.3g} m3), has {:.3g} times the volume of the smallest, {} ({:.3g} "
-                         "m3)",
-                         large.name, large.volume, assembly.size_ratio, small.name, small.volume),
+             fmt::format(
+                 "the largest stone, {} ({:.3g} m3), has {:.3g} times the volume of the smallest, {} ({:.3g} "
+                 "m3)",
+                 large.name, large.volume, assembly.size_ratio, small.name, small.volume),
              origin.from_case ? "make the large one a foundation if it is the ground, or leave chips away"
                               : "leave chips away, or cut the large stone where it is cut in nature",
              {assembly.largest, assembly.smallest}});

@@ -16,8 +16,8 @@ struct Image {
     std::vector<std::uint32_t> pixels;
 };
 
-/// A software OpenGL context of one size, drawn at twice the resolution and averaged. While one exists no other may
-/// be made in the same thread.
+/// A software OpenGL context of one size, drawn at twice the resolution and averaged. While one exists no other
+/// may be made in the same thread.
 class Canvas
 {
  public:

@@ -60,7 +60,8 @@ std::vector<Facet> facets_of(const std::vector<PictureShape>& shapes, const Defe
             if (face.size() < 3) continue;
             const Rgb color = look.color * brightness(normal_of(shape, face), light);
             double depth = 0;
-            for (const int v : face) depth += camera.back.dot(shape.vertices[v]) / static_cast<double>(face.size());
+            for (const int v : face)
+                depth += camera.back.dot(shape.vertices[v]) / static_cast<double>(face.size());
             facets.push_back({&shape, &face, {color.x(), color.y(), color.z(), look.opacity}, depth});
         }
     }
@@ -124,8 +125,7 @@ void draw_mark(const MarkedFeature& feature, const Rgb& color, float opacity, do
 
 void draw_marks(const DefectPicture& picture, float opacity, double stroke)
 {
-    for (const PictureMark& mark : picture.marks)
-        draw_mark(mark.feature, color_of(mark.look), opacity, stroke);
+    for (const PictureMark& mark : picture.marks) draw_mark(mark.feature, color_of(mark.look), opacity, stroke);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ Vector2d on_sheet(const Vector3d& x, const Camera& camera, const Sheet& sheet)
 /// The callout of a mark points at the sample nearest to the middle of all.
 Callout callout_of(const PictureMark& mark, const Camera& camera, const Sheet& sheet)
 {
-    Callout callout{mark.feature.label, color_of(mark.look), {}, Vector2d::Constant(1e9), Vector2d::Constant(-1e9)};
+    Callout callout{
+        mark.feature.label, color_of(mark.look), {}, Vector2d::Constant(1e9), Vector2d::Constant(-1e9)};
     std::vector<Vector2d> samples;
     for (const Vector3d& x : samples_of(mark.feature)) {
         samples.push_back(on_sheet(x, camera, sheet));
@@ -132,7 +133,7 @@ void draw_callouts(const Sheet& sheet, const DefectPicture& picture, const Camer
         if (left.size() + right.size() == most_callouts) break;
         Callout callout = callout_of(mark, camera, sheet);
         const bool goes_left = callout.anchor.x() < sheet.width / 2 ? left.size() <= right.size() + 2
-                                                                     : right.size() > left.size() + 2;
+                                                                    : right.size() > left.size() + 2;
         (goes_left ? left : right).push_back(std::move(callout));
     }
     set_font(sheet.pen, 15);
@@ -199,10 +200,9 @@ std::vector<std::filesystem::path> draw_defect_pages(const DefectPictures& pictu
     for (const DefectPicture& picture : pictures.pictures) {
         const std::vector<Vector3d> points = points_to_see(pictures.shapes, picture);
         if (points.empty()) continue;
-        const Camera camera = camera_from(points, defect_area(width, height), aspect,
-                                          best_direction(pictures.shapes, picture));
-        const Image image =
-            draw_defect(canvas, pictures.shapes, picture, camera, logical_pixel(width, height));
+        const Camera camera =
+            camera_from(points, defect_area(width, height), aspect, best_direction(pictures.shapes, picture));
+        const Image image = draw_defect(canvas, pictures.shapes, picture, camera, logical_pixel(width, height));
         files.push_back(folder / picture.name);
         write_defect_page(image, picture, camera, files.back());
     }

@@ -72,13 +72,12 @@ PictureMark mark_from(const json& value)
 json to_json_value(const DefectPicture& picture)
 {
     json stones = json::array(), marks = json::array(), legend = json::array(), mark_legend = json::array();
-    for (const PictureStone& stone : picture.stones)
-        stones.push_back({stone.shape, static_cast<int>(stone.look)});
+    for (const PictureStone& stone : picture.stones) stones.push_back({stone.shape, static_cast<int>(stone.look)});
     for (const PictureMark& mark : picture.marks) marks.push_back(to_json_value(mark));
     for (const auto& [look, words] : picture.legend) legend.push_back({static_cast<int>(look), words});
     for (const auto& [look, words] : picture.mark_legend) mark_legend.push_back({static_cast<int>(look), words});
-    return {{"name", picture.name},   {"title", picture.title},        {"subtitle", picture.subtitle},
-            {"stones", stones},       {"marks", std::move(marks)},     {"legend", legend},
+    return {{"name", picture.name},   {"title", picture.title},    {"subtitle", picture.subtitle},
+            {"stones", stones},       {"marks", std::move(marks)}, {"legend", legend},
             {"notes", picture.notes}, {"mark_legend", mark_legend}};
 }
 

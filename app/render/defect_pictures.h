@@ -1,5 +1,5 @@
-// Pictures of stones with what is wrong with them marked, drawn by the helper program `voussoir-defects`. Nothing of
-// it is loaded here.
+// Pictures of stones with what is wrong with them marked, drawn by the helper program `voussoir-defects`. Nothing
+// of it is loaded here.
 #pragma once
 
 #include <filesystem>
@@ -62,7 +62,8 @@ struct DefectPictures {
 /// Starts `voussoir-defects` (beside the running program), which draws the pictures into `folder`.
 /// @returns the files it made
 /// @throws InputError when the helper is missing or fails
-std::vector<std::filesystem::path> draw_defects(const DefectPictures& pictures, const std::filesystem::path& folder);
+std::vector<std::filesystem::path> draw_defects(const DefectPictures& pictures,
+                                                const std::filesystem::path& folder);
 
 /// What the program and its helper say to each other: JSON text.
 std::string to_json(const DefectPictures& pictures, const std::filesystem::path& folder);

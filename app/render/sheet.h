@@ -7,7 +7,7 @@
 #include "app/render/canvas.h"
 #include "app/render/color_map.h"
 
-struct _cairo;          // the library's own names, so that its header stays out of ours
+struct _cairo;  // the library's own names, so that its header stays out of ours
 struct _cairo_surface;
 
 namespace voussoir
