@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 using Box = Eigen::AlignedBox3d;
 
-constexpr std::size_t most_pictures = 20, most_neighbours = 60, most_marks = 3000;
-constexpr double neighbourhood = 0.6;  // of the diagonal of what the picture is about
+constexpr std::size_t most_pictures = 20, most_neighbours = 60, least_context = 12, most_marks = 3000;
+constexpr double neighbourhood = 0.25;  // of the diagonal of what the picture is about
 
 /// Pictures while they are made: the shapes of all stones, those of the assembly first.
 struct Album {
@@ -74,10 +74,12 @@ void add_neighbours(const Album& album, DefectPicture& picture)
     const double reach = neighbourhood * box.diagonal().norm();
     std::vector<std::pair<double, int>> near;
     for (int i = 0; i < static_cast<int>(album.bounds.size()); ++i)
-        if (!shown.contains(i) && box.exteriorDistance(album.bounds[i]) < reach)
-            near.emplace_back(box.exteriorDistance(album.bounds[i]), i);
+        if (!shown.contains(i)) near.emplace_back(box.exteriorDistance(album.bounds[i]), i);
     std::sort(near.begin(), near.end());
-    if (near.size() > most_neighbours) near.resize(most_neighbours);
+    std::size_t count = 0;
+    while (count < near.size() && count < most_neighbours && near[count].first < reach) ++count;
+    if (picture.frame_ghosts) count = std::min(near.size(), std::max(count, least_context));
+    near.resize(count);
     for (const auto& [distance, shape] : near) picture.stones.push_back({shape, StoneLook::ghost});
     if (!near.empty()) picture.legend.emplace_back(StoneLook::ghost, "neighbours");
 }
@@ -175,6 +177,7 @@ void draw_floating(Album& album)
         picture.stones.push_back({i, StoneLook::floating});
         picture.legend.emplace_back(StoneLook::floating, "floating stone");
         picture.marks.push_back({outline_of(stone, "touches none"), MarkLook::defect});
+        picture.frame_ghosts = true;
         bool near = false;
         for (const StoneGap& gap : album.assembly.gaps) {
             if (gap.a != i && gap.b != i) continue;
@@ -274,6 +277,7 @@ void draw_unsupported(Album& album)
     picture.title = fmt::format("{} stones without a path to the ground", picture.stones.size());
     picture.subtitle = album.title;
     picture.legend.emplace_back(StoneLook::floating, "unsupported stones");
+    picture.frame_ghosts = true;
     picture.notes = notes_about(assembly, "unsupported", picture.stones.front().shape);
     picture.marks.push_back(
         {outline_of(assembly.stones[picture.stones.front().shape], "no path to the ground"), MarkLook::defect});
@@ -297,17 +301,28 @@ void mark_findings(const Assembly& assembly, DefectPicture& picture)
     for (const StoneOverlap& overlap : assembly.overlaps)
         if (picture.marks.size() < most_marks)
             picture.marks.push_back({overlap_mark(assembly, overlap), MarkLook::defect});
+    for (const int stone : assembly.floating) {
+        const MarkedFeature outline = outline_of(assembly.stones[stone], "touches none");
+        if (picture.marks.size() < most_marks) picture.marks.push_back({outline, MarkLook::defect});
+    }
     for (const StoneContact& contact : assembly.contacts)
         if (contact.touch == Touch::tilted && picture.marks.size() < most_marks)
             picture.marks.push_back({contact_mark(contact, ""), MarkLook::contact});
     const bool tilted = std::any_of(assembly.contacts.begin(), assembly.contacts.end(),
                                     [](const StoneContact& c) { return c.touch == Touch::tilted; });
     if (!assembly.gaps.empty()) picture.mark_legend.emplace_back(MarkLook::gap, "gap");
-    if (!assembly.overlaps.empty()) picture.mark_legend.emplace_back(MarkLook::defect, "overlap");
+    if (!assembly.overlaps.empty() || !assembly.floating.empty())
+        picture.mark_legend.emplace_back(MarkLook::defect, "overlap, floating stone");
     if (tilted) picture.mark_legend.emplace_back(MarkLook::contact, "an edge touches");
 }
 
-void draw_whole(const std::vector<ImportedMesh>& meshes, Album& album)
+bool is_loose(const Assembly& assembly, int stone)
+{
+    return std::binary_search(assembly.unsupported.begin(), assembly.unsupported.end(), stone) ||
+           std::binary_search(assembly.floating.begin(), assembly.floating.end(), stone);
+}
+
+void draw_whole(Album& album)
 {
     const Assembly& assembly = album.assembly;
     DefectPicture picture;
@@ -320,21 +335,19 @@ void draw_whole(const std::vector<ImportedMesh>& meshes, Album& album)
         StoneLook look = StoneLook::plain;
         if (i >= static_cast<int>(assembly.stones.size()))
             look = StoneLook::faulty;
-        else if (std::binary_search(assembly.unsupported.begin(), assembly.unsupported.end(), i) &&
-                 assembly.stones.size() > 1)
+        else if (is_loose(assembly, i))
             look = StoneLook::floating;
         else if (assembly.ground_given && std::binary_search(assembly.ground.begin(), assembly.ground.end(), i))
             look = StoneLook::ground;
         used.insert(look);
         picture.stones.push_back({i, look});
     }
-    static_cast<void>(meshes);
     if (used.contains(StoneLook::plain)) picture.legend.emplace_back(StoneLook::plain, "stone");
     if (used.contains(StoneLook::ground)) picture.legend.emplace_back(StoneLook::ground, "foundation");
     if (used.contains(StoneLook::faulty))
         picture.legend.emplace_back(StoneLook::faulty, "stone with a picture of its own");
     if (used.contains(StoneLook::floating))
-        picture.legend.emplace_back(StoneLook::floating, "no path to the ground");
+        picture.legend.emplace_back(StoneLook::floating, "touches none, or has no path to the ground");
     mark_findings(assembly, picture);
     for (const AssemblyFinding& finding : assembly.findings)
         if (!finding.harmless) picture.notes.push_back(finding.what);
@@ -370,7 +383,7 @@ std::vector<fs::path> draw_certificate(const std::string& title, const Assembly&
         }
     remove_earlier(folder);
     if (album.pictures.shapes.empty()) return {};
-    draw_whole(meshes, album);
+    draw_whole(album);
     draw_refused(album);
     draw_overlaps(album);
     draw_floating(album);

@@ -20,6 +20,12 @@ std::string plural(std::size_t count, const std::string& word)
     return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
+/// The verb of a count: "touches" of one, "touch" of more.
+const char* verb(std::size_t count, const char* of_one, const char* of_more)
+{
+    return count == 1 ? of_one : of_more;
+}
+
 /// "a, b, c, d and 12 more".
 std::string names_of(const Assembly& assembly, const std::vector<int>& stones)
 {
@@ -79,9 +85,10 @@ void tell_overlaps(const Assembly& assembly, std::vector<AssemblyFinding>& findi
         std::max_element(assembly.overlaps.begin(), assembly.overlaps.end(),
                          [](const StoneOverlap& x, const StoneOverlap& y) { return x.volume < y.volume; });
     AssemblyFinding finding{"overlaps", {}, {}, stones_of(assembly.overlaps)};
-    finding.what = fmt::format("{} of stones overlap: {}; the largest shared volume is {:.3g} m3",
-                               plural(assembly.overlaps.size(), "pair"), pairs_words(assembly, assembly.overlaps),
-                               largest->volume);
+    finding.what = fmt::format("{} of stones {}: {}; the largest shared volume is {:.3g} m3",
+                               plural(assembly.overlaps.size(), "pair"),
+                               verb(assembly.overlaps.size(), "overlaps", "overlap"),
+                               pairs_words(assembly, assembly.overlaps), largest->volume);
     if (deepest->depth > 0)
         finding.what += fmt::format(", the deepest overlap {} ({})", length_words(deepest->depth),
                                     pair_words(assembly, deepest->a, deepest->b));
@@ -146,15 +153,16 @@ void tell_floating(const Assembly& assembly, const AssemblyOrigin& origin, std::
         if (gap) widest = std::max(widest, gap->widest);
     }
     if (!near.empty())
-        findings.push_back(
-            {"floating",
-             fmt::format("{} touch no other but have neighbours across a gap: {}", plural(near.size(), "stone"),
-                         names_of(assembly, near)),
-             fmt::format("close the gaps: {} reaches all of them", close_joints_words(widest, origin)), near});
+        findings.push_back({"floating",
+                            fmt::format("{} {} no other but {} neighbours across a gap: {}",
+                                        plural(near.size(), "stone"), verb(near.size(), "touches", "touch"),
+                                        verb(near.size(), "has", "have"), names_of(assembly, near)),
+                            fmt::format("close the gaps: {} is enough", close_joints_words(widest, origin)),
+                            near});
     if (!alone.empty())
         findings.push_back({"floating",
-                            fmt::format("{} touch no other and none is near: {}", plural(alone.size(), "stone"),
-                                        names_of(assembly, alone)),
+                            fmt::format("{} {} no other and none is near: {}", plural(alone.size(), "stone"),
+                                        verb(alone.size(), "touches", "touch"), names_of(assembly, alone)),
                             "in the CAD file move them to their neighbours, or delete them", alone});
 }
 
@@ -168,7 +176,7 @@ void tell_unsupported(const Assembly& assembly, const AssemblyOrigin& origin,
     const std::string ground = assembly.ground_given ? "foundation" : "stone at the lowest level";
     findings.push_back(
         {"unsupported",
-         fmt::format("{} hang together but no path of contacts leads from them to a {}: {}",
+         fmt::format("{} hang together, but no path of contacts leads from them to a {}: {}",
                      plural(stones.size(), "stone"), ground, names_of(assembly, stones)),
          origin.from_case
              ? "they would fall as one: close the gap to what should carry them, or make the lowest of "
@@ -220,18 +228,18 @@ void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& 
     if (!tilted.empty())
         findings.push_back(
             {"tilted",
-             fmt::format(
-                 "{} touch with an edge only, for their faces are tilted against each other and open up to "
-                 "{}: {}",
-                 plural(tilted.size(), "pair"), length_words(opening), pairs_words(assembly, tilted)),
+             fmt::format("{} {} with an edge only, for the faces are tilted against each other and open up to "
+                         "{}: {}",
+                         plural(tilted.size(), "pair"), verb(tilted.size(), "touches", "touch"),
+                         length_words(opening), pairs_words(assembly, tilted)),
              "the joint will rock on that edge: in the CAD file give both stones the same joint plane",
              stones_of(tilted)});
     if (!small.empty())
         findings.push_back(
             {"small contact",
-             fmt::format("{} touch with a corner, two crossing edges or less than {:g} % of a face only: {}",
-                         plural(small.size(), "pair"), 100 * assembly_tolerance::sliver_share,
-                         pairs_words(assembly, small)),
+             fmt::format("{} {} with a corner, two crossing edges or less than {:g} % of a face only: {}",
+                         plural(small.size(), "pair"), verb(small.size(), "touches", "touch"),
+                         100 * assembly_tolerance::sliver_share, pairs_words(assembly, small)),
              "such contacts flicker and cost iterations: part the stones there, or let them share a face",
              stones_of(small), true});
 }
@@ -250,17 +258,19 @@ void tell_slivers(const Assembly& assembly, std::vector<AssemblyFinding>& findin
     if (!thin.empty())
         findings.push_back(
             {"slivers",
-             fmt::format("{} thinner than 1:{:g} (down to 1:{:.0f}): {}", plural(thin.size(), "stone"),
-                         1 / assembly_tolerance::thin, 1 / thinnest, names_of(assembly, thin)),
+             fmt::format("{} {} thinner than 1:{:g} (down to 1:{:.0f}): {}", plural(thin.size(), "stone"),
+                         verb(thin.size(), "is", "are"), 1 / assembly_tolerance::thin, 1 / thinnest,
+                         names_of(assembly, thin)),
              "a sliver has next to no stiffness and makes steps small: in the CAD file join it to its "
              "neighbour, or draw the joint without it",
              thin});
     if (!short_edged.empty())
-        findings.push_back({"short edges",
-                            fmt::format("{} with an edge shorter than 1:{:g} of the stone (down to 1:{:.0f}): {}",
-                                        plural(short_edged.size(), "stone"), 1 / assembly_tolerance::short_edge,
-                                        1 / shortest, names_of(assembly, short_edged)),
-                            "in the CAD file merge the two corners", short_edged, true});
+        findings.push_back(
+            {"short edges",
+             fmt::format("{} {} an edge shorter than 1:{:g} of the stone (down to 1:{:.0f}): {}",
+                         plural(short_edged.size(), "stone"), verb(short_edged.size(), "has", "have"),
+                         1 / assembly_tolerance::short_edge, 1 / shortest, names_of(assembly, short_edged)),
+             "in the CAD file merge the two corners", short_edged, true});
 }
 
 void tell_sizes(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
@@ -271,7 +281,7 @@ void tell_sizes(const Assembly& assembly, const AssemblyOrigin& origin, std::vec
         findings.push_back(
             {"size ratio",
              fmt::format(
-                 "the largest stone, {} ({:.3g} m3), has {:.3g} times the volume of the smallest, {} ({:.3g} "
+                 "the largest stone, {} ({:.3g} m3), has {:.0f} times the volume of the smallest, {} ({:.3g} "
                  "m3)",
                  large.name, large.volume, assembly.size_ratio, small.name, small.volume),
              origin.from_case ? "make the large one a foundation if it is the ground, or leave chips away"
@@ -302,12 +312,13 @@ void tell_sizes(const Assembly& assembly, const AssemblyOrigin& origin, std::vec
 void tell_refused(const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
 {
     if (origin.refused_stones == 0) return;
-    findings.push_back({"refused",
-                        fmt::format("{} refused and not in the contact graph: what touches only them counts as "
-                                    "floating",
-                                    plural(origin.refused_stones, "stone")),
-                        "mend the refused stones first",
-                        {}});
+    findings.push_back(
+        {"refused",
+         fmt::format("{} {} refused and not in the contact graph: what touches only them counts as "
+                     "floating",
+                     plural(origin.refused_stones, "stone"), verb(origin.refused_stones, "is", "are")),
+         "mend the refused stones first",
+         {}});
 }
 
 }  // namespace

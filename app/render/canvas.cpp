@@ -80,6 +80,16 @@ void Canvas::clear(const Camera& camera)
     glShadeModel(GL_SMOOTH);
 }
 
+int Canvas::width() const
+{
+    return context_->width * supersampling;
+}
+
+int Canvas::height() const
+{
+    return context_->height * supersampling;
+}
+
 Image Canvas::image() const
 {
     glFinish();

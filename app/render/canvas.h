@@ -32,6 +32,10 @@ class Canvas
     /// Wipes the canvas and looks through the camera; depth test on.
     void clear(const Camera& camera);
 
+    /// In samples.
+    int width() const;
+    int height() const;
+
     /// What has been drawn.
     Image image() const;
 

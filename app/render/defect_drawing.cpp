@@ -99,7 +99,7 @@ void draw_edges(const std::vector<Facet>& facets, const Eigen::Vector4f& color, 
 
 void draw_mark(const MarkedFeature& feature, const Rgb& color, float opacity, double stroke)
 {
-    glColor4f(color.x(), color.y(), color.z(), 0.6F * opacity);
+    glColor4f(color.x(), color.y(), color.z(), 0.5F * opacity * opacity);
     for (const std::vector<Vector3d>& polygon : feature.polygons) {
         glBegin(GL_TRIANGLE_FAN);
         for (const Vector3d& x : polygon) glVertex3dv(x.data());
@@ -148,7 +148,7 @@ LookColor color_of(StoneLook look)
         case StoneLook::ghost:
             break;
     }
-    return {{0.72F, 0.75F, 0.80F}, 0.16F};
+    return {{0.72F, 0.75F, 0.80F}, 0.11F};
 }
 
 Rgb color_of(MarkLook look)
@@ -159,7 +159,7 @@ Rgb color_of(MarkLook look)
 }
 
 Image draw_defect(Canvas& canvas, const std::vector<PictureShape>& shapes, const DefectPicture& picture,
-                  const Camera& camera, double pixel)
+                  const Camera& camera, const PictureArea& area, double pixel)
 {
     const double stroke = pixel * Canvas::supersampling;
     const std::vector<Facet> opaque = facets_of(shapes, picture, true, camera);
@@ -167,6 +167,10 @@ Image draw_defect(Canvas& canvas, const std::vector<PictureShape>& shapes, const
     std::stable_sort(through.begin(), through.end(),
                      [](const Facet& a, const Facet& b) { return a.depth < b.depth; });
     canvas.clear(camera);
+    glEnable(GL_SCISSOR_TEST);  // neighbours may reach beyond the drawing: words stand there
+    glScissor(0, static_cast<int>((1 + area.bottom) / 2 * canvas.height()) - static_cast<int>(12 * stroke),
+              canvas.width(),
+              static_cast<int>((area.top - area.bottom) / 2 * canvas.height()) + static_cast<int>(18 * stroke));
     glEnable(GL_BLEND);  // colours over nothing keep their own opacity, premultiplied as the page wants them
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glEnable(GL_POINT_SMOOTH);
@@ -188,6 +192,7 @@ Image draw_defect(Canvas& canvas, const std::vector<PictureShape>& shapes, const
     draw_marks(picture, hidden_mark, stroke);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
     return canvas.image();
 }
 

@@ -8,8 +8,8 @@
 namespace voussoir
 {
 
-/// @param pixel size of one logical pixel
+/// @param area that the camera was made for; @param pixel size of one logical pixel
 Image draw_defect(Canvas& canvas, const std::vector<PictureShape>& shapes, const DefectPicture& picture,
-                  const Camera& camera, double pixel);
+                  const Camera& camera, const PictureArea& area, double pixel);
 
 }  // namespace voussoir

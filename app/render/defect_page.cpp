@@ -200,9 +200,10 @@ std::vector<std::filesystem::path> draw_defect_pages(const DefectPictures& pictu
     for (const DefectPicture& picture : pictures.pictures) {
         const std::vector<Vector3d> points = points_to_see(pictures.shapes, picture);
         if (points.empty()) continue;
-        const Camera camera =
-            camera_from(points, defect_area(width, height), aspect, best_direction(pictures.shapes, picture));
-        const Image image = draw_defect(canvas, pictures.shapes, picture, camera, logical_pixel(width, height));
+        const PictureArea area = defect_area(width, height);
+        const Camera camera = camera_from(points, area, aspect, best_direction(pictures.shapes, picture));
+        const Image image =
+            draw_defect(canvas, pictures.shapes, picture, camera, area, logical_pixel(width, height));
         files.push_back(folder / picture.name);
         write_defect_page(image, picture, camera, files.back());
     }

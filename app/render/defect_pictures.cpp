@@ -76,9 +76,9 @@ json to_json_value(const DefectPicture& picture)
     for (const PictureMark& mark : picture.marks) marks.push_back(to_json_value(mark));
     for (const auto& [look, words] : picture.legend) legend.push_back({static_cast<int>(look), words});
     for (const auto& [look, words] : picture.mark_legend) mark_legend.push_back({static_cast<int>(look), words});
-    return {{"name", picture.name},   {"title", picture.title},    {"subtitle", picture.subtitle},
-            {"stones", stones},       {"marks", std::move(marks)}, {"legend", legend},
-            {"notes", picture.notes}, {"mark_legend", mark_legend}};
+    return {{"name", picture.name},   {"title", picture.title},     {"subtitle", picture.subtitle},
+            {"stones", stones},       {"marks", std::move(marks)},  {"legend", legend},
+            {"notes", picture.notes}, {"mark_legend", mark_legend}, {"frame_ghosts", picture.frame_ghosts}};
 }
 
 DefectPicture picture_from(const json& value)
@@ -87,6 +87,7 @@ DefectPicture picture_from(const json& value)
     picture.name = value.at("name");
     picture.title = value.at("title");
     picture.subtitle = value.at("subtitle");
+    picture.frame_ghosts = value.at("frame_ghosts");
     picture.notes = value.at("notes").get<std::vector<std::string>>();
     for (const json& stone : value.at("stones"))
         picture.stones.push_back({stone.at(0), look_from<StoneLook>(stone.at(1), stone_looks)});

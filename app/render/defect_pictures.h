@@ -51,6 +51,7 @@ struct DefectPicture {
     std::vector<std::pair<StoneLook, std::string>> legend;
     std::vector<std::pair<MarkLook, std::string>> mark_legend;
     std::vector<std::string> notes;  // paragraphs below the drawing
+    bool frame_ghosts = false;       // neighbours are in the picture as a whole
 };
 
 struct DefectPictures {

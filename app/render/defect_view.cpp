@@ -89,7 +89,7 @@ std::vector<Vector3d> points_to_see(const std::vector<PictureShape>& shapes, con
 {
     std::vector<Vector3d> points;
     for (const PictureStone& stone : picture.stones) {
-        if (stone.look == StoneLook::ghost) continue;
+        if (stone.look == StoneLook::ghost && !picture.frame_ghosts) continue;
         const std::vector<Vector3d>& vertices = shapes[stone.shape].vertices;
         points.insert(points.end(), vertices.begin(), vertices.end());
     }

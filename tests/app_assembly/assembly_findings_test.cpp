@@ -63,7 +63,8 @@ TEST(Findings, gaps_of_two_widths_are_told_apart)
     EXPECT_NEAR(assembly.gap_groups[0].narrowest, 0.01, 1e-12);
     EXPECT_NEAR(assembly.gap_groups[1].narrowest, 0.05, 1e-12);
     EXPECT_EQ(assembly.floating.size(), 3U);
-    EXPECT_TRUE(says(finding(assembly, "floating").advice, "--close-joints 5")) << finding(assembly, "floating").advice;
+    EXPECT_TRUE(says(finding(assembly, "floating").advice, "--close-joints 5"))
+        << finding(assembly, "floating").advice;
 }
 
 TEST(Findings, a_gap_filled_by_a_thin_stone_is_none)
@@ -94,8 +95,8 @@ TEST(Findings, an_overlap_with_its_depth_and_volume)
 
 TEST(Findings, a_known_overlap_keeps_its_exact_volume)
 {
-    const Assembly assembly =
-        examine_assembly({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 0.9}, {1, 1, 2})}, {{1, 0, 0.125, 0}}, {});
+    const Assembly assembly = examine_assembly({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 0.9}, {1, 1, 2})},
+                                               {{1, 0, 0.125, 0}}, {});
     ASSERT_EQ(assembly.overlaps.size(), 1U);
     EXPECT_EQ(assembly.overlaps[0].a, 0);
     EXPECT_EQ(assembly.overlaps[0].volume, 0.125);
@@ -104,8 +105,8 @@ TEST(Findings, a_known_overlap_keeps_its_exact_volume)
 
 TEST(Findings, a_stone_in_the_air)
 {
-    const Assembly assembly =
-        examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 1}, {1, 1, 2}), box("kite", {5, 0, 7}, {6, 1, 8})});
+    const Assembly assembly = examined(
+        {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 1}, {1, 1, 2}), box("kite", {5, 0, 7}, {6, 1, 8})});
     EXPECT_EQ(assembly.floating, std::vector<int>{2});
     EXPECT_EQ(assembly.unsupported, std::vector<int>{2});
     EXPECT_EQ(assembly.components.size(), 2U);
@@ -115,9 +116,8 @@ TEST(Findings, a_stone_in_the_air)
 
 TEST(Findings, two_stones_that_hang_together_in_the_air)
 {
-    const Assembly assembly =
-        examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 1}, {1, 1, 2}), box("kite", {5, 0, 7}, {6, 1, 8}),
-                  box("tail", {5, 0, 6}, {6, 1, 7})});
+    const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 1}, {1, 1, 2}),
+                                        box("kite", {5, 0, 7}, {6, 1, 8}), box("tail", {5, 0, 6}, {6, 1, 7})});
     EXPECT_TRUE(assembly.floating.empty());
     EXPECT_EQ(assembly.unsupported, (std::vector<int>{2, 3}));
     EXPECT_TRUE(says(finding(assembly, "unsupported").what, "kite, tail"));
@@ -135,7 +135,8 @@ TEST(Findings, foundations_are_the_ground_where_there_are_any)
 
 TEST(Findings, a_sliver_and_a_short_edge)
 {
-    const Assembly assembly = examined({box("slab", {0, 0, 0}, {1, 1, 1}), box("flake", {0, 0, 1}, {1, 1, 1.005})});
+    const Assembly assembly =
+        examined({box("slab", {0, 0, 0}, {1, 1, 1}), box("flake", {0, 0, 1}, {1, 1, 1.005})});
     ASSERT_EQ(assembly.slivers.size(), 1U);
     EXPECT_EQ(assembly.slivers[0].stone, 1);
     EXPECT_TRUE(assembly.slivers[0].thin);
@@ -143,10 +144,23 @@ TEST(Findings, a_sliver_and_a_short_edge)
     EXPECT_TRUE(says(finding(assembly, "slivers").what, "flake"));
     // a prism whose outline has two corners half a millimetre apart
     const double e = 5e-4;
-    const AssemblyStone nicked =
-        stone("nicked", make_convex_polyhedron(
-                            {{0, 0, 0}, {1, 0, 0}, {1, 1 - e, 0}, {1 - e, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1 - e, 1}, {1 - e, 1, 1}, {0, 1, 1}},
-                            {{4, 3, 2, 1, 0}, {5, 6, 7, 8, 9}, {0, 1, 6, 5}, {1, 2, 7, 6}, {2, 3, 8, 7}, {3, 4, 9, 8}, {4, 0, 5, 9}}));
+    const AssemblyStone nicked = stone("nicked", make_convex_polyhedron({{0, 0, 0},
+                                                                         {1, 0, 0},
+                                                                         {1, 1 - e, 0},
+                                                                         {1 - e, 1, 0},
+                                                                         {0, 1, 0},
+                                                                         {0, 0, 1},
+                                                                         {1, 0, 1},
+                                                                         {1, 1 - e, 1},
+                                                                         {1 - e, 1, 1},
+                                                                         {0, 1, 1}},
+                                                                        {{4, 3, 2, 1, 0},
+                                                                         {5, 6, 7, 8, 9},
+                                                                         {0, 1, 6, 5},
+                                                                         {1, 2, 7, 6},
+                                                                         {2, 3, 8, 7},
+                                                                         {3, 4, 9, 8},
+                                                                         {4, 0, 5, 9}}));
     const Assembly short_edged = examined({nicked});
     ASSERT_EQ(short_edged.slivers.size(), 1U);
     EXPECT_FALSE(short_edged.slivers[0].thin);
@@ -170,7 +184,8 @@ TEST(Findings, faces_tilted_against_each_other)
 
 TEST(Findings, a_pebble_beside_a_rock)
 {
-    const Assembly assembly = examined({box("rock", {0, 0, 0}, {2, 2, 2}), box("pebble", {0, 0, 2}, {0.1, 0.1, 2.1})});
+    const Assembly assembly =
+        examined({box("rock", {0, 0, 0}, {2, 2, 2}), box("pebble", {0, 0, 2}, {0.1, 0.1, 2.1})});
     EXPECT_NEAR(assembly.size_ratio, 8000, 1e-6);
     const AssemblyFinding& ratio = finding(assembly, "size ratio");
     EXPECT_TRUE(says(ratio.what, "rock") && says(ratio.what, "pebble")) << ratio.what;
@@ -187,7 +202,8 @@ TEST(Findings, a_bridge_of_millimetres_has_the_wrong_unit)
     AssemblyOrigin origin;
     origin.metres_per_unit = 1e-3;
     const Assembly assembly = examine_assembly(stones, {}, origin);
-    EXPECT_TRUE(says(finding(assembly, "unit").advice, "--unit m the whole is 1.4 m")) << finding(assembly, "unit").advice;
+    EXPECT_TRUE(says(finding(assembly, "unit").advice, "--unit m the whole is 1.4 m"))
+        << finding(assembly, "unit").advice;
     EXPECT_FALSE(has_finding(examined(wall(2, 3)), "unit"));
 }
 

@@ -49,13 +49,10 @@ inline std::vector<AssemblyStone> arch(int voussoirs, double inner, double outer
                     const double angle = std::numbers::pi * (i + side) / voussoirs;
                     v.emplace_back(-r * std::cos(angle), y, r * std::sin(angle));
                 }
-        stones.push_back(stone("voussoir_" + std::to_string(i),
-                               make_convex_polyhedron(v, {{0, 1, 5, 4},
-                                                          {2, 6, 7, 3},
-                                                          {0, 2, 3, 1},
-                                                          {4, 5, 7, 6},
-                                                          {0, 4, 6, 2},
-                                                          {1, 3, 7, 5}})));
+        stones.push_back(
+            stone("voussoir_" + std::to_string(i),
+                  make_convex_polyhedron(
+                      v, {{0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 4, 6, 2}, {1, 3, 7, 5}})));
     }
     return stones;
 }
