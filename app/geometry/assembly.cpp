@@ -93,6 +93,7 @@ void group_gaps(Assembly& assembly)
         group.widest = std::max(group.widest, assembly.gaps[gap].widest);
         group.gaps.push_back(gap);
     }
+    for (GapGroup& group : assembly.gap_groups) std::sort(group.gaps.begin(), group.gaps.end());
 }
 
 double shared_volume(const AssemblyStone& a, const AssemblyStone& b)

@@ -4,103 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
+
+#include "app/geometry/assembly_phrases.h"
 
 namespace voussoir
 {
 namespace
 {
-
-constexpr std::size_t names_given = 4;
-constexpr double mortar_modulus = 1e9;  // Pa, of the example: a lime mortar
-
-std::string plural(std::size_t count, const std::string& word)
-{
-    return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
-/// The verb of a count: "touches" of one, "touch" of more.
-const char* verb(std::size_t count, const char* of_one, const char* of_more)
-{
-    return count == 1 ? of_one : of_more;
-}
-
-/// "a, b, c, d and 12 more".
-std::string names_of(const Assembly& assembly, const std::vector<int>& stones)
-{
-    std::string words;
-    for (std::size_t i = 0; i < std::min(stones.size(), names_given); ++i)
-        words += (i == 0 ? "" : ", ") + assembly.stones[stones[i]].name;
-    if (stones.size() > names_given) words += fmt::format(" and {} more", stones.size() - names_given);
-    return words;
-}
-
-std::string pair_words(const Assembly& assembly, int a, int b)
-{
-    return assembly.stones[a].name + " and " + assembly.stones[b].name;
-}
-
-template <typename Pairs>
-std::vector<int> stones_of(const Pairs& pairs)
-{
-    std::vector<int> stones;
-    for (const auto& pair : pairs) {
-        stones.push_back(pair.a);
-        stones.push_back(pair.b);
-    }
-    std::sort(stones.begin(), stones.end());
-    stones.erase(std::unique(stones.begin(), stones.end()), stones.end());
-    return stones;
-}
-
-/// "a and b, c and d and 3 more pairs".
-template <typename Pairs>
-std::string pairs_words(const Assembly& assembly, const Pairs& pairs)
-{
-    constexpr std::size_t given = 2;
-    std::string words;
-    for (std::size_t i = 0; i < std::min(pairs.size(), given); ++i)
-        words += (i == 0 ? "" : "; ") + pair_words(assembly, pairs[i].a, pairs[i].b);
-    if (pairs.size() > given) words += fmt::format("; and {} more", plural(pairs.size() - given, "pair"));
-    return words;
-}
-
-std::string close_joints_words(double widest, const AssemblyOrigin& origin)
-{
-    const std::string width = length_words(closing_width(widest));
-    if (origin.from_case) return "close_joints: " + width + " in the mesh entry of the case";
-    std::string option = width;
-    option.erase(std::remove(option.begin(), option.end(), ' '), option.end());
-    return "--close-joints " + option;
-}
-
-void tell_overlaps(const Assembly& assembly, std::vector<AssemblyFinding>& findings)
-{
-    if (assembly.overlaps.empty()) return;
-    const auto deepest =
-        std::max_element(assembly.overlaps.begin(), assembly.overlaps.end(),
-                         [](const StoneOverlap& x, const StoneOverlap& y) { return x.depth < y.depth; });
-    const auto largest =
-        std::max_element(assembly.overlaps.begin(), assembly.overlaps.end(),
-                         [](const StoneOverlap& x, const StoneOverlap& y) { return x.volume < y.volume; });
-    AssemblyFinding finding{"overlaps", {}, {}, stones_of(assembly.overlaps)};
-    finding.what = fmt::format("{} of stones {}: {}; the largest shared volume is {:.3g} m3",
-                               plural(assembly.overlaps.size(), "pair"),
-                               verb(assembly.overlaps.size(), "overlaps", "overlap"),
-                               pairs_words(assembly, assembly.overlaps), largest->volume);
-    if (deepest->depth > 0)
-        finding.what += fmt::format(", the deepest overlap {} ({})", length_words(deepest->depth),
-                                    pair_words(assembly, deepest->a, deepest->b));
-    finding.advice = "stones may touch but not share space: ";
-    finding.advice += deepest->depth > 0
-                          ? fmt::format(
-                                "in the CAD file move one stone of each pair back, or cut it, by the depth of its "
-                                "overlap (at most {}; or {} off each of the two faces)",
-                                length_words(deepest->depth), length_words(0.5 * deepest->depth))
-                          : "in the CAD file cut one stone of each pair by the other";
-    findings.push_back(std::move(finding));
-}
 
 struct NamedUnit {
     const char* name;
@@ -185,65 +95,6 @@ void tell_unsupported(const Assembly& assembly, const AssemblyOrigin& origin,
          stones});
 }
 
-void tell_gaps(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
-{
-    for (const GapGroup& group : assembly.gap_groups) {
-        std::vector<StoneGap> gaps;
-        double area = 0, mean = 0;
-        for (const int gap : group.gaps) {
-            gaps.push_back(assembly.gaps[gap]);
-            area += gaps.back().area;
-            mean += gaps.back().area * gaps.back().width;
-        }
-        mean /= area;
-        const std::string widths = group.widest > 1.005 * group.narrowest
-                                       ? length_words(group.narrowest) + " to " + length_words(group.widest)
-                                       : length_words(group.widest);
-        AssemblyFinding finding{"gaps", {}, {}, stones_of(gaps)};
-        finding.what =
-            fmt::format("{} {} {} apart, over {:.3g} m2 in all: {}", plural(gaps.size(), "pair"),
-                        gaps.size() == 1 ? "stands" : "stand", widths, area, pairs_words(assembly, gaps));
-        finding.advice = fmt::format(
-            "a joint drawn open carries nothing. If it is mortar, close it: {} moves both faces to the middle; a "
-            "mortar of modulus E is then carried by contact_stiffness: E / {} of its joint (with E = 1 GPa: "
-            "{:.3g} "
-            "GPa/m). If it is dry, move the stones together in the CAD file",
-            close_joints_words(group.widest, origin), length_words(mean), mortar_modulus / mean / 1e9);
-        findings.push_back(std::move(finding));
-    }
-}
-
-void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& findings)
-{
-    std::vector<StoneContact> tilted, small;
-    double opening = 0;
-    for (const StoneContact& contact : assembly.contacts) {
-        if (contact.touch == Touch::tilted) {
-            tilted.push_back(contact);
-            opening = std::max(opening, contact.largest_gap);
-        } else if (contact.touch != Touch::face) {
-            small.push_back(contact);
-        }
-    }
-    if (!tilted.empty())
-        findings.push_back(
-            {"tilted",
-             fmt::format("{} {} with an edge only, for the faces are tilted against each other and open up to "
-                         "{}: {}",
-                         plural(tilted.size(), "pair"), verb(tilted.size(), "touches", "touch"),
-                         length_words(opening), pairs_words(assembly, tilted)),
-             "the joint will rock on that edge: in the CAD file give both stones the same joint plane",
-             stones_of(tilted)});
-    if (!small.empty())
-        findings.push_back(
-            {"small contact",
-             fmt::format("{} {} with a corner, two crossing edges or less than {:g} % of a face only: {}",
-                         plural(small.size(), "pair"), verb(small.size(), "touches", "touch"),
-                         100 * assembly_tolerance::sliver_share, pairs_words(assembly, small)),
-             "such contacts flicker and cost iterations: part the stones there, or let them share a face",
-             stones_of(small), true});
-}
-
 void tell_slivers(const Assembly& assembly, std::vector<AssemblyFinding>& findings)
 {
     std::vector<int> thin, short_edged;
@@ -322,21 +173,6 @@ void tell_refused(const AssemblyOrigin& origin, std::vector<AssemblyFinding>& fi
 }
 
 }  // namespace
-
-std::string length_words(double metres)
-{
-    const double size = std::abs(metres);
-    if (size == 0) return "0 mm";
-    if (size < 1e-5) return fmt::format("{:.3g} um", metres * 1e6);
-    if (size < 0.9995) return fmt::format("{:.3g} mm", metres * 1e3);
-    return size < 100 ? fmt::format("{:.3g} m", metres) : fmt::format("{:.0f} m", metres);
-}
-
-double closing_width(double widest)
-{
-    const double digit = std::pow(10.0, std::floor(std::log10(widest)) - 1);
-    return std::ceil(widest / digit * (1 + 1e-12)) * digit;
-}
 
 std::vector<AssemblyFinding> findings_in_words(const Assembly& assembly, const AssemblyOrigin& origin)
 {

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "tests/app/test_files.h"
@@ -139,6 +140,17 @@ TEST(Certificate, import_of_a_wall_with_open_joints)
     EXPECT_EQ(assembly["components"].size(), 1U);
     EXPECT_EQ(assembly["ground"], json::array({"slab"}));
     EXPECT_EQ(json::parse(contents(folder / "out/certificate.json")), files);
+}
+
+TEST(Certificate, of_the_portal_of_the_docs_has_the_findings_told_there)
+{
+    const TemporaryFolder folder;
+    EXPECT_EQ(run(folder, std::string("import ") + VOUSSOIR_DOCS + "/figures/geometry/portal.obj --json -"), 0);
+    std::set<std::string> kinds;
+    const json files = json::parse(contents(folder / "stdout"));
+    for (const json& finding : files[0]["assembly"]["findings"]) kinds.insert(finding["kind"].get<std::string>());
+    EXPECT_EQ(kinds, (std::set<std::string>{"overlaps", "floating", "unsupported", "gaps", "tilted", "slivers",
+                                            "size ratio"}));
 }
 
 TEST(Certificate, of_several_files_has_a_folder_for_each)
