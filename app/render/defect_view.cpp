@@ -14,6 +14,8 @@ namespace
 using Eigen::Vector3d;
 
 constexpr std::size_t most_samples = 60, most_triangles = 20000;
+constexpr double flat_view = 0.4;   // a mark seen face on is worth this share of its samples
+constexpr double better_by = 0.12;  // a view further from the usual one must be clearly better
 
 struct Corners {
     Vector3d a, b, c;
@@ -49,12 +51,26 @@ std::vector<Vector3d> directions()
 {
     std::vector<Vector3d> list;
     constexpr double degree = std::numbers::pi / 180;
-    for (const double elevation : {18.0, 38.0, -18.0})
+    for (const double elevation : {18.0, 38.0, -18.0, -42.0})
         for (const double azimuth : {-65.0, -115.0, -25.0, -155.0, 25.0, 65.0, 115.0, 155.0})
             list.emplace_back(std::cos(elevation * degree) * std::cos(azimuth * degree),
                               std::cos(elevation * degree) * std::sin(azimuth * degree),
                               std::sin(elevation * degree));
     return list;
+}
+
+/// A measure of the area over which points spread, seen from a direction [m2].
+double seen_area(const std::vector<Vector3d>& points, const Vector3d& direction)
+{
+    Vector3d mean = Vector3d::Zero();
+    for (const Vector3d& x : points) mean += x / static_cast<double>(points.size());
+    const Vector3d right = Vector3d::UnitZ().cross(direction).normalized(), up = direction.cross(right);
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const Vector3d& x : points) {
+        const Eigen::Vector2d seen(right.dot(x - mean), up.dot(x - mean));
+        spread += seen * seen.transpose() / static_cast<double>(points.size());
+    }
+    return std::sqrt(std::max(0.0, spread.determinant()));
 }
 
 std::vector<Vector3d> samples_of_all(const DefectPicture& picture)
@@ -111,15 +127,22 @@ Vector3d best_direction(const std::vector<PictureShape>& shapes, const DefectPic
         high = high.cwiseMax(t.a);
     }
     const double clear = 1e-4 * (high - low).norm();
+    const double count = static_cast<double>(samples.size());
+    std::vector<double> areas;
+    for (const Vector3d& direction : around) areas.push_back(seen_area(samples, direction));
+    const double largest = std::max(*std::max_element(areas.begin(), areas.end()), 1e-300);
     Vector3d best = around.front();
-    double fewest = 1e300;
-    for (const Vector3d& direction : around) {
+    double least = 1e300;
+    for (std::size_t i = 0; i < around.size(); ++i) {
         double hidden = 0;
         for (const Vector3d& sample : samples)
-            for (const Corners& triangle : triangles) hidden += hides(triangle, sample, direction, clear);
-        if (hidden < 0.9 * fewest - 0.5) {
-            fewest = hidden;
-            best = direction;
+            hidden += std::any_of(triangles.begin(), triangles.end(), [&](const Corners& triangle) {
+                return hides(triangle, sample, around[i], clear);
+            });
+        const double cost = hidden / count - flat_view * areas[i] / largest;
+        if (cost < least - better_by) {
+            least = cost;
+            best = around[i];
         }
     }
     return best;
