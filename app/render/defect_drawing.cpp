@@ -26,7 +26,7 @@ struct Light {
 /// Inner sides, seen through a hole, are darker.
 float brightness(const Vector3d& normal, const Light& light)
 {
-    if (normal.dot(light.back) < 0) return 0.42F;
+    if (normal.dot(light.back) < 0) return 0.48F;
     return static_cast<float>(std::min(1.0, 0.60 + 0.42 * std::max(0.0, normal.dot(light.main))));
 }
 

@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t most_samples = 60, most_triangles = 20000;
 constexpr double flat_view = 0.4;   // a mark seen face on is worth this share of its samples
+constexpr double from_below = 0.3;  // buildings are seen from above
 constexpr double better_by = 0.12;  // a view further from the usual one must be clearly better
 
 struct Corners {
@@ -139,7 +140,7 @@ Vector3d best_direction(const std::vector<PictureShape>& shapes, const DefectPic
             hidden += std::any_of(triangles.begin(), triangles.end(), [&](const Corners& triangle) {
                 return hides(triangle, sample, around[i], clear);
             });
-        const double cost = hidden / count - flat_view * areas[i] / largest;
+        const double cost = hidden / count - flat_view * areas[i] / largest + (around[i].z() < 0 ? from_below : 0);
         if (cost < least - better_by) {
             least = cost;
             best = around[i];
