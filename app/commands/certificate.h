@@ -37,8 +37,9 @@ struct CertifiedCase {
 };
 
 /// The accepted stones of meshes, overlaps among them, as an assembly.
+/// @param also blocks that are none of them (boxes), and what is known of foundations; may be null
 Assembly assembly_of(const std::vector<ImportedMesh>& meshes, const std::vector<Overlap>& overlaps,
-                     const AssemblyOrigin& origin);
+                     const AssemblyOrigin& origin, const Model* also = nullptr);
 
 /// The blocks of a model. Outlines of a planar scene become prisms over its thickness.
 /// @param volume_errors of blocks whose parts only approximate them, by name

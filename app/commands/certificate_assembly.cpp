@@ -39,10 +39,20 @@ AssemblyStone stone_of(const Model& model, int index)
     return stone;
 }
 
+/// Adds the blocks of a model that are not among the stones, and marks foundations.
+void add_others(const Model& model, std::map<std::string, int>& index, std::vector<AssemblyStone>& stones)
+{
+    for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i)
+        if (index.emplace(model.blocks[i].name, static_cast<int>(stones.size())).second)
+            stones.push_back(stone_of(model, i));
+    for (const Foundation& foundation : model.foundations)
+        stones[index.at(model.blocks[foundation.block].name)].foundation = true;
+}
+
 }  // namespace
 
 Assembly assembly_of(const std::vector<ImportedMesh>& meshes, const std::vector<Overlap>& overlaps,
-                     const AssemblyOrigin& origin)
+                     const AssemblyOrigin& origin, const Model* also)
 {
     std::vector<AssemblyStone> stones;
     std::map<std::string, int> index;
@@ -56,6 +66,7 @@ Assembly assembly_of(const std::vector<ImportedMesh>& meshes, const std::vector<
             index.emplace(stone.name, static_cast<int>(stones.size()));
             stones.push_back({stone.name, stone.parts, stone.moments.volume, stone.volume_error, false});
         }
+    if (also) add_others(*also, index, stones);
     std::vector<StoneOverlap> known;
     for (const Overlap& overlap : overlaps) {
         const auto a = index.find(overlap.stone_a), b = index.find(overlap.stone_b);

@@ -141,7 +141,9 @@ void examine(const CaseStones& stones, bool complete, CertifiedCase& certified)
     const bool has_refused = std::any_of(certified.meshes.begin(), certified.meshes.end(),
                                          [](const auto& mesh) { return !mesh.accepted; });
     if (!complete && has_refused) {
-        certified.assembly = assembly_of(certified.meshes, certified.overlaps, origin);
+        const bool in_space = !is_planar(stones.model.kinematics);
+        certified.assembly =
+            assembly_of(certified.meshes, certified.overlaps, origin, in_space ? &stones.model : nullptr);
         return;
     }
     std::map<std::string, double> errors;

@@ -172,13 +172,16 @@ TEST(Certificate, of_a_case_with_a_refused_stone)
                                  obj_box("hole", {0, 0, 1}, {1, 1, 2}, 17, 5));
     const std::size_t first = two_boxes.find("  - {box"), last = two_boxes.find("foundation: {");
     std::string text = two_boxes;
-    text.replace(first, last - first, "  - {mesh: open.obj, groups: {foundation: floor}}\n");
+    text.replace(first, last - first,
+                 "  - {mesh: open.obj}\n  - {box: {name: ground, lower: [0, 0, -2], upper: [1, 1, -1]}, group: "
+                 "foundation}\n");
     const std::string file = folder.write("case.yaml", text).string();
     EXPECT_EQ(run(folder, "check " + file + " --json " + (folder / "c.json").string()), 2);
     const json certificate = json::parse(contents(folder / "c.json"));
     ASSERT_EQ(certificate["files"][0]["stones"].size(), 3U);
     EXPECT_FALSE(certificate["files"][0]["stones"][2]["reason"].get<std::string>().empty());
-    EXPECT_EQ(certificate["assembly"]["contacts"].size(), 1U) << "the accepted stones are examined";
+    EXPECT_EQ(certificate["assembly"]["contacts"].size(), 2U) << "the accepted stones and the box are examined";
+    EXPECT_EQ(certificate["assembly"]["ground"], json::array({"ground"}));
     EXPECT_EQ(certificate["assembly"]["findings"][0]["kind"].get<std::string>(), "refused");
     EXPECT_NE(contents(folder / "stderr").find("hole"), std::string::npos);
 }
