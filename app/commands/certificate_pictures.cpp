@@ -32,9 +32,18 @@ void draw_refused(Album& album)
     }
 }
 
+constexpr std::size_t most_overlaps = 8;
+
 void draw_overlaps(Album& album)
 {
-    for (const StoneOverlap& overlap : album.assembly.overlaps) {
+    std::vector<StoneOverlap> overlaps = album.assembly.overlaps;
+    std::stable_sort(overlaps.begin(), overlaps.end(),
+                     [](const StoneOverlap& a, const StoneOverlap& b) { return a.volume > b.volume; });
+    if (overlaps.size() > most_overlaps) {  // other findings want pictures too
+        album.left_out += overlaps.size() - most_overlaps;
+        overlaps.resize(most_overlaps);
+    }
+    for (const StoneOverlap& overlap : overlaps) {
         DefectPicture picture = pair_picture(album, overlap.a, overlap.b, "they overlap");
         picture.marks.push_back({overlap_mark(album.assembly, overlap), MarkLook::defect});
         picture.mark_legend.emplace_back(MarkLook::defect, "space that both take");

@@ -61,6 +61,10 @@ void tell_overlaps(const Assembly& assembly, std::vector<AssemblyFinding>& findi
                                 "overlap (at most {}; or {} off each of the two faces)",
                                 length_words(deepest->depth), length_words(0.5 * deepest->depth))
                           : "in the CAD file cut one stone of each pair by the other";
+    if (deepest->depth > 0 && deepest->depth <= assembly_tolerance::contact * assembly.typical_size) {
+        finding.harmless = true;
+        finding.what += "; less than the contact tolerance";
+    }
     findings.push_back(std::move(finding));
 }
 

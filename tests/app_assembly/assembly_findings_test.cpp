@@ -93,6 +93,15 @@ TEST(Findings, an_overlap_with_its_depth_and_volume)
     EXPECT_TRUE(says(overlap.advice, "at most 100 mm; or 50 mm")) << overlap.advice;
 }
 
+TEST(Findings, an_overlap_within_the_contact_tolerance_is_a_note)
+{
+    const std::vector<AssemblyStone> stones = {box("a", {0, 0, 0}, {1, 1, 1}),
+                                               box("b", {0, 0, 0.9999}, {1, 1, 2})};
+    EXPECT_TRUE(finding(examine_assembly(stones, {{0, 1, 1e-4, 0}}, {}), "overlaps").harmless);
+    const std::vector<AssemblyStone> deep = {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 0.9}, {1, 1, 2})};
+    EXPECT_FALSE(finding(examined(deep), "overlaps").harmless);
+}
+
 TEST(Findings, a_known_overlap_keeps_its_exact_volume)
 {
     const Assembly assembly = examine_assembly({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 0.9}, {1, 1, 2})},
