@@ -30,6 +30,18 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides)
         ->allow_extra_args(false);
 }
 
+/// Where a geometry certificate goes.
+void add_certificate(CLI::App& command, std::optional<std::filesystem::path>& json,
+                     std::optional<std::filesystem::path>& folder)
+{
+    command.add_option("--json", json, "Write the certificate to a file (- is standard output)")
+        ->type_name("FILE");
+    command
+        .add_option("-o,--output", folder,
+                    "Folder for certificate.json, contact_graph.csv and pictures of the stones and their defects")
+        ->type_name("DIR");
+}
+
 void add_run(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<RunArguments>();
@@ -52,20 +64,21 @@ void add_check(CLI::App& app, std::function<int()>& chosen)
     CLI::App* command = app.add_subcommand("check", "Read and certify a case, list what is there; run nothing");
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
     add_overrides(*command, arguments->overrides);
+    add_certificate(*command, arguments->json, arguments->folder);
     command->callback([arguments, &chosen] { chosen = [arguments] { return check_command(*arguments); }; });
 }
 
 void add_import(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<ImportArguments>();
-    CLI::App* command = app.add_subcommand("import", "Certify mesh files: closed, convex, volumes");
+    CLI::App* command =
+        app.add_subcommand("import", "Certify mesh files: stones, contacts, gaps, overlaps, advice");
     command->add_option("mesh", arguments->files, "Mesh files")->required()->type_name("MESH");
     command->add_option("--unit", arguments->unit, "Unit of the files: m, cm, mm, ft, in (m)")->type_name("UNIT");
     command->add_option("--up", arguments->up, "Axis of the files that points up")
         ->transform(CLI::IsMember({"x", "y", "z"}))
         ->capture_default_str();
-    command->add_option("--json", arguments->json, "Write the certificates to a file (- is standard output)")
-        ->type_name("FILE");
+    add_certificate(*command, arguments->json, arguments->folder);
     command->callback([arguments, &chosen] { chosen = [arguments] { return import_command(*arguments); }; });
 }
 

@@ -54,7 +54,7 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
 
 }  // namespace
 
-Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides, CaseStones* stones)
 {
     Case result;
     result.file = file;
@@ -79,6 +79,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     result.output = read_output(top, result.model, result.stages);
     top.reject_unknown_keys();
 
+    if (stones) *stones = {std::move(findings.geometry), result.model};
     if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
     result.defaults = in_words(findings.defaults);
     result.warnings = std::move(findings.warnings);

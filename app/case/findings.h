@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/geometry/geometry.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -20,6 +21,7 @@ struct Findings {
     std::vector<Fault> faults;
     std::vector<TakenDefault> defaults;
     std::vector<std::string> warnings;
+    Geometry geometry;  // what the mesh files gave, refused stones too: for the certificate
 };
 
 /// One line for each part of the case: "stages[1]: time_step = 0.002 s, integrator = newmark".

@@ -74,7 +74,7 @@ void import_meshes(BlockReading& reading)
     if (reading.meshes.empty()) return;
     std::vector<MeshRequest> requests;
     for (const MeshEntry& mesh : reading.meshes) requests.push_back(mesh.request);
-    const Geometry geometry = import_geometry(requests, {});
+    const Geometry& geometry = reading.findings.geometry = import_geometry(requests, {});
     reading.mesh_origin = geometry.origin;
     Model& model = reading.model;
     model.origin = is_planar(model.kinematics) ? to_space(from_space<2>(geometry.origin)) : geometry.origin;

@@ -4,9 +4,12 @@
 #include <map>
 
 #include "app/case/case_file.h"
+#include "app/commands/certificate.h"
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
+#include "app/commands/outputs.h"
 #include "app/results/scene_vectors.h"
+#include "libdda/errors.h"
 #include "libdda/step/advance.h"
 
 namespace voussoir
@@ -54,22 +57,27 @@ void print_blocks(const Model& model)
     fmt::print("blocks:\n  {:<24} {:<14} {:<12} {:>12} {:>12}  centroid m\n", "name", "group", "material",
                "volume m3", "mass kg");
     double volume = 0, mass = 0;
-    for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i) {
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Block& block = model.blocks[i];
         const std::vector<double> centroid =
             stored_vector(block.moments.centroid + model.origin, model.kinematics);
-        fmt::print("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}  [{:.4f}]\n", block.name, model.groups[block.group],
-                   model.materials[block.material].name, block.moments.volume, model.mass(i),
-                   fmt::join(centroid, ", "));
         volume += block.moments.volume;
-        mass += model.mass(i);
+        mass += model.mass(static_cast<int>(i));
+        if (i == most_rows) fmt::print("  ... (--json has all blocks)\n");
+        if (i >= most_rows) continue;
+        fmt::print("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}  [{:.4f}]\n", block.name, model.groups[block.group],
+                   model.materials[block.material].name, block.moments.volume, model.mass(static_cast<int>(i)),
+                   fmt::join(centroid, ", "));
     }
     fmt::print("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}\n", "all", "", "", volume, mass);
 }
 
 void print_foundations(const Model& model)
 {
+    std::size_t row = 0;
     for (const Foundation& foundation : model.foundations) {
+        if (row++ == most_rows) fmt::print("and {} more foundations\n", model.foundations.size() - most_rows);
+        if (row > most_rows) return;
         std::string held;
         for (const int axis : axes_of(model.kinematics))
             held += fmt::format("{} {}, ", static_cast<char>('x' + axis),
@@ -82,23 +90,22 @@ void print_foundations(const Model& model)
 void print_contacts(const Model& model)
 {
     const auto pairs = contacts_by_pair(model);
-    std::vector<bool> touches(model.blocks.size(), false);
+    std::size_t row = 0;
     int points = 0;
     double area = 0;
     fmt::print("contacts:\n  {:<49} {:>6} {:>10} {:>13} {:>12}  joint\n", "blocks", "points", "area m2",
                "smallest gap", "Pa/m");
     for (const auto& [pair, contact] : pairs) {
         const auto& [a, b] = pair;
-        touches[a] = touches[b] = true;
         points += contact.points;
         area += contact.area;
+        if (row++ == most_rows) fmt::print("  ... (contact_graph.csv of -o DIR has all pairs)\n");
+        if (row > most_rows) continue;
         fmt::print("  {:<24} {:<24} {:>6} {:>10.4g} {:>11.1e} m {:>12.4g}  {}\n", model.blocks[a].name,
                    model.blocks[b].name, contact.points, contact.area, contact.smallest_gap,
                    contact.most_stiffness, model.joint_between(a, b).name);
     }
     fmt::print("  {} pairs of blocks, {} points, {:.6g} m2\n", pairs.size(), points, area);
-    for (std::size_t i = 0; i < touches.size(); ++i)
-        if (!touches[i]) fmt::print("warning: block {} touches no other\n", model.blocks[i].name);
 }
 
 void print_stages(const std::vector<Stage>& stages)
@@ -112,19 +119,83 @@ void print_stages(const std::vector<Stage>& stages)
     }
 }
 
-}  // namespace
-
-int check_command(const CheckArguments& arguments)
+void print_all(const Case& the_case)
 {
-    const Case the_case = read_case(arguments.case_file, arguments.overrides);
     print_case(the_case);
     print_materials(the_case.model);
     print_blocks(the_case.model);
     print_foundations(the_case.model);
     print_contacts(the_case.model);
     print_stages(the_case.stages);
-    fmt::print("the case can be run\n");
-    return exit_done;
+}
+
+/// How the stones stand together. Of a case whose stones could not all be read, those of its meshes that could.
+void examine(const CaseStones& stones, bool complete, CertifiedCase& certified)
+{
+    AssemblyOrigin origin;
+    origin.from_case = true;
+    certified.meshes = stones.geometry.meshes;
+    certified.overlaps = stones.geometry.overlaps;
+    certified.origin = stones.model.origin;
+    if (certified.meshes.size() == 1) origin.metres_per_unit = certified.meshes.front().metres_per_unit;
+    const bool has_refused = std::any_of(certified.meshes.begin(), certified.meshes.end(),
+                                         [](const auto& mesh) { return !mesh.accepted; });
+    if (!complete && has_refused) {
+        const bool in_space = !is_planar(stones.model.kinematics);
+        certified.assembly =
+            assembly_of(certified.meshes, certified.overlaps, origin, in_space ? &stones.model : nullptr);
+        return;
+    }
+    std::map<std::string, double> errors;
+    for (const ImportedMesh& mesh : certified.meshes)
+        for (const Stone& stone : mesh.stones) errors[stone.name] = stone.volume_error;
+    certified.assembly = assembly_of(stones.model, errors, origin);
+}
+
+CertifiedCase certify(const CheckArguments& arguments, bool print)
+{
+    CertifiedCase certified;
+    certified.file = arguments.case_file.string();
+    certified.title = arguments.case_file.stem().string();
+    CaseStones stones;
+    try {
+        const Case the_case = read_case(arguments.case_file, arguments.overrides, &stones);
+        certified.title = the_case.title;
+        certified.warnings = the_case.warnings;
+        if (print) print_all(the_case);
+    } catch (const InputError& error) {
+        for (const Fault& fault : error.faults) {
+            certified.faults.push_back(to_sentence(fault));
+            fmt::print(stderr, "{}\n", certified.faults.back());
+        }
+    }
+    examine(stones, certified.faults.empty(), certified);
+    return certified;
+}
+
+void write_folder(const CertifiedCase& certified, const std::filesystem::path& folder)
+{
+    make_output_folder(folder);
+    write_json_text(folder / "certificate.json", certificate_json(certified));
+    write_contact_graph(certified.assembly, folder / "contact_graph.csv");
+    draw_certificate(certified.title, certified.assembly, certified.meshes, folder);
+}
+
+}  // namespace
+
+int check_command(const CheckArguments& arguments)
+{
+    expect_writable(arguments.json, arguments.folder);
+    const bool print = !(arguments.json && *arguments.json == "-");
+    const CertifiedCase certified = certify(arguments, print);
+    const bool can_run = certified.faults.empty();
+    if (print && !can_run) print_contact_graph(certified.assembly);
+    if (print) print_findings(certified.assembly);
+    if (arguments.json) write_json_text(*arguments.json, certificate_json(certified));
+    if (arguments.folder) write_folder(certified, *arguments.folder);
+    if (print && arguments.folder) fmt::print("written to {}\n", arguments.folder->string());
+    if (print && can_run) fmt::print("the case can be run\n");
+    return can_run ? exit_done : exit_bad_input;
 }
 
 }  // namespace voussoir

@@ -29,16 +29,19 @@ int run_command(const RunArguments& arguments);
 struct CheckArguments {
     std::filesystem::path case_file;
     std::vector<std::string> overrides;
+    std::optional<std::filesystem::path> json, folder;
 };
 
-/// Reads and certifies a case, finds its contacts, and tells what is there; runs nothing, writes nothing.
+/// Reads and certifies a case, finds its contacts, and tells what is there and how it stands together; runs
+/// nothing. The certificate is written, where asked for, of a case that cannot be run too.
+/// @returns exit_bad_input when the case cannot be run
 int check_command(const CheckArguments& arguments);
 
 struct ImportArguments {
     std::vector<std::filesystem::path> files;
     std::optional<std::string> unit;  // of the files; metres if not given
     char up = 'z';
-    std::optional<std::filesystem::path> json;
+    std::optional<std::filesystem::path> json, folder;
 };
 
 /// The geometry certificate of mesh files, each on its own.

@@ -1,8 +1,9 @@
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 #include "app/case/quantity.h"
+#include "app/commands/certificate.h"
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
 #include "app/geometry/geometry.h"
@@ -12,8 +13,6 @@ namespace voussoir
 {
 namespace
 {
-
-using nlohmann::json;
 
 double metres_per_unit(const std::optional<std::string>& unit)
 {
@@ -31,50 +30,23 @@ std::string unit_source(const ImportArguments& arguments, const ImportedMesh& me
     return arguments.unit ? "option" : "assumed";
 }
 
-json to_json(const Stone& stone, const ImportedMesh& mesh, const Eigen::Vector3d& origin)
+void print_mesh(const CertifiedFile& file)
 {
-    const Eigen::Vector3d centroid = stone.moments.centroid + origin;
-    const double cube = mesh.metres_per_unit * mesh.metres_per_unit * mesh.metres_per_unit;
-    const bool measured = !stone.parts.empty();
-    return {{"name", stone.name},
-            {"closed", stone.closed},
-            {"convex", stone.convex},
-            {"parts", stone.parts.size()},
-            {"volume_file_units", measured ? json(stone.moments.volume / cube) : json()},
-            {"volume_m3", measured ? json(stone.moments.volume) : json()},
-            {"centroid_m", measured ? json({centroid.x(), centroid.y(), centroid.z()}) : json()},
-            {"repairs", stone.repairs},
-            {"reason", stone.reason}};
-}
-
-json to_json(const ImportArguments& arguments, const Geometry& geometry, const ImportedMesh& mesh)
-{
-    json stones = json::array(), overlaps = json::array();
-    for (const Stone& stone : mesh.stones) stones.push_back(to_json(stone, mesh, geometry.origin));
-    for (const Overlap& overlap : geometry.overlaps)
-        overlaps.push_back({{"stones", {overlap.stone_a, overlap.stone_b}}, {"volume_m3", overlap.volume}});
-    return {{"file", mesh.file},
-            {"accepted", mesh.accepted},
-            {"reason", mesh.reason},
-            {"repairs", mesh.repairs},
-            {"unit", {{"metres", mesh.metres_per_unit}, {"from", unit_source(arguments, mesh)}}},
-            {"overlaps", overlaps},
-            {"stones", stones}};
-}
-
-void print_mesh(const ImportArguments& arguments, const Geometry& geometry, const ImportedMesh& mesh)
-{
+    const ImportedMesh& mesh = file.mesh;
     fmt::print("{}: {}, {} stones, unit {:g} m ({})\n", mesh.file, mesh.accepted ? "accepted" : "refused",
-               mesh.stones.size(), mesh.metres_per_unit, unit_source(arguments, mesh));
+               mesh.stones.size(), mesh.metres_per_unit, file.unit_from);
     for (const std::string& repair : mesh.repairs) fmt::print("  repaired: {}\n", repair);
-    for (const Stone& stone : mesh.stones) {
+    for (std::size_t i = 0; i < std::min(mesh.stones.size(), most_rows); ++i) {
+        const Stone& stone = mesh.stones[i];
         if (stone.reason.empty())
             fmt::print("  {}: {} convex part{}, {:.6g} m3\n", stone.name, stone.parts.size(),
                        stone.parts.size() == 1 ? "" : "s", stone.moments.volume);
         for (const std::string& repair : stone.repairs) fmt::print("  {}: repaired: {}\n", stone.name, repair);
     }
-    for (const Overlap& overlap : geometry.overlaps)
-        fmt::print("  {} and {} overlap by {:.3g} m3\n", overlap.stone_a, overlap.stone_b, overlap.volume);
+    if (mesh.stones.size() > most_rows)
+        fmt::print("  and {} more stones: --json has them all\n", mesh.stones.size() - most_rows);
+    print_contact_graph(file.assembly);
+    print_findings(file.assembly);
 }
 
 void print_refusals(const ImportedMesh& mesh)
@@ -101,23 +73,60 @@ Geometry import_alone(const std::filesystem::path& file, double metres, char up)
     return none;
 }
 
+CertifiedFile certify(const ImportArguments& arguments, const std::filesystem::path& path, double metres)
+{
+    Geometry geometry = import_alone(path, metres, arguments.up);
+    CertifiedFile file;
+    file.mesh = std::move(geometry.meshes.front());
+    file.origin = geometry.origin;
+    file.unit_from = unit_source(arguments, file.mesh);
+    file.overlaps = std::move(geometry.overlaps);
+    AssemblyOrigin origin;
+    origin.metres_per_unit = file.mesh.metres_per_unit;
+    file.assembly = assembly_of({file.mesh}, file.overlaps, origin);
+    return file;
+}
+
+/// Where the contact graph and the pictures of a file go: the folder itself, or one below it for each of many.
+std::filesystem::path folder_of(const ImportArguments& arguments, std::size_t number)
+{
+    if (arguments.files.size() == 1) return *arguments.folder;
+    const std::string stem = arguments.files[number].stem().string();
+    return *arguments.folder / fmt::format("{:02}_{}", number + 1, stem.empty() ? "file" : stem);
+}
+
+void write_folder(const ImportArguments& arguments, const std::vector<CertifiedFile>& files)
+{
+    make_output_folder(*arguments.folder);
+    write_json_text(*arguments.folder / "certificate.json", certificates_json(files));
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const std::filesystem::path folder = folder_of(arguments, i);
+        make_output_folder(folder);
+        write_contact_graph(files[i].assembly, folder / "contact_graph.csv");
+        draw_certificate(arguments.files[i].filename().string(), files[i].assembly, {files[i].mesh}, folder);
+    }
+}
+
 }  // namespace
 
 int import_command(const ImportArguments& arguments)
 {
     const double metres = metres_per_unit(arguments.unit);
-    json certificates = json::array();
+    expect_writable(arguments.json, arguments.folder);
+    std::vector<CertifiedFile> files;
     bool any_refused = false;
     const bool to_stdout = arguments.json && *arguments.json == "-";
-    for (const std::filesystem::path& file : arguments.files) {
-        const Geometry geometry = import_alone(file, metres, arguments.up);
-        const ImportedMesh& mesh = geometry.meshes.front();
-        any_refused = any_refused || !mesh.accepted;
-        certificates.push_back(to_json(arguments, geometry, mesh));
-        if (!to_stdout) print_mesh(arguments, geometry, mesh);
-        print_refusals(mesh);
+    for (const std::filesystem::path& path : arguments.files) {
+        files.push_back(certify(arguments, path, metres));
+        any_refused = any_refused || !files.back().mesh.accepted;
+        if (!to_stdout) print_mesh(files.back());
+        print_refusals(files.back().mesh);
     }
-    if (arguments.json) write_json_text(*arguments.json, certificates.dump(2));
+    if (arguments.json) write_json_text(*arguments.json, certificates_json(files));
+    if (arguments.folder) {
+        write_folder(arguments, files);
+        if (!to_stdout) fmt::print("written to {}\n", arguments.folder->string());
+    }
     return any_refused ? exit_bad_input : exit_done;
 }
 

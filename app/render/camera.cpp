@@ -92,8 +92,15 @@ Vector3d place_camera(const std::vector<Vector3d>& points, const Vector2d& size)
 
 Camera camera_for(const std::vector<Vector3d>& points, const PictureArea& area, double aspect, View view)
 {
+    return camera_from(points, area, aspect,
+                       view == View::straight_on ? Vector3d(-Vector3d::UnitY()) : from_aside(points));
+}
+
+Camera camera_from(const std::vector<Vector3d>& points, const PictureArea& area, double aspect,
+                   const Vector3d& back)
+{
     Camera camera;
-    camera.back = view == View::straight_on ? Vector3d(-Vector3d::UnitY()) : from_aside(points);
+    camera.back = back;
     camera.right = Vector3d::UnitZ().cross(camera.back).normalized();
     camera.up = camera.back.cross(camera.right);
     Eigen::Matrix3d axes;

@@ -26,4 +26,8 @@ enum class View {
 /// @param points (n >= 1) [m]; @param aspect width / height of the whole picture
 Camera camera_for(const std::vector<Eigen::Vector3d>& points, const PictureArea& area, double aspect, View view);
 
+/// The same from a direction of one's own. @param back unit, towards the viewer; not vertical
+Camera camera_from(const std::vector<Eigen::Vector3d>& points, const PictureArea& area, double aspect,
+                   const Eigen::Vector3d& back);
+
 }  // namespace voussoir

@@ -1,0 +1,92 @@
+#include <map>
+
+#include "app/commands/certificate.h"
+#include "libdda/geometry/plane.h"
+
+namespace voussoir
+{
+namespace
+{
+
+using Eigen::Vector3d;
+
+/// The prism over an outline (x, z) about `centre`, from -thickness/2 to thickness/2 along y.
+ConvexPolyhedron prism(const ConvexPolygon& outline, const Vector3d& centre, double thickness)
+{
+    const int n = static_cast<int>(outline.vertices.size());
+    std::vector<Vector3d> vertices;
+    for (const double y : {-thickness / 2, thickness / 2})
+        for (const Eigen::Vector2d& x : outline.vertices)
+            vertices.push_back(centre + to_space(x) + Vector3d(0, y, 0));
+    std::vector<std::vector<int>> faces(2);
+    for (int i = 0; i < n; ++i) {
+        faces[0].push_back(i);  // counter-clockwise in (x, z) is outward at -y
+        faces[1].push_back(2 * n - 1 - i);
+        const int next = (i + 1) % n;
+        faces.push_back({i, i + n, next + n, next});
+    }
+    return make_convex_polyhedron(std::move(vertices), std::move(faces), "outline");
+}
+
+AssemblyStone stone_of(const Model& model, int index)
+{
+    const Block& block = model.blocks[index];
+    AssemblyStone stone{block.name, {}, block.moments.volume, 0, false};
+    for (const ConvexPolyhedron& part : block.parts)
+        stone.parts.push_back(translated(part, block.moments.centroid));
+    for (const ConvexPolygon& outline : block.outlines)
+        stone.parts.push_back(prism(outline, block.moments.centroid, model.thickness));
+    return stone;
+}
+
+/// Adds the blocks of a model that are not among the stones, and marks foundations.
+void add_others(const Model& model, std::map<std::string, int>& index, std::vector<AssemblyStone>& stones)
+{
+    for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i)
+        if (index.emplace(model.blocks[i].name, static_cast<int>(stones.size())).second)
+            stones.push_back(stone_of(model, i));
+    for (const Foundation& foundation : model.foundations)
+        stones[index.at(model.blocks[foundation.block].name)].foundation = true;
+}
+
+}  // namespace
+
+Assembly assembly_of(const std::vector<ImportedMesh>& meshes, const std::vector<Overlap>& overlaps,
+                     const AssemblyOrigin& origin, const Model* also)
+{
+    std::vector<AssemblyStone> stones;
+    std::map<std::string, int> index;
+    AssemblyOrigin all = origin;
+    for (const ImportedMesh& mesh : meshes)
+        for (const Stone& stone : mesh.stones) {
+            if (stone.parts.empty()) {
+                ++all.refused_stones;
+                continue;
+            }
+            index.emplace(stone.name, static_cast<int>(stones.size()));
+            stones.push_back({stone.name, stone.parts, stone.moments.volume, stone.volume_error, false});
+        }
+    if (also) add_others(*also, index, stones);
+    std::vector<StoneOverlap> known;
+    for (const Overlap& overlap : overlaps) {
+        const auto a = index.find(overlap.stone_a), b = index.find(overlap.stone_b);
+        if (a != index.end() && b != index.end() && a != b)
+            known.push_back({a->second, b->second, overlap.volume, 0});
+    }
+    return examine_assembly(std::move(stones), known, all);
+}
+
+Assembly assembly_of(const Model& model, const std::map<std::string, double>& volume_errors,
+                     const AssemblyOrigin& origin)
+{
+    std::vector<AssemblyStone> stones;
+    for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i) {
+        stones.push_back(stone_of(model, i));
+        const auto error = volume_errors.find(stones.back().name);
+        if (error != volume_errors.end()) stones.back().volume_error = error->second;
+    }
+    for (const Foundation& foundation : model.foundations) stones[foundation.block].foundation = true;
+    return examine_assembly(std::move(stones), {}, origin);
+}
+
+}  // namespace voussoir

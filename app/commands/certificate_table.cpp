@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <set>
+
+#include "app/commands/certificate.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+namespace
+{
+
+const char* words_of(Touch touch)
+{
+    switch (touch) {
+        case Touch::face:
+            return "";
+        case Touch::tilted:
+            return "tilted: an edge touches";
+        case Touch::corner:
+            return "a corner touches";
+        case Touch::edge:
+            break;
+    }
+    return "two edges cross";
+}
+
+/// A name for a file of comma-separated values.
+std::string quoted(const std::string& name)
+{
+    if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
+    std::string text = "\"";
+    for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return text + "\"";
+}
+
+std::string ground_words(const Assembly& assembly)
+{
+    if (assembly.ground_given) return fmt::format("{} foundations", assembly.ground.size());
+    return fmt::format("ground: the {} stone{} at the lowest level", assembly.ground.size(),
+                       assembly.ground.size() == 1 ? "" : "s");
+}
+
+/// Wraps words at 110 columns; further lines are indented.
+void print_wrapped(const std::string& first, const std::string& indent, const std::string& words)
+{
+    constexpr std::size_t width = 110;
+    std::string line = first;
+    bool empty = true;
+    for (std::size_t start = 0; start < words.size();) {
+        const std::size_t end = std::min(words.find(' ', start), words.size());
+        const std::string word = words.substr(start, end - start);
+        if (!empty && line.size() + 1 + word.size() > width) {
+            fmt::print("{}\n", line);
+            line = indent;
+            empty = true;
+        }
+        line += (empty ? "" : " ") + word;
+        empty = false;
+        start = end + 1;
+    }
+    fmt::print("{}\n", line);
+}
+
+}  // namespace
+
+void print_contact_graph(const Assembly& assembly)
+{
+    if (assembly.stones.size() < 2) return;
+    double area = 0;
+    for (const StoneContact& contact : assembly.contacts) area += contact.area;
+    fmt::print("contact graph: {} pairs touch over {:.6g} m2, {} group{}, {}\n", assembly.contacts.size(), area,
+               assembly.components.size(), assembly.components.size() == 1 ? "" : "s", ground_words(assembly));
+    if (assembly.contacts.empty()) return;
+    fmt::print("  {:<24} {:<24} {:>10} {:>8} {:>13}\n", "stone", "stone", "area m2", "patches", "smallest gap");
+    for (std::size_t i = 0; i < std::min(assembly.contacts.size(), most_rows); ++i) {
+        const StoneContact& contact = assembly.contacts[i];
+        fmt::print("  {:<24} {:<24} {:>10.4g} {:>8} {:>11.1e} m {}\n", assembly.stones[contact.a].name,
+                   assembly.stones[contact.b].name, contact.area, contact.patches, contact.smallest_gap,
+                   words_of(contact.touch));
+    }
+    if (assembly.contacts.size() > most_rows)
+        fmt::print("  and {} more pairs: --json and contact_graph.csv (-o DIR) have them all\n",
+                   assembly.contacts.size() - most_rows);
+}
+
+void print_findings(const Assembly& assembly)
+{
+    if (assembly.stones.empty()) return;
+    if (assembly.findings.empty()) {
+        fmt::print("the stones stand together without fault\n");
+        return;
+    }
+    fmt::print("findings:\n");
+    for (const AssemblyFinding& finding : assembly.findings) {
+        print_wrapped(finding.harmless ? "  note: " : "  fault: ", "    ", finding.what);
+        print_wrapped("    -> ", "       ", finding.advice);
+    }
+}
+
+void write_contact_graph(const Assembly& assembly, const std::filesystem::path& file)
+{
+    std::ofstream stream(file, std::ios::binary);
+    stream << "stone_a,stone_b,kind,area_m2,facing_area_m2,smallest_gap_m,patches,normal_x,normal_y,normal_z\n";
+    const auto name = [&](int stone) { return quoted(assembly.stones[stone].name); };
+    for (const StoneContact& c : assembly.contacts)
+        stream << fmt::format("{},{},contact,{:.9g},{:.9g},{:.6g},{},{:.9g},{:.9g},{:.9g}\n", name(c.a), name(c.b),
+                              c.area, c.facing_area, c.smallest_gap, c.patches, c.normal.x(), c.normal.y(),
+                              c.normal.z());
+    for (const StoneGap& g : assembly.gaps)
+        stream << fmt::format("{},{},gap,0,{:.9g},{:.6g},{},,,\n", name(g.a), name(g.b), g.area, g.width,
+                              g.polygons.size());
+    stream.close();
+    if (!stream) throw InputError(file.string(), "cannot be written", "name a folder that can be written");
+}
+
+}  // namespace voussoir

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/commands/picture_album.h"
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr std::size_t most_marks = 3000;
+
+/// Marks of all findings on the whole, with one callout for each group.
+void mark_findings(const Assembly& assembly, DefectPicture& picture)
+{
+    for (const GapGroup& group : assembly.gap_groups)
+        for (std::size_t i = 0; i < group.gaps.size() && picture.marks.size() < most_marks; ++i)
+            picture.marks.push_back(
+                {{i == group.gaps.size() / 2
+                      ? fmt::format("{} pair{} {} apart", group.gaps.size(), group.gaps.size() == 1 ? "" : "s",
+                                    length_words(assembly.gaps[group.gaps[i]].width))
+                      : "",
+                  {},
+                  {},
+                  assembly.gaps[group.gaps[i]].polygons},
+                 MarkLook::gap});
+    for (const StoneOverlap& overlap : assembly.overlaps)
+        if (picture.marks.size() < most_marks)
+            picture.marks.push_back({overlap_mark(assembly, overlap), MarkLook::defect});
+    for (const int stone : assembly.floating) {
+        const MarkedFeature outline = outline_of(assembly.stones[stone], "touches none");
+        if (picture.marks.size() < most_marks) picture.marks.push_back({outline, MarkLook::defect});
+    }
+    for (const StoneContact& contact : assembly.contacts)
+        if (contact.touch == Touch::tilted && picture.marks.size() < most_marks)
+            picture.marks.push_back({contact_mark(contact, ""), MarkLook::contact});
+    const bool tilted = std::any_of(assembly.contacts.begin(), assembly.contacts.end(),
+                                    [](const StoneContact& c) { return c.touch == Touch::tilted; });
+    if (!assembly.gaps.empty()) picture.mark_legend.emplace_back(MarkLook::gap, "gap");
+    if (!assembly.overlaps.empty() || !assembly.floating.empty())
+        picture.mark_legend.emplace_back(MarkLook::defect, "overlap, floating stone");
+    if (tilted) picture.mark_legend.emplace_back(MarkLook::contact, "an edge touches");
+}
+
+bool is_loose(const Assembly& assembly, int stone)
+{
+    return std::binary_search(assembly.unsupported.begin(), assembly.unsupported.end(), stone) ||
+           std::binary_search(assembly.floating.begin(), assembly.floating.end(), stone);
+}
+
+}  // namespace
+
+void add_whole(Album& album)
+{
+    const Assembly& assembly = album.assembly;
+    DefectPicture picture;
+    picture.name = "assembly.png";
+    picture.title = album.title;
+    picture.subtitle = fmt::format("{} stones, {} pairs touch", assembly.stones.size(), assembly.contacts.size());
+    if (!album.defects.empty()) picture.subtitle += fmt::format(", {} marked by themselves", album.defects.size());
+    std::set<StoneLook> used;
+    for (int i = 0; i < static_cast<int>(album.pictures.shapes.size()); ++i) {
+        StoneLook look = StoneLook::plain;
+        if (i >= static_cast<int>(assembly.stones.size()))
+            look = StoneLook::faulty;
+        else if (is_loose(assembly, i))
+            look = StoneLook::floating;
+        else if (assembly.ground_given && std::binary_search(assembly.ground.begin(), assembly.ground.end(), i))
+            look = StoneLook::ground;
+        used.insert(look);
+        picture.stones.push_back({i, look});
+    }
+    if (used.contains(StoneLook::plain)) picture.legend.emplace_back(StoneLook::plain, "stone");
+    if (used.contains(StoneLook::ground)) picture.legend.emplace_back(StoneLook::ground, "foundation");
+    if (used.contains(StoneLook::faulty))
+        picture.legend.emplace_back(StoneLook::faulty, "stone with a picture of its own");
+    if (used.contains(StoneLook::floating))
+        picture.legend.emplace_back(StoneLook::floating, "touches none, or has no path to the ground");
+    mark_findings(assembly, picture);
+    for (const AssemblyFinding& finding : assembly.findings)
+        if (!finding.harmless) picture.notes.push_back(finding.what);
+    if (picture.notes.empty() && album.defects.empty())
+        picture.notes.emplace_back("The stones stand together without fault.");
+    album.pictures.pictures.push_back(std::move(picture));
+}
+
+}  // namespace voussoir

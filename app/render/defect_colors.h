@@ -1,0 +1,18 @@
+// The colours of pictures of defects, shared by drawing and legend.
+#pragma once
+
+#include "app/render/color_map.h"
+#include "app/render/defect_pictures.h"
+
+namespace voussoir
+{
+
+struct LookColor {
+    Rgb color;
+    float opacity;  // 1: not seen through
+};
+
+LookColor color_of(StoneLook look);
+Rgb color_of(MarkLook look);
+
+}  // namespace voussoir

@@ -1,0 +1,29 @@
+// voussoir-defects: draws pictures of stones with what is wrong with them marked, on behalf of voussoir. A JSON
+// request on the standard input; the files it made, one to a line, on the standard output.
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <string>
+
+#include "app/render/defect_page.h"
+#include "libdda/errors.h"
+
+int main(int argc, char**)
+{
+    if (argc > 1) {
+        std::fputs("voussoir-defects is started by voussoir: a JSON request on the standard input\n", stderr);
+        return 2;
+    }
+    try {
+        const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+        const voussoir::DefectRequest request = voussoir::defects_from_json(text);
+        for (const std::filesystem::path& file : voussoir::draw_defect_pages(request.pictures, request.folder))
+            std::cout << file.string() << '\n';
+        std::cout.flush();
+        return std::cout ? 0 : 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}
