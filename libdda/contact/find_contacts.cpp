@@ -271,7 +271,7 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
         std::optional<LastContact> last;
         if (history.patch)
             last = LastContact{history.patch->block_b == second.block, history.patch->edge_edge,
-                               history.patch->feature_b};
+                               history.patch->feature_b, history.patch->feature_a};
         const double margin = reach[first.block] + reach[second.block];
         const std::optional<ContactPolygonIn<D>> polygon = contact_polygon(first, second, margin, last);
         if (polygon) slots[i] = attach_history(model, state, parts, first, second, *polygon, history);

@@ -45,13 +45,19 @@ FaceAxis best_face(const PlacedPart& reference, const PlacedPart& other, double 
     return best;
 }
 
-/// -1 when all faces are glued.
-int most_opposed_face(const PlacedPart& part, const Vector3d& normal)
+/// The face of the incident part that looks at the reference face, with hysteresis for last step's; -1 when all
+/// are glued.
+int most_opposed_face(const PlacedPart& part, const Vector3d& normal, int last)
 {
     int best = -1;
-    for (int f = 0; f < static_cast<int>(part.normals.size()); ++f)
-        if (!part.shape->is_glued(f) && (best < 0 || part.normals[f].dot(normal) < part.normals[best].dot(normal)))
-            best = f;
+    double best_score = 0;
+    for (int f = 0; f < static_cast<int>(part.normals.size()); ++f) {
+        if (part.shape->is_glued(f)) continue;
+        const double score = part.normals[f].dot(normal) - (f == last ? incident_hysteresis : 0);
+        if (best >= 0 && score >= best_score) continue;
+        best = f;
+        best_score = score;
+    }
     return best;
 }
 
@@ -60,6 +66,18 @@ struct ClipPoint {
     Vector3d position;
     std::uint32_t leaving;
 };
+
+/// Where an edge from `inside` to `outside` leaves the face. An edge that starts deep inside is cut at the side
+/// plane. One that starts near it and runs nearly along it is cut where it leaves the tolerance, and that point is
+/// put back on the plane: cut at the plane itself, it would lose most of its length as soon as its end left the
+/// tolerance, and a contact would change its area by a fifth from step to step, for ever.
+Vector3d cut_edge(const Vector3d& inside, const Vector3d& outside, double d_inside, double d_outside,
+                  const Vector3d& normal, double tolerance)
+{
+    const double nearness = std::clamp((d_inside + 20 * tolerance) / (19 * tolerance), 0.0, 1.0);
+    const double level = nearness * tolerance;
+    return inside + (level - d_inside) / (d_outside - d_inside) * (outside - inside) - level * normal;
+}
 
 /// One pass of Sutherland and Hodgman: keeps what lies below the plane (normal, offset); new edges get `label`.
 void clip(std::vector<ClipPoint>& polygon, const Vector3d& normal, double offset, double tolerance,
@@ -73,20 +91,19 @@ void clip(std::vector<ClipPoint>& polygon, const Vector3d& normal, double offset
         const bool in0 = d0 <= tolerance, in1 = d1 <= tolerance;
         if (in0) scratch.push_back(here);
         if (in0 == in1) continue;
-        const Vector3d crossing = here.position + d0 / (d0 - d1) * (next.position - here.position);
-        // Within the tolerance the true crossing may lie outside the segment: take the end that is inside.
-        const Vector3d point = d0 * d1 <= 0 ? crossing : (in0 ? here.position : next.position);
+        const Vector3d point = in0 ? cut_edge(here.position, next.position, d0, d1, normal, tolerance)
+                                   : cut_edge(next.position, here.position, d1, d0, normal, tolerance);
         scratch.push_back({point, in0 ? label : here.leaving});
     }
     polygon.swap(scratch);
 }
 
 std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const PlacedPart& incident, int face,
-                                           double size, double margin)
+                                           int last_incident, double size, double margin)
 {
     const Vector3d& n = reference.normals[face];
     const std::vector<int>& loop = reference.shape->faces[face];
-    const int opposed = most_opposed_face(incident, n);
+    const int opposed = most_opposed_face(incident, n, last_incident);
     if (opposed < 0) return std::nullopt;
     const std::vector<int>& incident_loop = incident.shape->faces[opposed];
     const std::size_t incident_edges = incident_loop.size();
@@ -260,7 +277,10 @@ std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const Pla
     const FaceAxis& chosen = second_is_reference ? of_second : of_first;
     const PlacedPart& reference = second_is_reference ? second : first;
     const PlacedPart& incident = second_is_reference ? first : second;
-    std::optional<ContactPolygon> face = face_polygon(reference, incident, chosen.face, size, margin);
+    const bool same_reference = last_face && last->second_is_reference == second_is_reference;
+    const int last_incident = same_reference ? static_cast<int>(last->incident_feature) : -1;
+    std::optional<ContactPolygon> face =
+        face_polygon(reference, incident, chosen.face, last_incident, size, margin);
     if (face) face->second_is_reference = second_is_reference;
     if (face && chosen.separation > -shallow * size) return face;
 

@@ -39,7 +39,7 @@ using ContactSegment = ContactPolygonIn<2>;
 struct LastContact {
     bool second_is_reference = false;
     bool edge_edge = false;
-    std::uint32_t reference_feature = 0;
+    std::uint32_t reference_feature = 0, incident_feature = 0;
 };
 
 /// Separating-axis test on faces and edge pairs; the axis of largest signed separation wins, with hysteresis for

@@ -34,11 +34,17 @@ EdgeAxis best_edge(const PlacedOutline& reference, const PlacedOutline& other, d
     return best;
 }
 
-int most_opposed_edge(const PlacedOutline& part, const Vector2d& normal)
+/// The edge of the incident outline that looks at the reference edge, with hysteresis for last step's.
+int most_opposed_edge(const PlacedOutline& part, const Vector2d& normal, int last)
 {
     int best = 0;
-    for (int e = 1; e < static_cast<int>(part.normals.size()); ++e)
-        if (part.normals[e].dot(normal) < part.normals[best].dot(normal)) best = e;
+    double best_score = 2;
+    for (int e = 0; e < static_cast<int>(part.normals.size()); ++e) {
+        const double score = part.normals[e].dot(normal) - (e == last ? incident_hysteresis : 0);
+        if (score >= best_score) continue;
+        best = e;
+        best_score = score;
+    }
     return best;
 }
 
@@ -65,13 +71,13 @@ bool clip(SegmentEnd& a, SegmentEnd& b, const Vector2d& normal, double offset, d
 }
 
 std::optional<ContactSegment> edge_segment(const PlacedOutline& reference, const PlacedOutline& incident, int edge,
-                                           double size, double margin)
+                                           int last_incident, double size, double margin)
 {
     const Vector2d& n = reference.normals[edge];
     const Vector2d& from = reference.vertices[edge];
     const Vector2d& to = reference.vertices[(edge + 1) % reference.vertices.size()];
     const Vector2d along = (to - from).normalized();
-    const int opposed = most_opposed_edge(incident, n);
+    const int opposed = most_opposed_edge(incident, n, last_incident);
     SegmentEnd a{incident.vertices[opposed], 0};
     SegmentEnd b{incident.vertices[(opposed + 1) % incident.vertices.size()], 1};
     const double tolerance = clip_tolerance * size;
@@ -110,9 +116,11 @@ std::optional<ContactSegment> contact_polygon(const PlacedOutline& first, const 
     double lead = of_second.separation - of_first.separation - body_preference * size;
     if (last) lead += last_second ? bonus : -bonus;
     const bool second_is_reference = lead > 0;
-    std::optional<ContactSegment> segment = second_is_reference
-                                                ? edge_segment(second, first, of_second.edge, size, margin)
-                                                : edge_segment(first, second, of_first.edge, size, margin);
+    const int last_incident =
+        last && last_second == second_is_reference ? static_cast<int>(last->incident_feature) : -1;
+    std::optional<ContactSegment> segment =
+        second_is_reference ? edge_segment(second, first, of_second.edge, last_incident, size, margin)
+                            : edge_segment(first, second, of_first.edge, last_incident, size, margin);
     if (segment) segment->second_is_reference = second_is_reference;
     return segment;
 }

@@ -5,6 +5,9 @@ namespace voussoir
 {
 
 constexpr double face_hysteresis = 1e-3;  // in favour of last step's reference face
+// In favour of last step's incident face, of the cosine to the reference face: two faces that are bent against
+// each other by less than 0.8 degrees, as the triangles of a warped bed, would take turns for ever.
+constexpr double incident_hysteresis = 1e-4;
 constexpr double body_preference = 1e-6;  // of the first body, so that ties do not flicker
 // A vertex this far outside a side plane still counts as inside. Faces of one size, as in an arch, slide over each
 // other by less than this: without the tolerance their polygons gained and lost corners from step to step, and
