@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/commands/commands.h"
+#include "app/geometry/geometry.h"
 #include "libdda/errors.h"
 
 namespace
@@ -74,10 +75,25 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
     CLI::App* command =
         app.add_subcommand("import", "Certify mesh files: stones, contacts, gaps, overlaps, advice");
     command->add_option("mesh", arguments->files, "Mesh files")->required()->type_name("MESH");
-    command->add_option("--unit", arguments->unit, "Unit of the files: m, cm, mm, ft, in (m)")->type_name("UNIT");
-    command->add_option("--up", arguments->up, "Axis of the files that points up")
-        ->transform(CLI::IsMember({"x", "y", "z"}))
+    command->add_option("--unit", arguments->unit, "Unit of the files: m, cm, mm, ft, in (as they say, else m)")
+        ->type_name("UNIT");
+    command->add_option("--up", arguments->up, "Axis of the files that points up (as they say, else z)")
+        ->transform(CLI::IsMember({"x", "y", "z"}));
+    command->add_option("--stones", arguments->stones, "What becomes one stone")
+        ->check(CLI::IsMember(stone_level_names))
         ->capture_default_str();
+    command
+        ->add_option("--planarity", arguments->planarity,
+                     "Share of a stone's diagonal by which a face may bulge and count as flat")
+        ->capture_default_str();
+    command
+        ->add_option("--volume-error", arguments->volume_error,
+                     "Share of its volume by which the parts of a concave stone may exceed it")
+        ->capture_default_str();
+    command
+        ->add_option("--close-joints", arguments->close_joints,
+                     "Move facing faces together that stand apart by at most this: 25mm")
+        ->type_name("LENGTH");
     add_certificate(*command, arguments->json, arguments->folder);
     command->callback([arguments, &chosen] { chosen = [arguments] { return import_command(*arguments); }; });
 }

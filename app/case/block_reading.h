@@ -50,8 +50,9 @@ struct BlockReading {
 
 /// Adds a block; a fault instead if its name is taken. Parts are in model coordinates. A planar scene takes their
 /// outlines; stones that are no prisms along y, or of another extent along y than those before them, are faults.
+/// @param moments of the stone, where its parts only approximate it
 void add_block(const std::string& name, const std::string& place, const std::string& group, int material,
-               std::vector<ConvexPolyhedron> parts, BlockReading& reading);
+               std::vector<ConvexPolyhedron> parts, BlockReading& reading, const Moments* moments = nullptr);
 
 /// The same from outlines, for planar scenes. @param outlines (x, z) in model coordinates [m]
 void add_planar_block(const std::string& name, const std::string& place, const std::string& group, int material,

@@ -80,14 +80,15 @@ void read_entry(YamlCursor& entry, BlockReading& reading)
 }  // namespace
 
 void add_block(const std::string& name, const std::string& place, const std::string& group, int material,
-               std::vector<ConvexPolyhedron> parts, BlockReading& reading)
+               std::vector<ConvexPolyhedron> parts, BlockReading& reading, const Moments* moments)
 {
     Model& model = reading.model;
     if (is_planar(model.kinematics)) {
         std::vector<ConvexPolygon> outlines = outlines_of(name, place, parts, reading);
         if (!outlines.empty()) add_planar_block(name, place, group, material, std::move(outlines), reading);
     } else if (take_name(name, place, reading)) {
-        model.blocks.push_back(make_block(name, group_index(model, group), material, std::move(parts)));
+        const Moments own = moments != nullptr ? *moments : moments_of(parts);
+        model.blocks.push_back(make_block(name, group_index(model, group), material, std::move(parts), own));
     }
 }
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/case/attached_masses.h"
 #include "app/case/blocks.h"
 #include "app/case/foundation.h"
 #include "app/case/materials.h"
@@ -49,6 +50,7 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
     model.joints = read_joints(top);
     result.mesh_files = read_blocks(top, result.file.parent_path(), model, findings);
     model.joint_of_groups = read_joint_rules(top, model.joints, model.groups);
+    read_attached_masses(top, model);
     foundations = read_foundations(top, model);
 }
 

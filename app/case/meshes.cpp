@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/case/block_reading.h"
 #include "libdda/geometry/plane.h"
 
@@ -8,19 +10,46 @@ namespace voussoir
 namespace
 {
 
-/// `unit: cm`: metres in one of the file's units.
+/// `unit: cm`: metres in one of the file's units; 0: what the file says, else metres.
 double read_unit(YamlCursor& entry)
 {
     const std::optional<YamlCursor> value = entry.find("unit");
     if (!value) {
-        entry.took_default("unit", "m");
-        return 1;
+        entry.took_default("unit", "as the file says, else m");
+        return 0;
     }
     const std::string name = value->as_text();
     const ParsedQuantity one = parse_quantity("1 " + name);
     if (one.problem.empty() && one.has(dimension::length) && !one.bare) return one.value;
     value->fault("\"" + name + "\" is no unit of length", "expected m, cm, mm, ft, in or km");
     return 1;
+}
+
+/// Rounded coordinates make neighbours overlap by next to nothing; a stone that overlaps another by more than this
+/// share of its volume is a mistake.
+constexpr double most_overlap = 0.01;
+
+void judge_overlaps(const Geometry& geometry, BlockReading& reading)
+{
+    const std::string place = reading.meshes.front().file.place();
+    int small = 0;
+    double largest = 0;
+    for (const Overlap& overlap : geometry.overlaps) {
+        if (overlap.share > most_overlap) {
+            reading.findings.faults.push_back({place + ": " + overlap.stone_a + " and " + overlap.stone_b,
+                                               fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
+                                                           overlap.volume, 100 * overlap.share),
+                                               "stones may touch but not overlap by more than 1 %"});
+            continue;
+        }
+        ++small;
+        largest = std::max(largest, overlap.share);
+    }
+    if (small > 0)
+        reading.findings.warnings.push_back(fmt::format(
+            "{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: they start pressed "
+            "together; voussoir check lists them",
+            place, small, 100 * largest));
 }
 
 void warn_of_repairs(const std::string& place, const std::vector<std::string>& repairs, Findings& findings)
@@ -42,7 +71,7 @@ void take_mesh(MeshEntry& entry, const ImportedMesh& mesh, BlockReading& reading
             reading.findings.faults.push_back({stone_place, stone.reason, "mend the mesh"});
         } else if (mesh.accepted) {
             add_block(stone.name, stone_place, group_of(stone.name, entry.patterns), entry.material, stone.parts,
-                      reading);
+                      reading, &stone.moments);
         }
     }
     if (!mesh.accepted && !stone_refused)
@@ -60,7 +89,20 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
     mesh.material = read_material_name(entry, reading.model.materials);
     mesh.patterns = read_group_patterns(entry);
     mesh.request.metres_per_unit = read_unit(entry);
-    mesh.request.up = entry.choice_or<char>("up", {{"x", 'x'}, {"y", 'y'}, {"z", 'z'}}, 'z');
+    const std::optional<char> up = entry.find_choice<char>("up", {{"x", 'x'}, {"y", 'y'}, {"z", 'z'}});
+    if (!up) entry.took_default("up", "as the file says, else z");
+    mesh.request.up = up.value_or(0);
+    mesh.request.stones = entry.choice_or<StoneLevel>("stones",
+                                                      {{"detect", StoneLevel::detect},
+                                                       {"file", StoneLevel::file},
+                                                       {"object", StoneLevel::object},
+                                                       {"group", StoneLevel::group},
+                                                       {"node", StoneLevel::node},
+                                                       {"component", StoneLevel::component}},
+                                                      StoneLevel::detect);
+    mesh.request.planarity = entry.quantity_or("planarity", dimension::number, Range::positive(), 1e-5);
+    mesh.request.volume_error = entry.quantity_or("volume_error", dimension::number, Range::positive(), 0.01);
+    mesh.request.close_joints = entry.quantity_or("close_joints", dimension::length, Range::non_negative(), 0);
     entry.reject_unknown_keys();
     if (mesh.name.empty()) return;
     if (!std::filesystem::is_regular_file(mesh.request.file))
@@ -81,10 +123,7 @@ void import_meshes(BlockReading& reading)
     for (Block& box : model.blocks) box.moments.centroid -= model.origin;
     for (std::size_t i = 0; i < reading.meshes.size(); ++i)
         take_mesh(reading.meshes[i], geometry.meshes.at(i), reading);
-    for (const Overlap& overlap : geometry.overlaps)
-        reading.findings.faults.push_back(
-            {reading.meshes.front().file.place() + ": " + overlap.stone_a + " and " + overlap.stone_b,
-             fmt::format("overlap by {:.3g} m3", overlap.volume), "stones may touch but not overlap"});
+    judge_overlaps(geometry, reading);
 }
 
 }  // namespace voussoir

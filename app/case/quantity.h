@@ -27,6 +27,7 @@ inline constexpr Dimension frequency{{0, 0, -1, 0}, "a frequency", "Hz", "2.5 Hz
 inline constexpr Dimension rate{{0, 0, -1, 0}, "a rate", "1/s", "0.5 1/s"};
 inline constexpr Dimension velocity{{1, 0, -1, 0}, "a velocity", "m/s", "0.2 m/s"};
 inline constexpr Dimension acceleration{{1, 0, -2, 0}, "an acceleration", "m/s2", "0.3 g"};
+inline constexpr Dimension mass{{0, 1, 0, 0}, "a mass", "kg", "500 kg"};
 inline constexpr Dimension density{{-3, 1, 0, 0}, "a density", "kg/m3", "2400 kg/m3"};
 inline constexpr Dimension unit_weight{{-2, 1, -2, 0}, "a weight per volume", "N/m3", "24 kN/m3"};
 inline constexpr Dimension pressure{{-1, 1, -2, 0}, "a pressure", "Pa", "4.5 GPa"};

@@ -21,7 +21,6 @@ constexpr std::size_t most_rows = 60;
 struct CertifiedFile {
     ImportedMesh mesh;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, subtracted from all coordinates
-    std::string unit_from;                             // file, option or assumed
     std::vector<Overlap> overlaps;
     Assembly assembly;  // of the accepted stones
 };

@@ -172,7 +172,7 @@ std::string certificates_json(const std::vector<CertifiedFile>& files)
                         {"accepted", file.mesh.accepted},
                         {"reason", file.mesh.reason},
                         {"repairs", file.mesh.repairs},
-                        {"unit", {{"metres", file.mesh.metres_per_unit}, {"from", file.unit_from}}},
+                        {"unit", {{"metres", file.mesh.metres_per_unit}, {"from", file.mesh.unit_from}}},
                         {"origin_m", {file.origin.x(), file.origin.y(), file.origin.z()}},
                         {"overlaps", to_json(file.overlaps)},
                         {"stones", stones_of(file.mesh, file.origin)},
@@ -188,7 +188,7 @@ std::string certificate_json(const CertifiedCase& the_case)
                           {"accepted", mesh.accepted},
                           {"reason", mesh.reason},
                           {"repairs", mesh.repairs},
-                          {"unit", {{"metres", mesh.metres_per_unit}}},
+                          {"unit", {{"metres", mesh.metres_per_unit}, {"from", mesh.unit_from}}},
                           {"stones", stones_of(mesh, the_case.origin)}});
     for (const AssemblyStone& stone : the_case.assembly.stones)
         blocks.push_back({{"name", stone.name},

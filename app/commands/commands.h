@@ -39,8 +39,11 @@ int check_command(const CheckArguments& arguments);
 
 struct ImportArguments {
     std::vector<std::filesystem::path> files;
-    std::optional<std::string> unit;  // of the files; metres if not given
-    char up = 'z';
+    std::optional<std::string> unit;  // of the files; as they say, or metres, if not given
+    std::optional<char> up;           // as the files say, or z, if not given
+    std::string stones = "detect";    // of stone_level_names
+    double planarity = 1e-5, volume_error = 0.01;
+    std::optional<std::string> close_joints;  // a length
     std::optional<std::filesystem::path> json, folder;
 };
 

@@ -14,27 +14,35 @@ namespace voussoir
 namespace
 {
 
-double metres_per_unit(const std::optional<std::string>& unit)
+/// @param otherwise if the option is not given
+double length_of(const std::optional<std::string>& text, const char* option, const std::string& factor,
+                 double otherwise)
 {
-    if (!unit) return 1;
-    const ParsedQuantity one = parse_quantity("1 " + *unit);
-    if (one.problem.empty() && !one.bare && one.has(dimension::length)) return one.value;
-    throw InputError("--unit " + *unit, "no unit of length", "expected m, cm, mm, ft, in or km");
+    if (!text) return otherwise;
+    const ParsedQuantity length = parse_quantity(factor + *text);
+    if (length.problem.empty() && !length.bare && length.has(dimension::length) && length.value > 0)
+        return length.value;
+    throw InputError(option + (" " + *text), "no length", "expected a unit such as m, cm, mm, ft or in");
 }
 
-/// Where the unit came from. The helper is asked with a unit and says which one it used, so one that differs from
-/// what was asked is the file's own.
-std::string unit_source(const ImportArguments& arguments, const ImportedMesh& mesh)
+MeshRequest request_of(const ImportArguments& arguments)
 {
-    if (mesh.metres_per_unit != metres_per_unit(arguments.unit)) return "file";
-    return arguments.unit ? "option" : "assumed";
+    MeshRequest request;
+    request.metres_per_unit = length_of(arguments.unit, "--unit", "1 ", 0);
+    request.close_joints = length_of(arguments.close_joints, "--close-joints", "", 0);
+    request.up = arguments.up.value_or(0);
+    const auto level = std::find(stone_level_names.begin(), stone_level_names.end(), arguments.stones);
+    request.stones = static_cast<StoneLevel>(level - stone_level_names.begin());
+    request.planarity = arguments.planarity;
+    request.volume_error = arguments.volume_error;
+    return request;
 }
 
 void print_mesh(const CertifiedFile& file)
 {
     const ImportedMesh& mesh = file.mesh;
     fmt::print("{}: {}, {} stones, unit {:g} m ({})\n", mesh.file, mesh.accepted ? "accepted" : "refused",
-               mesh.stones.size(), mesh.metres_per_unit, file.unit_from);
+               mesh.stones.size(), mesh.metres_per_unit, mesh.unit_from);
     for (const std::string& repair : mesh.repairs) fmt::print("  repaired: {}\n", repair);
     for (std::size_t i = 0; i < std::min(mesh.stones.size(), most_rows); ++i) {
         const Stone& stone = mesh.stones[i];
@@ -62,24 +70,22 @@ void print_refusals(const ImportedMesh& mesh)
 }
 
 /// One file by itself: a file that kills the reader or lies far away does not touch the others.
-Geometry import_alone(const std::filesystem::path& file, double metres, char up)
+Geometry import_alone(const MeshRequest& request)
 {
-    if (std::filesystem::is_regular_file(file)) return import_geometry({{file, metres, up}}, {});
+    if (std::filesystem::is_regular_file(request.file)) return import_geometry({request}, {});
     Geometry none;
     ImportedMesh& mesh = none.meshes.emplace_back();
-    mesh.file = file.string();
+    mesh.file = request.file.string();
     mesh.reason = "no such file";
-    mesh.metres_per_unit = metres;
     return none;
 }
 
-CertifiedFile certify(const ImportArguments& arguments, const std::filesystem::path& path, double metres)
+CertifiedFile certify(const MeshRequest& request)
 {
-    Geometry geometry = import_alone(path, metres, arguments.up);
+    Geometry geometry = import_alone(request);
     CertifiedFile file;
     file.mesh = std::move(geometry.meshes.front());
     file.origin = geometry.origin;
-    file.unit_from = unit_source(arguments, file.mesh);
     file.overlaps = std::move(geometry.overlaps);
     AssemblyOrigin origin;
     origin.metres_per_unit = file.mesh.metres_per_unit;
@@ -111,13 +117,14 @@ void write_folder(const ImportArguments& arguments, const std::vector<CertifiedF
 
 int import_command(const ImportArguments& arguments)
 {
-    const double metres = metres_per_unit(arguments.unit);
+    MeshRequest request = request_of(arguments);
     expect_writable(arguments.json, arguments.folder);
     std::vector<CertifiedFile> files;
     bool any_refused = false;
     const bool to_stdout = arguments.json && *arguments.json == "-";
     for (const std::filesystem::path& path : arguments.files) {
-        files.push_back(certify(arguments, path, metres));
+        request.file = path;
+        files.push_back(certify(request));
         any_refused = any_refused || !files.back().mesh.accepted;
         if (!to_stdout) print_mesh(files.back());
         print_refusals(files.back().mesh);

@@ -39,7 +39,7 @@ ImportedMesh refused(const MeshRequest& request, const std::string& failure)
     ImportedMesh mesh;
     mesh.file = request.file.string();
     mesh.reason = "the geometry helper gave no answer: " + failure;
-    mesh.metres_per_unit = request.metres_per_unit;
+    if (request.metres_per_unit > 0) mesh.metres_per_unit = request.metres_per_unit;
     return mesh;
 }
 

@@ -35,6 +35,7 @@ struct ImportedMesh {
     bool accepted = false;
     std::string reason;  // why the file was refused; empty when accepted
     double metres_per_unit = 1;
+    std::string unit_from = "assumed";  // or "file", "option"
     std::vector<std::string> repairs;
     std::vector<Stone> stones;
 };
@@ -43,6 +44,7 @@ struct ImportedMesh {
 struct Overlap {
     std::string stone_a, stone_b;
     double volume = 0;  // m3
+    double share = 0;   // of the smaller stone's volume
 };
 
 struct Geometry {
@@ -51,10 +53,21 @@ struct Geometry {
     std::vector<Overlap> overlaps;
 };
 
+/// What becomes one stone. `detect` takes objects, or groups where there are none, and takes a surface that
+/// consists of several closed shells apart; so do `file` and `component`.
+enum class StoneLevel { detect, file, object, group, node, component };
+
+/// The names above, in their order.
+extern const std::vector<std::string> stone_level_names;
+
 struct MeshRequest {
     std::filesystem::path file;
-    double metres_per_unit = 1;
-    char up = 'z';  // axis of the file that points up: 'x', 'y' or 'z'
+    double metres_per_unit = 0;  // 0: as the file says, metres if it does not
+    char up = 0;                 // axis of the file that points up, 'x', 'y' or 'z'; 0: as the file says, else z
+    StoneLevel stones = StoneLevel::detect;
+    double planarity = 1e-5;     // share of a stone's diagonal by which a face may bulge and count as flat
+    double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
+    double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
 };
 
 struct GeometryLimits {

@@ -4,6 +4,7 @@
 #include <new>
 #include <sstream>
 
+#include "app/geometry/close_joints.h"
 #include "importers/exact/certify.h"
 #include "importers/exact/overlap.h"
 #include "importers/exact/stones_of.h"
@@ -29,21 +30,60 @@ void check(const MeshRequest& request)
 {
     std::vector<Fault> faults;
     const std::string place = request.file.string();
-    if (!std::isfinite(request.metres_per_unit) || request.metres_per_unit <= 0)
-        faults.push_back(
-            {place, "the unit is " + std::to_string(request.metres_per_unit) + " m", "must be > 0 m"});
-    if (request.up != 'x' && request.up != 'y' && request.up != 'z')
-        faults.push_back({place, std::string("the up axis is '") + request.up + "'", "must be x, y or z"});
+    const auto require = [&](bool good, const std::string& found, const char* expected) {
+        if (!good) faults.push_back({place, found, expected});
+    };
+    require(std::isfinite(request.metres_per_unit) && request.metres_per_unit >= 0,
+            "the unit is " + std::to_string(request.metres_per_unit) + " m", "must be > 0 m");
+    require(request.up == 0 || request.up == 'x' || request.up == 'y' || request.up == 'z',
+            std::string("the up axis is '") + request.up + "'", "must be x, y or z");
+    require(request.planarity > 0 && request.planarity <= 1e-2,
+            "the planarity is " + std::to_string(request.planarity), "must be > 0 and at most 0.01");
+    require(request.volume_error > 0 && request.volume_error <= 0.2,
+            "the volume error is " + std::to_string(request.volume_error), "must be > 0 and at most 0.2");
     if (!faults.empty()) throw InputError(faults);
 }
 
 /// File coordinates to metres with z up: a rotation, so that nothing is mirrored.
-Eigen::Vector3d to_metres_z_up(const Eigen::Vector3d& x, const MeshRequest& request)
+Eigen::Vector3d to_metres_z_up(const Eigen::Vector3d& x, double metres_per_unit, char up)
 {
-    Eigen::Vector3d scaled = request.metres_per_unit * x;
-    if (request.up == 'y') return {scaled.x(), 0.0 - scaled.z(), scaled.y()};
-    if (request.up == 'x') return {scaled.y(), scaled.z(), scaled.x()};
+    Eigen::Vector3d scaled = metres_per_unit * x;
+    if (up == 'y') return {scaled.x(), 0.0 - scaled.z(), scaled.y()};
+    if (up == 'x') return {scaled.y(), scaled.z(), scaled.x()};
     return scaled;
+}
+
+/// The unit and the axis: what the user says, else what the file says, else metres and z.
+char settle_frame(const MeshRequest& request, const MeshFile& content, ImportedMesh& mesh)
+{
+    mesh.unit_from = request.metres_per_unit > 0 ? "option" : content.metres_per_unit ? "file" : "assumed";
+    mesh.metres_per_unit =
+        request.metres_per_unit > 0 ? request.metres_per_unit : content.metres_per_unit.value_or(1);
+    if (content.metres_per_unit && std::abs(*content.metres_per_unit / mesh.metres_per_unit - 1) > 1e-9) {
+        std::ostringstream words;
+        words << "the file says that its unit is " << *content.metres_per_unit << " m; the option says "
+              << mesh.metres_per_unit << " m and is followed";
+        mesh.repairs.push_back(words.str());
+    }
+    return request.up != 0 ? request.up : content.up.value_or('z');
+}
+
+StonesBy stones_by(StoneLevel level)
+{
+    switch (level) {
+        case StoneLevel::object:
+            return StonesBy::object;
+        case StoneLevel::group:
+            return StonesBy::group;
+        case StoneLevel::node:
+            return StonesBy::node;
+        case StoneLevel::file:
+        case StoneLevel::component:
+            return StonesBy::file;
+        case StoneLevel::detect:
+            break;
+    }
+    return StonesBy::detect;
 }
 
 double diagonal_of(const PolygonSurface& surface)
@@ -76,14 +116,14 @@ void judge_rounding(const MeshFile& content, ImportedMesh& mesh)
 std::vector<PolygonSurface> read(const MeshRequest& request, ImportedMesh& mesh)
 {
     mesh.file = request.file.string();
-    mesh.metres_per_unit = request.metres_per_unit;
     try {
         check(request);
-        MeshFile content = read_mesh(request.file);
+        MeshFile content = read_mesh(request.file, {stones_by(request.stones)});
         mesh.repairs = content.repairs;
+        const char up = settle_frame(request, content, mesh);
         judge_rounding(content, mesh);
         for (PolygonSurface& surface : content.surfaces)
-            for (Eigen::Vector3d& x : surface.vertices) x = to_metres_z_up(x, request);
+            for (Eigen::Vector3d& x : surface.vertices) x = to_metres_z_up(x, mesh.metres_per_unit, up);
         return content.surfaces;
     } catch (const InputError& error) {
         mesh.reason = sentence(error);
@@ -108,11 +148,13 @@ Eigen::Vector3d choose_origin(const std::vector<std::vector<PolygonSurface>>& fi
     return (0.5 * lower + 0.5 * upper).array().round();
 }
 
-Stone certified(PolygonSurface surface, const Eigen::Vector3d& origin)
+Stone certified(PolygonSurface surface, const MeshRequest& request, const Eigen::Vector3d& origin)
 {
     for (Eigen::Vector3d& x : surface.vertices) x -= origin;
     CertifyOptions options;
     options.origin = origin;
+    options.planarity_tolerance = request.planarity;
+    options.volume_error = request.volume_error;
     Certificate certificate = certify(std::move(surface), options);
     Stone stone;
     stone.name = certificate.name;
@@ -131,15 +173,25 @@ Stone certified(PolygonSurface surface, const Eigen::Vector3d& origin)
     return stone;
 }
 
-void certify_all(std::vector<PolygonSurface> surfaces, const Eigen::Vector3d& origin, ImportedMesh& mesh)
+bool may_be_separated(StoneLevel level)
+{
+    return level == StoneLevel::detect || level == StoneLevel::file || level == StoneLevel::component;
+}
+
+void certify_all(std::vector<PolygonSurface> surfaces, const MeshRequest& request, const Eigen::Vector3d& origin,
+                 ImportedMesh& mesh)
 {
     int refused = 0;
     std::string first;
     for (PolygonSurface& surface : surfaces) {
-        SeparatedStones separated = separate_stones(std::move(surface), CertifyOptions{}.weld_tolerance);
+        SeparatedStones separated;
+        if (may_be_separated(request.stones))
+            separated = separate_stones(std::move(surface), CertifyOptions{}.weld_tolerance);
+        else
+            separated.stones.push_back(std::move(surface));
         mesh.repairs.insert(mesh.repairs.end(), separated.repairs.begin(), separated.repairs.end());
         for (PolygonSurface& one : separated.stones) {
-            mesh.stones.push_back(certified(std::move(one), origin));
+            mesh.stones.push_back(certified(std::move(one), request, origin));
             const Stone& stone = mesh.stones.back();
             if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
         }
@@ -161,7 +213,7 @@ std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
         }
     std::vector<Overlap> overlaps;
     for (const OverlappingPair& pair : find_overlaps(stones))
-        overlaps.push_back({names[pair.a], names[pair.b], pair.volume});
+        overlaps.push_back({names[pair.a], names[pair.b], pair.volume, pair.share});
     return overlaps;
 }
 
@@ -178,7 +230,8 @@ Geometry import_meshes(const std::vector<MeshRequest>& requests)
     geometry.origin = choose_origin(files);
     for (std::size_t i = 0; i < files.size(); ++i)
         if (geometry.meshes[i].reason.empty())
-            certify_all(std::move(files[i]), geometry.origin, geometry.meshes[i]);
+            certify_all(std::move(files[i]), requests[i], geometry.origin, geometry.meshes[i]);
+    for (std::size_t i = 0; i < requests.size(); ++i) close_joints(requests[i].close_joints, geometry.meshes[i]);
     geometry.overlaps = overlaps_of(geometry.meshes);
     return geometry;
 }

@@ -137,9 +137,10 @@ json to_json_value(const ImportedMesh& mesh)
 {
     json stones = json::array();
     for (const Stone& stone : mesh.stones) stones.push_back(to_json_value(stone));
-    return {{"file", mesh.file},       {"accepted", mesh.accepted},
-            {"reason", mesh.reason},   {"metres_per_unit", mesh.metres_per_unit},
-            {"repairs", mesh.repairs}, {"stones", std::move(stones)}};
+    return {{"file", mesh.file},           {"accepted", mesh.accepted},
+            {"reason", mesh.reason},       {"metres_per_unit", mesh.metres_per_unit},
+            {"unit_from", mesh.unit_from}, {"repairs", mesh.repairs},
+            {"stones", std::move(stones)}};
 }
 
 ImportedMesh mesh_from(const json& value)
@@ -149,6 +150,7 @@ ImportedMesh mesh_from(const json& value)
     mesh.accepted = value.at("accepted");
     mesh.reason = value.at("reason");
     mesh.metres_per_unit = value.at("metres_per_unit");
+    mesh.unit_from = value.at("unit_from");
     mesh.repairs = value.at("repairs").get<std::vector<std::string>>();
     for (const json& stone : value.at("stones")) mesh.stones.push_back(stone_from(stone));
     return mesh;
@@ -156,13 +158,19 @@ ImportedMesh mesh_from(const json& value)
 
 }  // namespace
 
+const std::vector<std::string> stone_level_names{"detect", "file", "object", "group", "node", "component"};
+
 std::string to_json(const HelperRequest& request)
 {
     json meshes = json::array();
     for (const MeshRequest& mesh : request.meshes)
         meshes.push_back({{"file", mesh.file.string()},
                           {"metres_per_unit", mesh.metres_per_unit},
-                          {"up", std::string(1, mesh.up)}});
+                          {"up", static_cast<int>(mesh.up)},
+                          {"stones", static_cast<int>(mesh.stones)},
+                          {"planarity", mesh.planarity},
+                          {"volume_error", mesh.volume_error},
+                          {"close_joints", mesh.close_joints}});
     try {
         return json{{"meshes", meshes}, {"seconds", request.limits.seconds}, {"bytes", request.limits.bytes}}
             .dump();
@@ -178,7 +186,10 @@ HelperRequest request_from_json(const std::string& text)
     request.limits = {value.at("seconds").get<double>(), value.at("bytes").get<std::size_t>()};
     for (const json& mesh : value.at("meshes"))
         request.meshes.push_back({mesh.at("file").get<std::string>(), mesh.at("metres_per_unit").get<double>(),
-                                  mesh.at("up").get<std::string>().at(0)});
+                                  static_cast<char>(mesh.at("up").get<int>()),
+                                  static_cast<StoneLevel>(mesh.at("stones").get<int>()),
+                                  mesh.at("planarity").get<double>(), mesh.at("volume_error").get<double>(),
+                                  mesh.at("close_joints").get<double>()});
     return request;
 }
 
@@ -187,7 +198,10 @@ std::string to_json(const Geometry& geometry)
     json meshes = json::array(), overlaps = json::array();
     for (const ImportedMesh& mesh : geometry.meshes) meshes.push_back(to_json_value(mesh));
     for (const Overlap& overlap : geometry.overlaps)
-        overlaps.push_back({{"a", overlap.stone_a}, {"b", overlap.stone_b}, {"volume", overlap.volume}});
+        overlaps.push_back({{"a", overlap.stone_a},
+                            {"b", overlap.stone_b},
+                            {"volume", overlap.volume},
+                            {"share", overlap.share}});
     return dump({{"origin", to_json_value(geometry.origin)},
                  {"meshes", std::move(meshes)},
                  {"overlaps", std::move(overlaps)}});
@@ -200,7 +214,7 @@ Geometry geometry_from_json(const std::string& text)
     geometry.origin = vector_from(value.at("origin"));
     for (const json& mesh : value.at("meshes")) geometry.meshes.push_back(mesh_from(mesh));
     for (const json& overlap : value.at("overlaps"))
-        geometry.overlaps.push_back({overlap.at("a"), overlap.at("b"), overlap.at("volume")});
+        geometry.overlaps.push_back({overlap.at("a"), overlap.at("b"), overlap.at("volume"), overlap.at("share")});
     return geometry;
 }
 

@@ -180,7 +180,8 @@ std::vector<OverlappingPair> find_overlaps(std::span<const std::vector<ConvexPol
                 (bounds[b].lower.array() >= bounds[a].upper.array()).any())
                 continue;
             const double volume = overlap_volume(stones[a], stones[b]);
-            if (volume > tolerance * std::min(bounds[a].volume, bounds[b].volume)) pairs.push_back({a, b, volume});
+            const double share = volume / std::min(bounds[a].volume, bounds[b].volume);
+            if (share > tolerance) pairs.push_back({a, b, volume, share});
         }
     std::sort(pairs.begin(), pairs.end(),
               [](const auto& p, const auto& q) { return std::pair(p.a, p.b) < std::pair(q.a, q.b); });

@@ -20,11 +20,12 @@ double overlap_volume(const ConvexPolyhedron& a, const ConvexPolyhedron& b);
 struct OverlappingPair {
     int a = 0, b = 0;   // a < b
     double volume = 0;  // m3
+    double share = 0;   // of the smaller one's volume
 };
 
 /// All pairs of stones, each a list of convex parts, whose shared volume exceeds `tolerance` times that of the
 /// smaller one. Bounding boxes are swept along x first.
 std::vector<OverlappingPair> find_overlaps(std::span<const std::vector<ConvexPolyhedron>> stones,
-                                           double tolerance = 1e-2);
+                                           double tolerance = 1e-6);
 
 }  // namespace voussoir
