@@ -40,12 +40,14 @@ std::string make_glued_parts(Draft& draft)
                format(": so far they exceed it by %.2g %% of its volume, %.2g %% is allowed; simplify the mesh",
                       100 * result.volume_error, 100 * options.volume_error);
     draft.certificate.parts = std::move(result.parts);
+    // What the parts are in the end: hulls, less what the merging of nearly flat faces took.
+    result.volume_error = moments_of(draft.certificate.parts).volume / draft.certificate.moments.volume - 1;
     draft.certificate.volume_error = result.volume_error;
     const std::size_t count = draft.certificate.parts.size();
     const std::string parts =
         count == 1 ? std::string("its convex hull, ") : format("%zu convex parts glued together, ", count);
     draft.repaired(format("it is concave in %d edges and became ", result.reentrant_edges) + parts +
-                   (result.volume_error > 1e-9
+                   (std::abs(result.volume_error) > 1e-9
                         ? format("which exceed it by %.2g %% of its volume", 100 * result.volume_error)
                         : std::string("without change of volume")));
     return "";

@@ -158,20 +158,20 @@ TEST(Certify, RefusesWhatHasNoVolume)
     expect_refused(certify(box({0, 0, 0}, {1e200, 1, 1})), "check the unit");
 }
 
-TEST(Certify, CutsABentFaceAndJudgesItsTriangles)
+TEST(Certify, CutsABentFaceAsAFanFromItsFirstCorner)
 {
     PolygonSurface bent = unit_cube();
-    bent.vertices[6].z() = 0.8;  // a corner of the roof, which is not flat any more and folds along a diagonal
+    bent.vertices[6].z() = 1.2;  // a corner of the roof {4, 5, 6, 7}, which folds along the diagonal from 4 to 6
     const Certificate ridge = certify(bent);
     ASSERT_EQ(ridge.parts.size(), 1U) << ridge.reason;
-    EXPECT_NEAR(moments_of(ridge.parts[0]).volume, 1 - 0.2 / 6, 1e-15);
+    EXPECT_NEAR(moments_of(ridge.parts[0]).volume, 1 + 0.2 / 3, 1e-15);
     ASSERT_EQ(ridge.repairs.size(), 1U);
     EXPECT_EQ(ridge.repairs[0].find("1 faces are not flat and were cut into triangles"), 0U);
 
-    bent.vertices[6].z() = 1.2;  // the same fold is a valley now
+    bent.vertices[6].z() = 0.8;  // the same fold is a valley now
     const Certificate valley = certify(bent);
     ASSERT_EQ(valley.parts.size(), 2U) << valley.reason;
-    EXPECT_NEAR(moments_of(valley.parts).volume, 1 + 0.2 / 6, 1e-15);
+    EXPECT_NEAR(moments_of(valley.parts).volume, 1 - 0.2 / 3, 1e-15);
 }
 
 }  // namespace

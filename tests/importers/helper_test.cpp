@@ -130,7 +130,7 @@ TEST_F(Helper, ThatOneFileKillsRefusesThatFileOnly)
 TEST_F(Helper, StaysWithinItsMemory)
 {
     std::string text = "o many\n";
-    for (int i = 0; i < 400000; ++i) text += "v 0.123456789 0.123456789 0." + std::to_string(i) + "\n";
+    for (int i = 0; i < 2000000; ++i) text += "v 0.123456789 0.123456789 0." + std::to_string(i) + "\n";
     text += "f 1 2 3\n";
     const auto file = folder_.write("many.obj", text);
     const Geometry geometry = import_geometry({{.file = file}}, {.seconds = 30, .bytes = std::size_t{100} << 20});

@@ -1,0 +1,94 @@
+#include "app/geometry/close_joints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/geometry/assembly.h"
+#include "app/geometry/import_meshes.h"
+#include "importers/mesh/write_obj.h"
+#include "tests/importers/concave_shapes.h"
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr double gap = 0.025, length = 0.5, height = 0.25, depth = 0.3;
+
+/// Three courses of bricks with head and bed joints drawn as gaps.
+std::vector<PolygonSurface> bricks()
+{
+    std::vector<PolygonSurface> stones;
+    for (int c = 0; c < 3; ++c)
+        for (int b = 0; b < 4; ++b) {
+            const double x = b * (length + gap) + (c % 2) * (length + gap) / 2, z = c * (height + gap);
+            PolygonSurface brick = box({x, 0, z}, {x + length, depth, z + height});
+            brick.name = "brick_" + std::to_string(c) + std::to_string(b);
+            stones.push_back(brick);
+        }
+    return stones;
+}
+
+ImportedMesh import(const std::vector<PolygonSurface>& stones, double close)
+{
+    const ScratchFolder folder;
+    return import_meshes({{.file = folder.write("stones.obj", to_obj(stones, {})), .close_joints = close}})
+        .meshes[0];
+}
+
+Assembly assembly_of(const ImportedMesh& mesh)
+{
+    std::vector<AssemblyStone> stones;
+    for (const Stone& stone : mesh.stones)
+        stones.push_back({stone.name, stone.parts, stone.moments.volume, stone.volume_error, false});
+    return examine_assembly(stones, {}, {});
+}
+
+TEST(CloseJoints, MovesFacingFacesToTheMiddle)
+{
+    EXPECT_TRUE(assembly_of(import(bricks(), 0)).contacts.empty());
+    const ImportedMesh closed = import(bricks(), 0.03);
+    ASSERT_TRUE(closed.accepted) << closed.reason;
+    const Assembly assembly = assembly_of(closed);
+    EXPECT_TRUE(assembly.gaps.empty());
+    EXPECT_TRUE(assembly.floating.empty());
+    double head = 0, bed = 0;
+    for (const StoneContact& contact : assembly.contacts)
+        (std::abs(contact.normal.z()) > 0.5 ? bed : head) += contact.area;
+    // Courses are 25 cm high and the two beds grew by half a joint each; the middle course is 27.5 cm high.
+    EXPECT_NEAR(head, depth * 3 * (2 * (height + gap / 2) + height + gap), 1e-9);
+    const double course = 4 * length + 3 * gap, half = (length + gap) / 2;
+    EXPECT_NEAR(bed, depth * 2 * (course - half), 1e-9);
+    double volume = 0;
+    for (const Stone& stone : closed.stones) {
+        volume += stone.moments.volume;
+        ASSERT_EQ(stone.repairs.size(), 1U);
+        EXPECT_NE(stone.repairs[0].find("the stone grew by"), std::string::npos);
+    }
+    EXPECT_NEAR(volume, depth * course * (3 * height + 2 * gap), 1e-9);
+}
+
+TEST(CloseJoints, LeavesWiderGapsOpen)
+{
+    const ImportedMesh open = import(bricks(), 0.02);
+    EXPECT_TRUE(assembly_of(open).contacts.empty());
+    EXPECT_TRUE(open.stones[0].repairs.empty());
+}
+
+TEST(CloseJoints, MovesTheWholeWallOfAGluedStone)
+{
+    PolygonSurface l = l_shape();  // its wall x = 0 belongs to two parts; the post faces only one of them
+    PolygonSurface post = box({-0.5, 1.2, 0}, {-gap, 2, 1});
+    post.name = "post";
+    l.name = "L";
+    const ImportedMesh closed = import({l, post}, 0.03);
+    ASSERT_TRUE(closed.accepted) << closed.reason;
+    EXPECT_NEAR(closed.stones[0].moments.volume, 3 + 2 * gap / 2, 1e-9);
+    const Assembly assembly = assembly_of(closed);
+    ASSERT_EQ(assembly.contacts.size(), 1U);
+    EXPECT_NEAR(assembly.contacts[0].area, 0.8, 1e-9);
+}
+
+}  // namespace
+}  // namespace voussoir
