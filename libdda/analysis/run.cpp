@@ -92,10 +92,11 @@ bool run_static(const Stage& stage, Progress& progress)
         for (int n = 0; quiet < 2; ++n) {
             if (n == stage.max_static_steps) {
                 std::ostringstream message;
-                message << "stage '" << stage.name << "' found no equilibrium in " << n
-                        << " steps: the unbalanced force is still " << progress.report.static_unbalanced
-                        << " of a block's load; the structure may be a mechanism under its own weight, or it needs a "
-                           "larger time_step in this stage to come to rest";
+                message
+                    << "stage '" << stage.name << "' found no equilibrium in " << n
+                    << " steps: the unbalanced force is still " << progress.report.static_unbalanced
+                    << " of a block's load; the structure may be a mechanism under its own weight, or it needs a "
+                       "larger time_step in this stage to come to rest";
                 progress.report.outcome = Outcome::gave_up;
                 progress.report.message = message.str();
                 ++progress.report.unconverged_steps;

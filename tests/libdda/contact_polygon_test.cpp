@@ -233,6 +233,84 @@ TEST(FaceContact, the_side_of_a_flush_floor_is_not_touched)
 }
 
 // Where the scene stands in space is no property of a contact.
+/// A box whose bottom is bent along x = 0 by `bend` [rad] on either side: two faces that look down.
+ConvexPolyhedron box_with_bent_bottom(double bend)
+{
+    const double drop = 0.5 * std::tan(bend);
+    const std::vector<Vector3d> vertices{{-0.5, -0.5, -0.5 + drop},
+                                         {0, -0.5, -0.5},
+                                         {0.5, -0.5, -0.5 + drop},
+                                         {-0.5, 0.5, -0.5 + drop},
+                                         {0, 0.5, -0.5},
+                                         {0.5, 0.5, -0.5 + drop},
+                                         {-0.5, -0.5, 0.5},
+                                         {0.5, -0.5, 0.5},
+                                         {-0.5, 0.5, 0.5},
+                                         {0.5, 0.5, 0.5}};
+    return make_convex_polyhedron(
+        vertices,
+        {{0, 3, 4, 1}, {1, 4, 5, 2}, {6, 7, 9, 8}, {0, 1, 2, 7, 6}, {3, 8, 9, 5, 4}, {0, 6, 8, 3}, {2, 5, 9, 7}});
+}
+
+std::uint32_t incident_face(double bend, double tilt, std::optional<std::uint32_t> last)
+{
+    Model model = make_model(Kinematics::spatial_rigid, stone(), dry(30));
+    add_box(model, "floor", {-2, -2, -1}, {2, 2, 0});
+    model.blocks.push_back(make_block("bent", 0, 0, {box_with_bent_bottom(bend)}));
+    State state = initial_state(model);
+    set_pose(model, state, 1, {0, 0, 0.5}, Eigen::AngleAxisd(tilt, Vector3d::UnitY()).toRotationMatrix());
+    const std::vector<PlacedPart> parts = placed(model, state);
+    std::optional<LastContact> history;
+    if (last) history = LastContact{false, false, 5, *last};  // reference: the floor's top
+    const std::optional<ContactPolygon> found = contact_polygon(parts[0], parts[1], 1e-2, history);
+    EXPECT_TRUE(found && !found->second_is_reference);
+    return found ? found->incident_feature : 99;
+}
+
+TEST(FaceContact, keeps_its_incident_face_while_another_is_hardly_more_opposed)
+{
+    // Bent by 0.1 degrees and tilted to and fro by 0.02: without memory the faces take turns.
+    const double bend = 0.1 * degrees, tilt = 0.02 * degrees;
+    const std::uint32_t one = incident_face(bend, tilt, {}), other = incident_face(bend, -tilt, {});
+    EXPECT_NE(one, other);
+    for (const std::uint32_t face : {one, other}) {
+        EXPECT_EQ(incident_face(bend, tilt, face), face);
+        EXPECT_EQ(incident_face(bend, -tilt, face), face);
+    }
+    // Where a face has clearly turned away it is given up.
+    EXPECT_EQ(incident_face(bend, 2 * degrees, other), one);
+}
+
+TEST(FaceContact, glued_faces_are_never_touched)
+{
+    Model model = make_model(Kinematics::spatial_rigid, stone(), dry(30));
+    ConvexPolyhedron part = make_box({-0.5, -0.5, -1}, {0.5, 0.5, 0});
+    part.glued.assign(part.faces.size(), false);
+    for (int f = 0; f < static_cast<int>(part.faces.size()); ++f)
+        part.glued[f] = std::abs(face_normal(part, f).x()) > 0.5;  // its sides belong to other parts of the stone
+    model.blocks.push_back(make_block("part", 0, 0, {part}));
+    // A box that stands on the next part and reaches over this one by less than it has sunk: were the glued side
+    // touched, it would be pushed sideways. A little further on the top carries it.
+    const auto contact = [&](double reach, double depth) {
+        model.blocks.resize(1);
+        add_box(model, "box", {0.5 - reach, -0.2, -depth}, {1, 0.2, 1});
+        const State state = initial_state(model);
+        const std::vector<PlacedPart> parts = placed(model, state);
+        return contact_polygon(parts[0], parts[1], 1e-3, {});
+    };
+    EXPECT_FALSE(contact(1e-5, 1e-4));
+    const std::optional<ContactPolygon> top = contact(1e-3, 1e-4);
+    ASSERT_TRUE(top);
+    EXPECT_GT(std::abs(top->normal.z()), 0.99);
+    ConvexPolyhedron core = part;  // all faces glued: the inside of a stone
+    core.glued.assign(core.faces.size(), true);
+    model.blocks[0] = make_block("core", 0, 0, {core});
+    model.blocks[1].parts[0].glued.assign(model.blocks[1].parts[0].faces.size(), true);
+    const State state = initial_state(model);
+    const std::vector<PlacedPart> parts = placed(model, state);
+    EXPECT_FALSE(contact_polygon(parts[0], parts[1], 1e-3, {}));
+}
+
 TEST(FaceContact, is_the_same_in_every_frame)
 {
     Random random(3);
