@@ -36,6 +36,7 @@ constexpr std::size_t most_overlaps = 8;
 
 void draw_overlaps(Album& album)
 {
+    if (!overlaps_matter(album.assembly)) return;
     std::vector<StoneOverlap> overlaps = album.assembly.overlaps;
     std::stable_sort(overlaps.begin(), overlaps.end(),
                      [](const StoneOverlap& a, const StoneOverlap& b) { return a.volume > b.volume; });

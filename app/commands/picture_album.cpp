@@ -131,4 +131,11 @@ MarkedFeature contact_mark(const StoneContact& contact, const std::string& label
     return mark;
 }
 
+bool overlaps_matter(const Assembly& assembly)
+{
+    return std::any_of(assembly.findings.begin(), assembly.findings.end(), [](const AssemblyFinding& finding) {
+        return finding.kind == "overlaps" && !finding.harmless;
+    });
+}
+
 }  // namespace voussoir

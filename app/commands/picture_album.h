@@ -29,6 +29,9 @@ void add_shape(PictureShape shape, Album& album);
 /// Adds a picture of some stones with their neighbours, or counts it as left out when there are many already.
 void add_picture(DefectPicture picture, const std::string& name, Album& album);
 
+/// False when all overlaps are shallower than the contact tolerance: marked, they would hide what matters.
+bool overlaps_matter(const Assembly& assembly);
+
 /// The picture of the whole assembly, with a mark for each finding.
 void add_whole(Album& album);
 

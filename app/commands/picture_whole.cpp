@@ -26,8 +26,9 @@ void mark_findings(const Assembly& assembly, DefectPicture& picture)
                   {},
                   assembly.gaps[group.gaps[i]].polygons},
                  MarkLook::gap});
+    const bool overlaps = overlaps_matter(assembly);
     for (const StoneOverlap& overlap : assembly.overlaps)
-        if (picture.marks.size() < most_marks)
+        if (overlaps && picture.marks.size() < most_marks)
             picture.marks.push_back({overlap_mark(assembly, overlap), MarkLook::defect});
     for (const int stone : assembly.floating) {
         const MarkedFeature outline = outline_of(assembly.stones[stone], "touches none");
@@ -39,7 +40,7 @@ void mark_findings(const Assembly& assembly, DefectPicture& picture)
     const bool tilted = std::any_of(assembly.contacts.begin(), assembly.contacts.end(),
                                     [](const StoneContact& c) { return c.touch == Touch::tilted; });
     if (!assembly.gaps.empty()) picture.mark_legend.emplace_back(MarkLook::gap, "gap");
-    if (!assembly.overlaps.empty() || !assembly.floating.empty())
+    if (overlaps || !assembly.floating.empty())
         picture.mark_legend.emplace_back(MarkLook::defect, "overlap, floating stone");
     if (tilted) picture.mark_legend.emplace_back(MarkLook::contact, "an edge touches");
 }

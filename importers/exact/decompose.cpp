@@ -154,11 +154,25 @@ class Cutter
     bool approximate_ = false;
 };
 
+/// The hull of the corners that are further than `distance` from one another: where a cut passes close by a corner
+/// there are two. The hull itself if nothing would be left of it.
+TriangleSurface without_near_corners(const TriangleSurface& hull, double distance)
+{
+    std::vector<Vector3d> kept;
+    for (const Vector3d& x : hull.vertices)
+        if (std::none_of(kept.begin(), kept.end(), [&](const Vector3d& k) { return (k - x).norm() <= distance; }))
+            kept.push_back(x);
+    if (kept.size() == hull.vertices.size()) return hull;
+    TriangleSurface thinned = convex_hull(kept);
+    return thinned.triangles.empty() ? hull : thinned;
+}
+
 /// The hull of a piece; the faces in its cuts are glued.
 ConvexPolyhedron part_of(const Piece& piece, double planarity, double diagonal, const std::string& name)
 {
-    PolygonSurface merged{name, piece.hull.vertices, {}};
-    for (const Eigen::Vector3i& t : piece.hull.triangles) merged.faces.push_back({t[0], t[1], t[2]});
+    const TriangleSurface hull = without_near_corners(piece.hull, planarity * diagonal);
+    PolygonSurface merged{name, hull.vertices, {}};
+    for (const Eigen::Vector3i& t : hull.triangles) merged.faces.push_back({t[0], t[1], t[2]});
     merged.faces = merge_coplanar_faces(merged.vertices, std::move(merged.faces), planarity / 4);
     drop_unused_vertices(merged);
     ConvexPolyhedron part = make_convex_polyhedron(merged.vertices, merged.faces, name, planarity);
