@@ -85,10 +85,12 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
     command
         ->add_option("--planarity", arguments->planarity,
                      "Share of a stone's diagonal by which a face may bulge and count as flat")
+        ->check(CLI::Range(1e-9, 0.01))
         ->capture_default_str();
     command
         ->add_option("--volume-error", arguments->volume_error,
                      "Share of its volume by which the parts of a concave stone may exceed it")
+        ->check(CLI::Range(1e-6, 0.2))
         ->capture_default_str();
     command
         ->add_option("--close-joints", arguments->close_joints,

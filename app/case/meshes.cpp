@@ -84,6 +84,7 @@ void take_mesh(MeshEntry& entry, const ImportedMesh& mesh, BlockReading& reading
 
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
 {
+    const std::size_t faults_before = reading.findings.faults.size();
     MeshEntry mesh{file, file.as_text(), {}, 0, {}};
     mesh.request.file = reading.folder / mesh.name;
     mesh.material = read_material_name(entry, reading.model.materials);
@@ -100,14 +101,15 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
                                                        {"node", StoneLevel::node},
                                                        {"component", StoneLevel::component}},
                                                       StoneLevel::detect);
-    mesh.request.planarity = entry.quantity_or("planarity", dimension::number, Range::positive(), 1e-5);
-    mesh.request.volume_error = entry.quantity_or("volume_error", dimension::number, Range::positive(), 0.01);
+    mesh.request.planarity = entry.quantity_or("planarity", dimension::number, Range{0, 0.01, false, true}, 1e-5);
+    mesh.request.volume_error =
+        entry.quantity_or("volume_error", dimension::number, Range{0, 0.2, false, true}, 0.01);
     mesh.request.close_joints = entry.quantity_or("close_joints", dimension::length, Range::non_negative(), 0);
     entry.reject_unknown_keys();
     if (mesh.name.empty()) return;
     if (!std::filesystem::is_regular_file(mesh.request.file))
         file.fault("no mesh file " + mesh.request.file.string(), "paths are relative to the case file");
-    else
+    else if (reading.findings.faults.size() == faults_before)
         reading.meshes.push_back(std::move(mesh));
 }
 

@@ -22,7 +22,9 @@ double length_of(const std::optional<std::string>& text, const char* option, con
     const ParsedQuantity length = parse_quantity(factor + *text);
     if (length.problem.empty() && !length.bare && length.has(dimension::length) && length.value > 0)
         return length.value;
-    throw InputError(option + (" " + *text), "no length", "expected a unit such as m, cm, mm, ft or in");
+    throw InputError(
+        option + (" " + *text), factor.empty() ? "no length" : "no unit of length",
+        factor.empty() ? "expected a length > 0 with its unit, such as 25mm" : "expected m, cm, mm, ft, in or km");
 }
 
 MeshRequest request_of(const ImportArguments& arguments)

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "libdda/contact/broad_phase.h"
@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 namespace
 {
 
-constexpr double touching = 1e-9;     // share of the size: nearer faces need no closing
+constexpr double slack_share = 1e-6;  // of the size: nearer faces touch; gaps are measured so finely
 constexpr double facing = 0.9998;     // cosine between the normals of faces that look at each other: 1 degree
 constexpr double least_share = 0.01;  // of the smaller stone's size squared: less area does not face
 constexpr double one_plane = 1e-6;    // share of the size
@@ -55,31 +55,54 @@ std::vector<PlacedPart> place(const ImportedMesh& mesh)
     return placed;
 }
 
-/// How far each face has to go: half the width of its narrowest joint.
-std::map<Face, double> moves_of(const std::vector<PlacedPart>& parts, std::size_t stones, double width)
+/// Two faces that look at each other over a gap [m]; 0: they touch.
+struct Joint {
+    Face a, b;
+    double gap = 0;
+};
+
+std::vector<Joint> joints_of(const std::vector<PlacedPart>& parts, std::size_t stones, double width)
 {
-    std::map<Face, double> moves;
+    std::vector<Joint> joints;
     const std::vector<double> reach(stones, width);
     for (const auto& [i, j] : candidate_pairs(parts, reach, std::vector<bool>(stones, false))) {
         const PlacedPart &first = parts[i], &second = parts[j];
-        const std::optional<ContactPolygon> joint = contact_polygon(first, second, width, std::nullopt);
-        if (!joint || joint->edge_edge) continue;
-        const PlacedPart& reference = joint->second_is_reference ? second : first;
-        const PlacedPart& incident = joint->second_is_reference ? first : second;
-        const double size = std::min(first.size, second.size);
+        const double size = std::min(first.size, second.size), slack = slack_share * size;
+        const std::optional<ContactPolygon> found = contact_polygon(first, second, width + slack, std::nullopt);
+        if (!found || found->edge_edge) continue;
+        const PlacedPart& reference = found->second_is_reference ? second : first;
+        const PlacedPart& incident = found->second_is_reference ? first : second;
         double area = 0, gap = 0;
-        for (const PolygonPoint& point : joint->points) {
+        for (const PolygonPoint& point : found->points) {
             area += point.area;
             gap += point.area * point.gap;
         }
-        const bool faces = -incident.normals[joint->incident_feature].dot(joint->normal) > facing;
+        const bool faces = -incident.normals[found->incident_feature].dot(found->normal) > facing;
         if (!faces || area < least_share * size * size) continue;
         gap /= area;
-        if (gap <= touching * size || gap > width) continue;
-        for (const Face& face : {Face{reference.block, reference.part, static_cast<int>(joint->reference_feature)},
-                                 Face{incident.block, incident.part, static_cast<int>(joint->incident_feature)}}) {
-            double& move = moves.try_emplace(face, gap / 2).first->second;
-            move = std::min(move, gap / 2);
+        if (gap > width + slack) continue;
+        joints.push_back({{reference.block, reference.part, static_cast<int>(found->reference_feature)},
+                          {incident.block, incident.part, static_cast<int>(found->incident_feature)},
+                          gap <= slack ? 0 : gap});
+    }
+    return joints;
+}
+
+/// How far each face has to go: half the width of its narrowest joint, or all of it where the other face touches
+/// a third one already and stays.
+std::map<Face, double> moves_of(const std::vector<Joint>& joints)
+{
+    std::map<Face, double> moves;
+    std::set<Face> stays;
+    for (const Joint& joint : joints)
+        if (joint.gap == 0) stays.insert({joint.a, joint.b});
+    for (const Joint& joint : joints) {
+        if (joint.gap == 0) continue;
+        for (const auto& [face, other] : {std::pair(joint.a, joint.b), std::pair(joint.b, joint.a)}) {
+            if (stays.contains(face)) continue;
+            const double step = stays.contains(other) ? joint.gap : joint.gap / 2;
+            double& move = moves.try_emplace(face, step).first->second;
+            move = std::min(move, step);
         }
     }
     return moves;
@@ -133,7 +156,7 @@ ConvexPolyhedron grown(const ConvexPolyhedron& part, const std::vector<double>& 
 bool close_once(double width, ImportedMesh& mesh, std::map<int, double>& grew, std::map<int, std::string>& stuck)
 {
     const std::vector<PlacedPart> parts = place(mesh);
-    std::map<Face, double> moves = moves_of(parts, mesh.stones.size(), width);
+    std::map<Face, double> moves = moves_of(joints_of(parts, mesh.stones.size(), width));
     if (moves.empty()) return false;
     for (int s = 0; s < static_cast<int>(mesh.stones.size()); ++s) {
         Stone& stone = mesh.stones[s];

@@ -191,7 +191,13 @@ void certify_all(std::vector<PolygonSurface> surfaces, const MeshRequest& reques
             separated.stones.push_back(std::move(surface));
         mesh.repairs.insert(mesh.repairs.end(), separated.repairs.begin(), separated.repairs.end());
         for (PolygonSurface& one : separated.stones) {
-            mesh.stones.push_back(certified(std::move(one), request, origin));
+            const std::string name = one.name;
+            try {
+                mesh.stones.push_back(certified(std::move(one), request, origin));
+            } catch (const std::bad_alloc&) {
+                mesh.stones.emplace_back().name = name;
+                mesh.stones.back().reason = "certifying it needs more memory than is allowed";
+            }
             const Stone& stone = mesh.stones.back();
             if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
         }

@@ -7,6 +7,7 @@
 #include "importers/exact/draft.h"
 #include "importers/exact/repairs.h"
 #include "importers/exact/shell.h"
+#include "importers/exact/stones_of.h"
 #include "importers/exact/weld.h"
 #include "libdda/errors.h"
 
@@ -65,7 +66,7 @@ void mend_joints_of_faces(Draft& draft)
         format("faces met without sharing their corners: %d corners were inserted into edges", inserted));
 }
 
-/// How far round the first hole is, and whether one flat face would close it.
+/// How long all open edges are together.
 std::string describe_holes(const Draft& draft, const std::vector<DirectedEdge>& open)
 {
     double length = 0;
@@ -97,15 +98,12 @@ std::string check_shells(Draft& draft)
     draft.shell = shell_of_faces(draft.surface);
     const int count = *std::max_element(draft.shell.begin(), draft.shell.end()) + 1;
     if (count == 1) return "";
-    std::vector<PolygonSurface> shells(count, PolygonSurface{"", draft.surface.vertices, {}});
-    for (std::size_t f = 0; f < draft.shell.size(); ++f)
-        shells[draft.shell[f]].faces.push_back(draft.surface.faces[f]);
-    for (PolygonSurface& shell : shells) drop_unused_vertices(shell);
+    const std::vector<PolygonSurface> shells = shells_of(draft.surface);
     int outside = 0;
     for (int s = 1; s < count; ++s)
         if (diagonal_of(shells[s]) > diagonal_of(shells[outside])) outside = s;
     for (int s = 0; s < count; ++s)
-        if (s != outside && std::abs(winding_number(shells[outside], shells[s].vertices.front())) < 0.5)
+        if (s != outside && !lies_inside(shells[s], shells[outside]))
             return format("it consists of %d separate shells; give each stone an object of its own", count);
     for (int& shell : draft.shell) shell = shell == outside ? 0 : shell == 0 ? outside : shell;
     draft.repaired(format("%d closed surfaces inside it were taken as cavities", count - 1));
@@ -245,7 +243,7 @@ Certificate certify(PolygonSurface surface, const CertifyOptions& options)
     draft.certificate.name = draft.surface.name;
     std::string& reason = draft.certificate.reason;
     try {
-        for (const CertifyStep step : {check_size, weld_vertices, check_closed, check_shells, orient,
+        for (const CertifyStep step : {check_size, weld_vertices, check_closed, orient, check_shells,
                                        check_crossings, check_volume, check_convex})
             if (reason = step(draft); !reason.empty()) break;
     } catch (const InputError& error) {

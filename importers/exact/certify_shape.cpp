@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "importers/exact/convexity.h"
+#include "importers/exact/cut_choice.h"
 #include "importers/exact/draft.h"
 #include "importers/exact/weld.h"
 
@@ -9,6 +10,21 @@ namespace voussoir
 
 namespace
 {
+
+/// Every vertex against every face; of a large surface every face against its neighbours, and the whole against
+/// its hull.
+bool is_convex(const Draft& draft, double allowed)
+{
+    const PolygonSurface& surface = draft.surface;
+    if (surface.faces.size() * surface.vertices.size() < 100'000'000)
+        return worst_outlier(surface).distance <= allowed;
+    const TriangleSurface triangles{surface.vertices, draft.examination.triangles};
+    if (!reentrant_edges(triangles, allowed).empty()) return false;
+    const TriangleSurface hull = convex_hull(surface.vertices);
+    double area = 0;
+    for (const Eigen::Vector3i& t : hull.triangles) area += normal_of(hull, t).norm() / 2;
+    return volume_of(hull) - draft.certificate.moments.volume <= allowed * area;
+}
 
 /// A convex stone: one part, with coplanar faces merged.
 void make_one_part(Draft& draft)
@@ -37,11 +53,14 @@ std::string make_glued_parts(Draft& draft)
         decompose({draft.surface.vertices, draft.examination.triangles}, how, draft.certificate.name);
     if (!result.reason.empty())
         return format("it is concave in %d edges and ", result.reentrant_edges) + result.reason +
-               format(": so far they exceed it by %.2g %% of its volume, %.2g %% is allowed; simplify the mesh",
-                      100 * result.volume_error, 100 * options.volume_error);
+               format(
+                   ": so far they exceed it by %.2g %% of its volume, %.2g %% is allowed; simplify the mesh or "
+                   "allow more (volume_error)",
+                   100 * result.volume_error, 100 * options.volume_error);
     draft.certificate.parts = std::move(result.parts);
     // What the parts are in the end: hulls, less what the merging of nearly flat faces took.
     result.volume_error = moments_of(draft.certificate.parts).volume / draft.certificate.moments.volume - 1;
+    if (std::abs(result.volume_error) < 1e-12) result.volume_error = 0;
     draft.certificate.volume_error = result.volume_error;
     const std::size_t count = draft.certificate.parts.size();
     const std::string parts =
@@ -63,7 +82,7 @@ std::string check_convex(Draft& draft)
         draft.repaired(format("%zu faces are not flat and were cut into triangles, the first by %.3g m at ",
                               bent.size(), bent.front().distance) +
                        draft.at(bent.front().vertex));
-    draft.certificate.convex = worst_outlier(draft.surface).distance <= allowed;
+    draft.certificate.convex = is_convex(draft, allowed);
     if (!draft.certificate.convex) return make_glued_parts(draft);
     make_one_part(draft);
     return "";

@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr double shares[] = {0.5, 0.35, 0.65, 0.2, 0.8};  // of the range of angles that resolve an edge
+constexpr std::size_t most_edges = 64;                    // that are looked at
 constexpr double least_angle = 0.03;                      // rad, between a cut and a face at its edge
 constexpr double crossing_penalty = 0.75;                 // an edge that is crossed has to be resolved twice
 constexpr double ridge_penalty = 0.1;                     // a convex edge in the cut is lost to edge contacts
@@ -174,10 +175,17 @@ void weight_by_depth(std::vector<ReentrantEdge>& edges, const TriangleSurface& h
 std::vector<CutPlane> cutting_planes(const TriangleSurface& surface, const std::vector<ReentrantEdge>& edges,
                                      double tolerance, std::size_t count)
 {
-    const Judge judge(surface, edges, tolerance);
+    // Of a rough stone only the edges that are worth most propose planes and judge them.
+    std::vector<ReentrantEdge> worth = edges;
+    if (worth.size() > most_edges) {
+        std::stable_sort(worth.begin(), worth.end(),
+                         [](const ReentrantEdge& a, const ReentrantEdge& b) { return a.weight > b.weight; });
+        worth.resize(most_edges);
+    }
+    const Judge judge(surface, worth, tolerance);
     std::vector<Candidate> good;
-    for (const ReentrantEdge& edge : edges)
-        for (Candidate& candidate : candidates_at(edge, edges, tolerance))
+    for (const ReentrantEdge& edge : worth)
+        for (Candidate& candidate : candidates_at(edge, worth, tolerance))
             if (judge.judge(candidate)) good.push_back(candidate);
     std::stable_sort(good.begin(), good.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });

@@ -18,9 +18,10 @@ using Eigen::Vector3d;
 namespace
 {
 
-constexpr double in_plane = 1e-6;  // share of the diagonal: nearer points lie in a plane; as wide as the welding
-constexpr double nothing = 1e-9;   // share of the volume: smaller pieces are crumbs of rounding
-constexpr std::size_t tries = 12;  // planes, of which the best is taken
+constexpr double in_plane = 1e-6;    // share of the diagonal: nearer points lie in a plane; as wide as the welding
+constexpr double nothing = 1e-9;     // share of the volume: smaller pieces are crumbs of rounding
+constexpr std::size_t tries = 12;    // planes, of which the best is taken; fewer of large pieces
+constexpr std::size_t large = 1000;  // triangles
 
 /// A piece of the stone, with the cuts that bound it.
 struct Piece {
@@ -133,8 +134,10 @@ class Cutter
     void cut(std::size_t index)
     {
         Piece& piece = pieces[index];
+        const std::size_t count =
+            std::clamp<std::size_t>(tries * large / piece.surface.triangles.size(), 1, tries);
         std::vector<Piece> best;
-        for (const CutPlane& plane : cutting_planes(piece.surface, piece.edges, in_plane * diagonal_, tries)) {
+        for (const CutPlane& plane : cutting_planes(piece.surface, piece.edges, in_plane * diagonal_, count)) {
             const std::optional<Halves> halves = cut_solid(piece.surface, plane, in_plane * diagonal_);
             if (!halves) continue;
             std::vector<Piece> made = pieces_of(*halves, plane, piece);
@@ -195,7 +198,9 @@ Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& 
     result.reentrant_edges = cutter.reentrant_count;
     result.volume_error = cutter.volume_error();
     if (std::abs(result.volume_error) > options.volume_error) {
-        result.reason = "needs more than " + std::to_string(options.most_parts) + " convex parts";
+        const bool full = static_cast<int>(cutter.pieces.size()) >= options.most_parts;
+        result.reason = full ? "needs more than " + std::to_string(options.most_parts) + " convex parts"
+                             : "some of its parts could not be cut any further";
         return result;
     }
     for (const Piece& piece : cutter.pieces)

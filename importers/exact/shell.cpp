@@ -19,6 +19,10 @@ struct Use {
     int forward = 0, backward = 0;
 };
 
+// rad. No stone is as sharp as this: a face so near to another one, on its inside, is the neighbour's, whose
+// survey rounded or which is triangulated along the other diagonal.
+constexpr double touching_angle = 0.02;
+
 /// A face at an edge, and whether it runs along it from the smaller vertex to the larger.
 struct FaceAtEdge {
     int face = 0;
@@ -62,7 +66,7 @@ class Fan
     {
         const Vector3d direction = into(surface, other);
         const double a = std::atan2(direction.dot(inward_), direction.dot(into_));
-        return a < 1e-9 ? a + 2 * std::numbers::pi : a;
+        return a < touching_angle ? a + 2 * std::numbers::pi : a;
     }
 
  private:
@@ -80,7 +84,7 @@ bool some_coincide(const PolygonSurface& surface, const std::pair<int, int>& edg
     for (const FaceAtEdge& a : faces)
         for (const FaceAtEdge& b : faces)
             if (a.face < b.face && a.forward != b.forward &&
-                std::abs(Fan(surface, edge, a).angle(surface, b) - 2 * std::numbers::pi) < 1e-6)
+                std::abs(Fan(surface, edge, a).angle(surface, b) - 2 * std::numbers::pi) < touching_angle)
                 return true;
     return false;
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "importers/exact/shell.h"
+#include "importers/exact/surface_checks.h"
 #include "importers/exact/weld.h"
 
 namespace voussoir
@@ -14,26 +15,6 @@ using Eigen::Vector3d;
 
 namespace
 {
-
-std::vector<PolygonSurface> shells_of(const PolygonSurface& surface)
-{
-    const std::vector<int> shell = shell_of_faces(surface);
-    const int count = shell.empty() ? 0 : *std::max_element(shell.begin(), shell.end()) + 1;
-    // One pass per shell would be quadratic for a survey of thousands of stones in one object.
-    std::vector<PolygonSurface> parts(count, PolygonSurface{surface.name, {}, {}});
-    std::vector<std::map<int, int>> local(count);
-    for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-        PolygonSurface& part = parts[shell[f]];
-        std::vector<int> loop;
-        for (const int v : surface.faces[f]) {
-            const auto [entry, is_new] = local[shell[f]].emplace(v, static_cast<int>(part.vertices.size()));
-            if (is_new) part.vertices.push_back(surface.vertices[v]);
-            loop.push_back(entry->second);
-        }
-        part.faces.push_back(std::move(loop));
-    }
-    return parts;
-}
 
 bool is_closed(const PolygonSurface& surface)
 {
@@ -66,20 +47,22 @@ struct Box {
     }
 };
 
-/// Puts shells that lie inside another one into it, as its cavities. @returns how many
+/// Puts shells that lie inside a stone into it, as its cavities; a stone inside a cavity stays a stone of its own.
+/// @returns how many cavities there are
 int join_cavities(std::vector<PolygonSurface>& shells)
 {
     const std::vector<Box> boxes(shells.begin(), shells.end());
-    std::vector<int> outer(shells.size(), -1);
+    std::vector<std::vector<std::size_t>> hosts(shells.size());  // how deep a shell is, is how many hold it
     for (std::size_t i = 0; i < shells.size(); ++i)
-        for (std::size_t o = 0; o < shells.size() && outer[i] < 0; ++o)
-            if (o != i && boxes[o].holds(boxes[i]) &&
-                std::abs(winding_number(shells[o], shells[i].vertices.front())) > 0.5)
-                outer[i] = static_cast<int>(o);
+        for (std::size_t o = 0; o < shells.size(); ++o)
+            if (o != i && boxes[o].holds(boxes[i]) && lies_inside(shells[i], shells[o])) hosts[i].push_back(o);
     int count = 0;
     for (std::size_t i = 0; i < shells.size(); ++i) {
-        if (outer[i] < 0 || outer[outer[i]] >= 0) continue;  // a stone inside a cavity stays a stone of its own
-        PolygonSurface& host = shells[outer[i]];
+        if (hosts[i].size() % 2 == 0) continue;
+        const std::size_t innermost =
+            *std::max_element(hosts[i].begin(), hosts[i].end(),
+                              [&](std::size_t a, std::size_t b) { return hosts[a].size() < hosts[b].size(); });
+        PolygonSurface& host = shells[innermost];
         const int first = static_cast<int>(host.vertices.size());
         host.vertices.insert(host.vertices.end(), shells[i].vertices.begin(), shells[i].vertices.end());
         for (std::vector<int> face : shells[i].faces) {
@@ -94,6 +77,37 @@ int join_cavities(std::vector<PolygonSurface>& shells)
 }
 
 }  // namespace
+
+std::vector<PolygonSurface> shells_of(const PolygonSurface& surface)
+{
+    const std::vector<int> shell = shell_of_faces(surface);
+    const int count = shell.empty() ? 0 : *std::max_element(shell.begin(), shell.end()) + 1;
+    // One pass per shell would be quadratic for a survey of thousands of stones in one object.
+    std::vector<PolygonSurface> parts(count, PolygonSurface{surface.name, {}, {}});
+    std::vector<std::map<int, int>> local(count);
+    for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+        PolygonSurface& part = parts[shell[f]];
+        std::vector<int> loop;
+        for (const int v : surface.faces[f]) {
+            const auto [entry, is_new] = local[shell[f]].emplace(v, static_cast<int>(part.vertices.size()));
+            if (is_new) part.vertices.push_back(surface.vertices[v]);
+            loop.push_back(entry->second);
+        }
+        part.faces.push_back(std::move(loop));
+    }
+    return parts;
+}
+
+bool lies_inside(const PolygonSurface& shell, const PolygonSurface& host)
+{
+    PolygonSurface oriented = host;
+    if (!edge_use(host).clashing.empty() && !orient_consistently(oriented)) return false;
+    // A vertex on the host's surface has a share of a turn only: a stone that sits in a notch is not inside.
+    const std::size_t stride = std::max<std::size_t>(1, shell.vertices.size() / 24);
+    for (std::size_t v = 0; v < shell.vertices.size(); v += stride)
+        if (std::abs(winding_number(oriented, shell.vertices[v])) < 0.99) return false;
+    return true;
+}
 
 SeparatedStones separate_stones(PolygonSurface surface, double weld_tolerance)
 {

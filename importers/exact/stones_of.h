@@ -14,6 +14,12 @@ struct SeparatedStones {
     std::vector<std::string> repairs;
 };
 
+/// The shells of a surface (shell_of_faces), each with vertices of its own.
+std::vector<PolygonSurface> shells_of(const PolygonSurface& surface);
+
+/// Does a closed shell lie inside another one, without touching it? Directions of faces do not matter.
+bool lies_inside(const PolygonSurface& shell, const PolygonSurface& host);
+
 /// Takes a surface apart into its closed shells. A shell inside another one is that one's cavity and stays with
 /// it. A surface with fewer than two closed shells is left as it is.
 /// @param surface in any unit @param weld_tolerance share of its diagonal within which vertices are one

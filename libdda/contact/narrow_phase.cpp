@@ -68,9 +68,9 @@ struct ClipPoint {
 };
 
 /// Where an edge from `inside` to `outside` leaves the face. An edge that starts deep inside is cut at the side
-/// plane. One that starts near it and runs nearly along it is cut where it leaves the tolerance, and that point is put
-/// back on the plane: cut at the plane itself, its end would jump along most of its length as soon as it left the
-/// tolerance, to and fro from step to step.
+/// plane. One that starts near it and runs nearly along it is cut where it leaves the tolerance, and that point is
+/// put back on the plane: cut at the plane itself, its end would jump along most of its length as soon as it left
+/// the tolerance, to and fro from step to step.
 Vector3d cut_edge(const Vector3d& inside, const Vector3d& outside, double d_inside, double d_outside,
                   const Vector3d& normal, double tolerance)
 {

@@ -157,11 +157,10 @@ std::vector<int> coplanar_groups(const std::vector<Vector3d>& vertices, const st
 
 /// The boundary of a flat patch: its directed edges whose twin is in another patch, chained into one loop.
 Loop outline_of_group(const std::vector<Loop>& faces, const std::map<DirectedEdge, int>& owner,
-                      const std::vector<int>& group, int id)
+                      const std::vector<int>& group, int id, const std::vector<int>& members)
 {
     std::map<int, int> next;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        if (group[f] != id) continue;
+    for (const int f : members) {
         for (std::size_t k = 0; k < faces[f].size(); ++k) {
             const int from = faces[f][k], to = faces[f][(k + 1) % faces[f].size()];
             const auto twin = owner.find({to, from});
@@ -209,9 +208,11 @@ std::vector<Loop> merge_coplanar_faces(const std::vector<Vector3d>& vertices, st
     const std::map<DirectedEdge, int> owner = directed_edges(faces, "mesh");
     const std::vector<int> group =
         coplanar_groups(vertices, faces, owner, tolerance * bounding_diagonal(vertices));
+    std::vector<std::vector<int>> members(faces.size());
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f) members[group[f]].push_back(f);
     std::vector<Loop> merged;
     for (int id = 0; id < static_cast<int>(faces.size()); ++id)
-        if (group[id] == id) merged.push_back(outline_of_group(faces, owner, group, id));
+        if (group[id] == id) merged.push_back(outline_of_group(faces, owner, group, id, members[id]));
 
     std::map<int, int> faces_at;  // how many merged faces meet at a vertex; two: it lies inside a straight edge
     for (const Loop& loop : merged)

@@ -19,7 +19,8 @@ blocks:
   - {box: {name: pier_2, lower: [3, 0, 0], upper: [4, 1, 2]}}
 foundation: {blocks: ground}
 attached_masses:
-)" + masses + "stages: [{name: rest, type: static}]\n";
+)" + masses +
+           "stages: [{name: rest, type: static}]\n";
 }
 
 TEST(AttachedMassKeys, GoToEveryMatchingBlockAtTheChosenPlace)

@@ -10,6 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/geometry/geometry.h"
+#include "importers/exact/certify.h"
+#include "importers/exact/stones_of.h"
+#include "importers/mesh/read_mesh.h"
 
 namespace voussoir
 {
@@ -114,6 +117,31 @@ TEST(AllMeshes, AreCertifiedOrRefusedWithTheReasonWithinTimeAndMemory)
     rusage children{};
     getrusage(RUSAGE_CHILDREN, &children);
     EXPECT_LT(children.ru_maxrss, 2 << 20) << "KiB";
+}
+
+TEST(AllMeshes, AVaultInOneHeapOfTrianglesIsTakenApartIntoItsStones)
+{
+    const char* variable = std::getenv("VOUSSOIR_DATA");
+    const std::filesystem::path data = variable != nullptr ? variable : VOUSSOIR_DEFAULT_DATA;
+    const std::filesystem::path file = data / "meshes/masonry/crossvault.obj";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
+    PolygonSurface heap{"vault", {}, {}};  // as STL has it: every triangle with corners of its own
+    for (const PolygonSurface& stone : read_mesh(file).surfaces)
+        for (const std::vector<int>& face : stone.faces)
+            for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+                const int first = static_cast<int>(heap.vertices.size());
+                for (const int v : {face[0], face[i], face[i + 1]}) heap.vertices.push_back(stone.vertices[v]);
+                heap.faces.push_back({first, first + 1, first + 2});
+            }
+    const SeparatedStones separated = separate_stones(heap, 1e-6);
+    ASSERT_EQ(separated.stones.size(), 184U);
+    double volume = 0;
+    for (const PolygonSurface& stone : separated.stones) {
+        const Certificate certificate = certify(stone);
+        EXPECT_EQ(certificate.reason, "") << stone.name;
+        volume += certificate.moments.volume;
+    }
+    EXPECT_NEAR(volume, 3524253.1, 0.1);
 }
 
 TEST(AllMeshes, RubbleStoneOneHasItsVolumeWhateverTheOrigin)

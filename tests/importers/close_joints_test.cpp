@@ -76,6 +76,24 @@ TEST(CloseJoints, LeavesWiderGapsOpen)
     EXPECT_TRUE(open.stones[0].repairs.empty());
 }
 
+TEST(CloseJoints, ClosesJointsOfDifferentWidthWithoutOverlaps)
+{
+    std::vector<PolygonSurface> stones{box({0, 0, 0}, {2, 1, 1}), box({0, 0, 1.01}, {0.99, 1, 2}),
+                                       box({1.01, 0, 1.03}, {2, 1, 2})};
+    for (std::size_t i = 0; i < stones.size(); ++i) stones[i].name = "stone_" + std::to_string(i);
+    for (const double width : {0.03, 0.031}) {  // the drawn width itself will do
+        const ImportedMesh closed = import(stones, width);
+        ASSERT_TRUE(closed.accepted) << closed.reason;
+        const Assembly assembly = assembly_of(closed);
+        EXPECT_TRUE(assembly.gaps.empty());
+        ASSERT_EQ(assembly.contacts.size(), 3U);
+        double volume = 0;
+        for (const Stone& stone : closed.stones) volume += stone.moments.volume;
+        EXPECT_NEAR(volume, 4, 1e-6);
+        for (const StoneContact& contact : assembly.contacts) EXPECT_GT(contact.smallest_gap, -1e-6);
+    }
+}
+
 TEST(CloseJoints, MovesTheWholeWallOfAGluedStone)
 {
     PolygonSurface l = l_shape();  // its wall x = 0 belongs to two parts; the post faces only one of them

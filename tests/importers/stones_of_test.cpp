@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "importers/exact/certify.h"
 #include "importers/exact/shell.h"
 #include "tests/importers/concave_shapes.h"
@@ -55,6 +57,34 @@ TEST(SeparateStones, TakesBoxesThatTouchFaceToFaceApart)
     EXPECT_NE(separated.repairs[0].find("5 separate surfaces"), std::string::npos);
 }
 
+TEST(SeparateStones, TakesARunningBondApartWhereFourStonesMeetInAnEdge)
+{
+    PolygonSurface bond{"bond", {}, {}};
+    for (int c = 0; c < 4; ++c)
+        for (int b = 0; b < 5; ++b)
+            for (int leaf = 0; leaf < 2; ++leaf)
+                append(box({b + 0.5 * (c % 2), 1. * leaf, 1. * c}, {b + 1 + 0.5 * (c % 2), leaf + 1., c + 1.}),
+                       bond);
+    const SeparatedStones separated = separate_stones(soup(bond), 1e-6);
+    ASSERT_EQ(separated.stones.size(), 40U);
+    for (const PolygonSurface& stone : separated.stones) EXPECT_NEAR(volume_of(stone), 1, 1e-12);
+}
+
+TEST(SeparateStones, TakesStonesApartWhoseFacesAreRoundedAgainstEachOther)
+{
+    // Two boxes that share the edges of a face, one of which bulges by a thousandth into the other.
+    PolygonSurface two = unit_cube();
+    PolygonSurface bulging = box({1, 0, 0}, {2, 1, 1});
+    bulging.faces.erase(std::find(bulging.faces.begin(), bulging.faces.end(), std::vector<int>{3, 0, 4, 7}));
+    bulging.vertices.emplace_back(0.999, 0.5, 0.5);
+    for (const auto& [a, b] : {std::pair{3, 0}, {0, 4}, {4, 7}, {7, 3}}) bulging.faces.push_back({a, b, 8});
+    append(bulging, two);
+    const SeparatedStones separated = separate_stones(soup(two), 1e-6);
+    ASSERT_EQ(separated.stones.size(), 2U);
+    EXPECT_NEAR(volume_of(separated.stones[0]), 1, 1e-12);
+    EXPECT_NEAR(volume_of(separated.stones[1]), 1 + 0.001 / 3, 1e-12);
+}
+
 TEST(SeparateStones, LeavesStonesThatTouchInAnEdgeOnlyAsTheyAre)
 {
     PolygonSurface two = unit_cube();
@@ -73,6 +103,40 @@ TEST(SeparateStones, KeepsACavityWithItsStone)
     EXPECT_NEAR(certificate.moments.volume, 1 - 0.064, 1e-14);
     ASSERT_FALSE(certificate.repairs.empty());
     EXPECT_NE(certificate.repairs[0].find("cavities"), std::string::npos);
+}
+
+TEST(SeparateStones, AStoneInsideACavityIsAStoneWhateverTheOrder)
+{
+    const std::vector<PolygonSurface> shells{box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {3, 3, 3}),
+                                             box({1.5, 1.5, 1.5}, {2.5, 2.5, 2.5})};
+    std::vector<int> order{0, 1, 2};
+    do {
+        PolygonSurface nest{"nest", {}, {}};
+        for (const int shell : order) append(shells[shell], nest);
+        const SeparatedStones separated = separate_stones(nest, 1e-6);
+        ASSERT_EQ(separated.stones.size(), 2U);
+        EXPECT_NEAR(volume_of(separated.stones[0]) + volume_of(separated.stones[1]), 57, 1e-12);
+    } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(SeparateStones, AStoneInANotchIsNoCavity)
+{
+    PolygonSurface two = u_shape();  // the notch is 1 m wide and 1.5 m deep; the key sits on its ground
+    append(box({1, 0.5, 0.2}, {2, 1.5, 0.8}), two);
+    const SeparatedStones separated = separate_stones(two, 1e-6);
+    ASSERT_EQ(separated.stones.size(), 2U);
+    EXPECT_NEAR(volume_of(separated.stones[0]), 4.5, 1e-12);
+    EXPECT_NEAR(volume_of(separated.stones[1]), 0.6, 1e-12);
+}
+
+TEST(SeparateStones, ACavityIsFoundThoughTheOutsideIsMixedInDirection)
+{
+    PolygonSurface hollow = hollow_cube();
+    for (const int face : {0, 3, 5}) std::reverse(hollow.faces[face].begin(), hollow.faces[face].end());
+    const SeparatedStones separated = separate_stones(hollow, 1e-6);
+    ASSERT_EQ(separated.stones.size(), 1U);
+    EXPECT_NEAR(volume_of(separated.stones[0]), 1 - 0.064, 1e-14);
+    EXPECT_NEAR(volume_of(hollow), 1 - 0.064, 1e-14) << "the same when the user says that it is one stone";
 }
 
 TEST(SeparateStones, LeavesASurfaceWithOneClosedShellAlone)

@@ -242,5 +242,14 @@ TEST(Generate, WritesWallsAndHousesWithTheCommandThatMakesThemAgain)
     EXPECT_NE(run(first, "voussoir-generate wall --opening 1,0,1 -o x.obj 2> /dev/null"), 0);
 }
 
+TEST(Wall, ThatIsAllOpeningIsRefused)
+{
+    Wall nothing;
+    nothing.length = 3;
+    nothing.height = 1.5;
+    nothing.openings = {{0, 0, 3, 1.5}};
+    EXPECT_THROW(wall(nothing), InputError);
+}
+
 }  // namespace
 }  // namespace voussoir
