@@ -8,6 +8,7 @@
 #include "importers/exact/certify.h"
 #include "importers/exact/overlap.h"
 #include "importers/exact/stones_of.h"
+#include "importers/exact/triangle_surface.h"
 #include "importers/mesh/read_mesh.h"
 #include "libdda/errors.h"
 
@@ -86,16 +87,6 @@ StonesBy stones_by(StoneLevel level)
     return StonesBy::detect;
 }
 
-double diagonal_of(const PolygonSurface& surface)
-{
-    Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
-    for (const Eigen::Vector3d& x : surface.vertices) {
-        lower = lower.cwiseMin(x);
-        upper = upper.cwiseMax(x);
-    }
-    return (upper - lower).norm();
-}
-
 /// States the rounding of a file that was read in 32-bit numbers. @throws InputError when it exceeds the weld
 /// tolerance of a stone, for then vertices that were apart may have become one
 void judge_rounding(const MeshFile& content, ImportedMesh& mesh)
@@ -104,7 +95,7 @@ void judge_rounding(const MeshFile& content, ImportedMesh& mesh)
     std::ostringstream rounding;
     rounding << content.rounding * mesh.metres_per_unit << " m";
     for (const PolygonSurface& surface : content.surfaces)
-        if (content.rounding > CertifyOptions{}.weld_tolerance * diagonal_of(surface))
+        if (content.rounding > CertifyOptions{}.weld_tolerance * diagonal_of(surface.vertices))
             throw InputError(
                 mesh.file + ": " + surface.name,
                 "reading rounds its coordinates by up to " + rounding.str() + ", too much for its size",

@@ -8,6 +8,7 @@
 #include "importers/exact/repairs.h"
 #include "importers/exact/shell.h"
 #include "importers/exact/stones_of.h"
+#include "importers/exact/triangle_surface.h"
 #include "importers/exact/weld.h"
 #include "libdda/errors.h"
 
@@ -19,20 +20,10 @@ namespace
 
 using DirectedEdge = std::pair<int, int>;
 
-double diagonal_of(const PolygonSurface& surface)
-{
-    Eigen::Vector3d lower = surface.vertices.front(), upper = lower;
-    for (const Eigen::Vector3d& x : surface.vertices) {
-        lower = lower.cwiseMin(x);
-        upper = upper.cwiseMax(x);
-    }
-    return (upper - lower).norm();
-}
-
 std::string check_size(Draft& draft)
 {
     if (draft.surface.vertices.empty() || draft.surface.faces.empty()) return "it has no faces";
-    draft.diagonal = diagonal_of(draft.surface);
+    draft.diagonal = diagonal_of(draft.surface.vertices);
     if (!std::isfinite(draft.diagonal) || draft.diagonal > 1e9) return "it is larger than 1e9 m; check the unit";
     if (draft.diagonal == 0) return "all its vertices lie in one point";
     return "";
@@ -101,7 +92,7 @@ std::string check_shells(Draft& draft)
     const std::vector<PolygonSurface> shells = shells_of(draft.surface);
     int outside = 0;
     for (int s = 1; s < count; ++s)
-        if (diagonal_of(shells[s]) > diagonal_of(shells[outside])) outside = s;
+        if (diagonal_of(shells[s].vertices) > diagonal_of(shells[outside].vertices)) outside = s;
     for (int s = 0; s < count; ++s)
         if (s != outside && !lies_inside(shells[s], shells[outside]))
             return format("it consists of %d separate shells; give each stone an object of its own", count);

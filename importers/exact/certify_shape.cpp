@@ -21,9 +21,7 @@ bool is_convex(const Draft& draft, double allowed)
     const TriangleSurface triangles{surface.vertices, draft.examination.triangles};
     if (!reentrant_edges(triangles, allowed).empty()) return false;
     const TriangleSurface hull = convex_hull(surface.vertices);
-    double area = 0;
-    for (const Eigen::Vector3i& t : hull.triangles) area += normal_of(hull, t).norm() / 2;
-    return volume_of(hull) - draft.certificate.moments.volume <= allowed * area;
+    return volume_of(hull) - draft.certificate.moments.volume <= allowed * area_of(hull);
 }
 
 /// A convex stone: one part, with coplanar faces merged.

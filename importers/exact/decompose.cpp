@@ -36,7 +36,7 @@ class Cutter
 {
  public:
     Cutter(const TriangleSurface& surface, const DecomposeOptions& options)
-        : options_(options), diagonal_(diagonal_of(surface)), volume_(volume_of(surface))
+        : options_(options), diagonal_(diagonal_of(surface.vertices)), volume_(volume_of(surface))
     {
         const std::vector<ReentrantEdge> all = reentrant_edges(surface, options.planarity * diagonal_);
         reentrant_count = static_cast<int>(all.size());
@@ -108,9 +108,7 @@ class Cutter
     /// hull, but for faces that bulge within the planarity.
     bool is_sound(const Piece& piece) const
     {
-        double area = 0;
-        for (const Eigen::Vector3i& t : piece.hull.triangles) area += normal_of(piece.hull, t).norm() / 2;
-        return !piece.edges.empty() || piece.excess <= options_.planarity * diagonal_ * area;
+        return !piece.edges.empty() || piece.excess <= options_.planarity * diagonal_ * area_of(piece.hull);
     }
 
     /// How much is left to do; the smaller the better.

@@ -169,10 +169,4 @@ std::vector<int> shell_of_faces(const PolygonSurface& surface, TouchingEdges tou
     return number;
 }
 
-int shells(const PolygonSurface& surface)
-{
-    const std::vector<int> shell = shell_of_faces(surface);
-    return shell.empty() ? 0 : *std::max_element(shell.begin(), shell.end()) + 1;
-}
-
 }  // namespace voussoir

@@ -29,9 +29,6 @@ enum class TouchingEdges {
 /// through the inside of its stone to its own neighbour.
 std::vector<int> shell_of_faces(const PolygonSurface& surface, TouchingEdges touching = TouchingEdges::connect);
 
-/// Number of shells.
-int shells(const PolygonSurface& surface);
-
 /// How often a closed surface winds round a point: 1 inside, 0 outside. Source: Van Oosterom and Strackee 1983.
 double winding_number(const PolygonSurface& surface, const Eigen::Vector3d& point);
 

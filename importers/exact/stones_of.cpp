@@ -6,6 +6,7 @@
 
 #include "importers/exact/shell.h"
 #include "importers/exact/surface_checks.h"
+#include "importers/exact/triangle_surface.h"
 #include "importers/exact/weld.h"
 
 namespace voussoir
@@ -20,16 +21,6 @@ bool is_closed(const PolygonSurface& surface)
 {
     const EdgeUse use = edge_use(surface);
     return use.open.empty() && use.branching.empty();
-}
-
-double diagonal_of(const PolygonSurface& surface)
-{
-    Vector3d lower = Vector3d::Constant(1e300), upper = -lower;
-    for (const Vector3d& x : surface.vertices) {
-        lower = lower.cwiseMin(x);
-        upper = upper.cwiseMax(x);
-    }
-    return (upper - lower).norm();
 }
 
 struct Box {
@@ -119,7 +110,7 @@ SeparatedStones separate_stones(PolygonSurface surface, double weld_tolerance)
         weld(welded, 0);
         shells = shells_of(welded);
         if (!all_closed()) {
-            weld(welded, weld_tolerance * diagonal_of(welded));
+            weld(welded, weld_tolerance * diagonal_of(welded.vertices));
             shells = shells_of(welded);
         }
     }

@@ -6,9 +6,9 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/assertions_behaviour.h>
@@ -130,7 +130,6 @@ SurfaceExamination examine_unguarded(const PolygonSurface& surface)
     list_triangles(mesh, numbers, found);
     if (!found.faces_without_area.empty()) return found;
     list_crossings(mesh, numbers, found);
-    if (found.crossing_faces.empty()) found.points_outward = PMP::is_outward_oriented(mesh);
     return found;
 }
 

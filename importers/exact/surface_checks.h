@@ -20,7 +20,6 @@ struct SurfaceExamination {
     std::vector<int> face_of_triangle;
     std::vector<int> faces_without_area;
     std::vector<std::pair<int, int>> crossing_faces;  // pairs that cut or overlap each other, each once
-    bool points_outward = false;                      // known only when the two lists above are empty
 };
 
 /// Triangulates and examines a surface with exact predicates (CGAL, Polygon Mesh Processing).

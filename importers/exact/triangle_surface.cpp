@@ -20,10 +20,18 @@ double volume_of(const TriangleSurface& surface)
     return surface.triangles.empty() ? 0 : moments_of_surface(surface.vertices, surface.triangles).volume;
 }
 
-double diagonal_of(const TriangleSurface& surface)
+double area_of(const TriangleSurface& surface)
 {
-    Vector3d lower = surface.vertices.front(), upper = lower;
-    for (const Vector3d& x : surface.vertices) {
+    double twice = 0;
+    for (const Eigen::Vector3i& t : surface.triangles) twice += normal_of(surface, t).norm();
+    return twice / 2;
+}
+
+double diagonal_of(const std::vector<Vector3d>& vertices)
+{
+    if (vertices.empty()) return 0;
+    Vector3d lower = vertices.front(), upper = lower;
+    for (const Vector3d& x : vertices) {
         lower = lower.cwiseMin(x);
         upper = upper.cwiseMax(x);
     }

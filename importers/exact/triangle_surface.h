@@ -16,7 +16,10 @@ struct TriangleSurface {
 Eigen::Vector3d normal_of(const TriangleSurface& surface, const Eigen::Vector3i& triangle);
 
 double volume_of(const TriangleSurface& surface);
-double diagonal_of(const TriangleSurface& surface);
+double area_of(const TriangleSurface& surface);
+
+/// Of the bounding box.
+double diagonal_of(const std::vector<Eigen::Vector3d>& vertices);
 
 /// The convex hull of points by exact predicates (CGAL); no triangles when the points lie in a plane.
 TriangleSurface convex_hull(const std::vector<Eigen::Vector3d>& points);
