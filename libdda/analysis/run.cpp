@@ -13,7 +13,8 @@ namespace voussoir
 namespace
 {
 
-constexpr double regrowth = 2;  // of a cut time step after a good one
+constexpr double regrowth = 2;        // of a cut time step after a good one
+constexpr double inexactness = 1e-2;  // residual a static step may keep, as a share of its unbalanced force
 
 /// What the loop over the stages carries along.
 struct Progress {
@@ -84,11 +85,10 @@ bool run_static(const Stage& stage, Progress& progress)
 {
     const double start_time = progress.state.time;
     Stage loaded = stage;
-    // The step's own tolerance must not hide an unbalanced force that the stage still has to remove.
-    loaded.control.force_tolerance = std::min(stage.control.force_tolerance, 0.1 * stage.unbalanced_tolerance);
     for (int increment = 1; increment <= stage.gravity_increments; ++increment) {
         loaded.gravity = stage.gravity * increment / stage.gravity_increments;
         int quiet = 0;
+        double unbalanced = 1;
         for (int n = 0; quiet < 2; ++n) {
             if (n == stage.max_static_steps) {
                 std::ostringstream message;
@@ -102,13 +102,18 @@ bool run_static(const Stage& stage, Progress& progress)
                 ++progress.report.unconverged_steps;
                 return false;
             }
+            // A step need only be solved as well as its own unbalanced force deserves: far from equilibrium the
+            // last digits are friction points taking turns; near it the tolerance must not hide what is left.
+            loaded.control.force_tolerance =
+                std::min(stage.control.force_tolerance,
+                         std::max(inexactness * unbalanced, 0.1 * stage.unbalanced_tolerance));
             StepReport step;
             const double grown = progress.state.next_time_step;
             const double h = grown > 0 ? std::min(grown, stage.control.time_step) : stage.control.time_step;
             if (!step_once(loaded, h, progress, step)) return false;
             progress.state.next_time_step = regrowth * step.time_step;
             progress.state.time = start_time;
-            progress.report.static_unbalanced = step.inertia_ratio;
+            progress.report.static_unbalanced = unbalanced = step.inertia_ratio;
             if (!observe(step, progress)) return false;
             const bool balanced = step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
             quiet = balanced ? quiet + 1 : 0;

@@ -1,6 +1,7 @@
-// The open-close iteration as Newton's method: it cannot chatter, for with the friction bound frozen at mu N of
-// the current iterate the step minimises a convex function, and every Newton step goes down it. Source: numerics
-// note, section 3.
+// The open-close iteration as Newton's method: with the friction bound frozen at mu N of the current iterate the
+// step minimises a convex function, and every Newton step goes down it. The bound follows N from one iterate to
+// the next; where that overshoots and the iterates would take turns (wedges under high friction), the line search
+// follows the exact bound instead, which shortens the step until they meet. Source: numerics note, section 3.
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
@@ -14,6 +15,8 @@ using Eigen::VectorXd;
 
 namespace
 {
+
+constexpr int patience = 3;  // iterations that stall, or that overshoot, before the line search changes its ways
 
 struct Unbalance {
     double worst = 0;  // largest residual / tolerance of a block
@@ -60,12 +63,13 @@ double tension_energy(const ContactStep<K>& contacts, int patch)
     return energy;
 }
 
-/// Derivative of the frozen potential along the direction at d + s direction.
+/// Unbalanced force along the direction at d + s direction: with the bound frozen, the derivative of the
+/// potential.
 template <class K>
-double slope_at(double s, int threads, StepSystem<K>& system)
+double slope_at(double s, FrictionBound bound, int threads, StepSystem<K>& system)
 {
     system.trial = system.d + s * system.direction;
-    evaluate_contacts(system.trial, FrictionBound::frozen, threads, system.contacts);
+    evaluate_contacts(system.trial, bound, threads, system.contacts);
     if (!evaluate_residual(system.trial, system)) return std::numeric_limits<double>::infinity();
     return system.residual.dot(system.direction);
 }
@@ -73,17 +77,17 @@ double slope_at(double s, int threads, StepSystem<K>& system)
 /// Finds s in (0, 1] with slope(s) <= 0.5 |slope(0)|: regula falsi with bisection where it stalls, at most twelve
 /// evaluations, then the end where the potential still falls.
 template <class K>
-double line_search(double slope_0, bool strict, int threads, StepSystem<K>& system)
+double line_search(double slope_0, FrictionBound bound, bool strict, int threads, StepSystem<K>& system)
 {
     const double enough = strict ? 0 : 0.5 * std::abs(slope_0);
-    double high = 1, slope_high = slope_at(high, threads, system);
+    double high = 1, slope_high = slope_at(high, bound, threads, system);
     if (slope_high <= enough) return high;
     double low = 0, slope_low = slope_0;
     for (int evaluation = 1; evaluation < 12; ++evaluation) {
         double s =
             std::isfinite(slope_high) ? low - slope_low * (high - low) / (slope_high - slope_low) : 0.5 * high;
         if (s - low < 0.1 * (high - low) || high - s < 0.1 * (high - low)) s = 0.5 * (low + high);
-        const double slope = slope_at(s, threads, system);
+        const double slope = slope_at(s, bound, threads, system);
         if (slope <= enough && slope >= -std::abs(0.5 * slope_0)) return s;
         if (slope > 0) {
             high = s;
@@ -124,7 +128,8 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
 {
     const StepControl& control = stage.control;
     double last = std::numeric_limits<double>::infinity();
-    int stalled = 0;
+    double last_slope = -std::numeric_limits<double>::infinity();
+    int stalled = 0, rises = 0;
     if (!system.contacts.patches.empty() && !guess(control, system, report)) return false;
     for (int iteration = 0;; ++iteration) {
         evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
@@ -147,7 +152,11 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
         ++report.open_close_iterations;
         const double slope = system.residual.dot(system.direction);
         if (!(slope < 0)) return false;
-        const double s = line_search(slope, stalled >= 3, control.threads, system);
+        // Down a fixed potential the slope only flattens; where it keeps growing, the bound moves as fast as d.
+        rises += slope < last_slope;
+        last_slope = slope;
+        const FrictionBound bound = rises >= patience ? FrictionBound::exact : FrictionBound::frozen;
+        const double s = line_search(slope, bound, stalled >= patience, control.threads, system);
         system.d += s * system.direction;
     }
 }
