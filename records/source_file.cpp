@@ -1,7 +1,12 @@
 #include "records/source_file.h"
 
+#include <zlib.h>
+
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <memory>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -27,6 +32,42 @@ void split_lines(SourceFile& file)
     }
 }
 
+/// Unpacks gzip, one member after another.
+std::string unpack(const std::string& name, const std::string& packed)
+{
+    const auto damaged = [&](const char* what) {
+        return InputError(name, std::string("its gzip packing ") + what, "fetch the file again");
+    };
+    z_stream stream{};
+    if (inflateInit2(&stream, 16 + MAX_WBITS) != Z_OK) throw std::bad_alloc();
+    const std::unique_ptr<z_stream, decltype(&inflateEnd)> guard(&stream, inflateEnd);
+    // zlib's interface is not const; it does not write there.
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+    stream.avail_in = static_cast<uInt>(packed.size());
+    std::string unpacked;
+    std::array<char, 1U << 16U> piece;
+    int state = Z_OK;
+    while (stream.avail_in > 0) {
+        stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+        stream.avail_out = static_cast<uInt>(piece.size());
+        state = inflate(&stream, Z_NO_FLUSH);
+        if (state != Z_OK && state != Z_STREAM_END) throw damaged("is damaged");
+        unpacked.append(piece.data(), piece.size() - stream.avail_out);
+        if (unpacked.size() > largest_file) throw damaged("holds more than 1 GB");
+        if (state == Z_STREAM_END && stream.avail_in > 0 && inflateReset(&stream) != Z_OK)
+            throw damaged("is damaged");
+    }
+    while (state == Z_OK) {  // what the last piece had no room for
+        stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+        stream.avail_out = static_cast<uInt>(piece.size());
+        state = inflate(&stream, Z_NO_FLUSH);
+        if (state != Z_OK && state != Z_STREAM_END) throw damaged("is cut short");
+        unpacked.append(piece.data(), piece.size() - stream.avail_out);
+        if (unpacked.size() > largest_file) throw damaged("holds more than 1 GB");
+    }
+    return unpacked;
+}
+
 }  // namespace
 
 void load_source_file(const std::filesystem::path& path, SourceFile& file)
@@ -50,6 +91,14 @@ void load_source_file(const std::filesystem::path& path, SourceFile& file)
     if (!stream.read(file.bytes.data(), static_cast<std::streamsize>(size))) {
         throw InputError(file.name, "cannot be read", "check its permissions");
     }
+    load_source_bytes(file.name, std::move(file.bytes), file);
+}
+
+void load_source_bytes(const std::string& name, std::string bytes, SourceFile& file)
+{
+    file.name = name;
+    file.bytes = bytes.starts_with("\x1F\x8B") ? unpack(name, bytes) : std::move(bytes);
+    if (file.bytes.empty()) throw InputError(name, "the file is empty", "a record holds at least 2 samples");
     split_lines(file);
 }
 

@@ -13,7 +13,7 @@ namespace voussoir
 
 struct SourceFile {
     std::string name;                     // as the user wrote it
-    std::string bytes;                    // whole content
+    std::string bytes;                    // whole content, unpacked
     std::vector<std::string_view> lines;  // into `bytes`, without line ends (LF, CR LF, CR CR LF)
 
     SourceFile() = default;
@@ -24,8 +24,13 @@ struct SourceFile {
     std::string at(std::size_t index) const { return name + ":" + std::to_string(index + 1); }
 };
 
-/// @throws InputError when it is not a regular file, cannot be read, is empty or larger than 1 GB
+/// Unpacks gzip. @throws InputError when it is not a regular file, cannot be read or unpacked, is empty or larger
+/// than 1 GB
 void load_source_file(const std::filesystem::path& path, SourceFile& file);
+
+/// The same from memory.
+/// @throws InputError when it is empty, or gzipped and damaged or larger than 1 GB
+void load_source_bytes(const std::string& name, std::string bytes, SourceFile& file);
 
 /// No control characters other than white space: a text, in ASCII, Latin-1 or UTF-8.
 bool is_text(const SourceFile& file);

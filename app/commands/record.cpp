@@ -30,7 +30,7 @@ json to_json(const Channel& channel, const GroundMotion& motion)
             {"duration_s", motion.duration()},
             {"pga_m_s2", motion.peak_acceleration()},
             {"peak", peak(channel)},
-            {"units_in_file", channel.unit_in_file},
+            {"units_in_file", has_unit(channel) ? json(channel.unit_in_file) : json()},
             {"residual_velocity_m_s", motion.residual_velocity()},
             {"residual_displacement_m", motion.residual_displacement()}};
 }

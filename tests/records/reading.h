@@ -39,11 +39,11 @@ inline void expect_in(const std::string& text, const std::string& part)
 
 inline ReadOptions in_g()
 {
-    return {.unit = "g", .time_step = {}, .column = {}};
+    return {.unit = "g"};
 }
 inline ReadOptions in_g(double time_step)
 {
-    return {.unit = "g", .time_step = time_step, .column = {}};
+    return {.unit = "g", .time_step = time_step};
 }
 
 }  // namespace voussoir

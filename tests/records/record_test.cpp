@@ -92,14 +92,20 @@ TEST(PeerAt2, RefusesWithLine)
     expect_in(refusal(peer_header + "NPTS= 3, DT= .01 SEC\n .1\n nan .2\n"), ":6: sample nan");
     expect_in(refusal(peer_header + "NPTS= 3, DT= .01 SEC\n .1\n .2 inf\n"), ":6: sample inf");
     expect_in(refusal(peer_header + "NPTS= 3, DT= .01 SEC\n .1 *****\n .2\n"), ":5: not a line of numbers");
-    expect_in(refusal("A\nB\nC\nNPTS= 2, DT= .01 SEC\n .1 .2\n"), ":3: no unit");
-    expect_in(refusal("A\nB\nIN UNITS OF FURLONG\nNPTS= 2, DT= .01 SEC\n .1 .2\n"), "unknown unit \"FURLONG\"");
-    expect_in(
-        refusal(peer_header + "NPTS= 2, DT= .01 SEC\n .1 .2\n", {.unit = "cm/s2", .time_step = {}, .column = {}}),
-        "the file is in g but cm/s2");
-    expect_in(
-        refusal(peer_header + "NPTS= 2, DT= .01 SEC\n .1 .2\n", {.unit = {}, .time_step = 0.02, .column = {}}),
-        "0.02 s was asked for");
+    expect_in(refusal(peer_header + "NPTS= 2, DT= .01 SEC\n .1 .2\n", {.unit = "cm/s2"}),
+              "the file is in g but cm/s2");
+    expect_in(refusal(peer_header + "NPTS= 2, DT= .01 SEC\n .1 .2\n", {.time_step = 0.02}),
+              "0.02 s was asked for");
+}
+
+TEST(PeerAt2, WithoutAUnitIsListedAsStoredAndMovesNothing)
+{
+    for (const std::string line : {"C", "IN UNITS OF FURLONG"}) {
+        const Record record = read("A\nB\n" + line + "\nNPTS= 2, DT= .01 SEC\n .1 .2\n");
+        EXPECT_FALSE(has_unit(record.channels.at(0)));
+        EXPECT_EQ(record.channels[0].samples, (std::vector<double>{0.1, 0.2}));
+        EXPECT_THROW(to_ground_motion(record.channels[0], "A"), InputError);
+    }
 }
 
 TEST(PeerAt2, RefusesAHugeAnnouncedCountWithoutMakingRoomForIt)
@@ -112,8 +118,7 @@ TEST(PeerAt2, RefusesAHugeAnnouncedCountWithoutMakingRoomForIt)
 TEST(PeerAt2, NamesEveryFaultAtOnce)
 {
     const std::string text = refusal("A\nB\nC\nNPTS= 9, DT= 0 SEC\n .1 .2\n x\n");
-    for (const std::string part :
-         {":3: no unit", ":4: time step = 0", ":4: the header announces 9", ":6: not a line"}) {
+    for (const std::string part : {":4: time step = 0", ":4: the header announces 9", ":6: not a line"}) {
         expect_in(text, part);
     }
 }

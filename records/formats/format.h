@@ -24,7 +24,7 @@ extern const Format text_table;
 // ---- what readers share (format.cpp)
 
 /// The unit, from the file's header, or from the options when the header has none (empty) or one we do not know.
-/// Adds a fault when there is none or the two differ. @returns the unit, or "m/s2" after a fault
+/// Adds a fault when the two differ. @returns the unit; without a name, and with factor 1, when it is not known
 Unit resolve_unit(const std::string& in_header, const ReadOptions& options, const std::string& place,
                   FaultList& faults);
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "records/format.h"
+#include "records/formats/format.h"
 #include "records/numbers.h"
 
 namespace voussoir

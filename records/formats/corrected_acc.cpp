@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "records/format.h"
+#include "records/formats/format.h"
 #include "records/numbers.h"
 
 namespace voussoir

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "records/format.h"
+#include "records/formats/format.h"
 #include "records/numbers.h"
 
 namespace voussoir

@@ -1,4 +1,4 @@
-#include "records/format.h"
+#include "records/formats/format.h"
 
 #include <cmath>
 #include <utility>
@@ -11,12 +11,10 @@ namespace voussoir
 Unit resolve_unit(const std::string& in_header, const ReadOptions& options, const std::string& place,
                   FaultList& faults)
 {
-    Unit none{"m/s2", Quantity::acceleration, 1};
+    const Unit none{"", Quantity::acceleration, 1};
     const std::optional<Unit> from_header = find_unit(in_header);
     if (!options.unit) {
         if (from_header) return *from_header;
-        const std::string found = in_header.empty() ? "no unit" : "unknown unit \"" + in_header + "\"";
-        faults.add(place, found, "give the record a unit, one of " + known_units());
         return none;
     }
     const std::optional<Unit> given = find_unit(*options.unit);
@@ -89,7 +87,13 @@ void check_count(double announced, std::size_t found, const std::string& place, 
 Channel make_channel(std::string component, const Unit& unit, double time_step, std::vector<double> samples)
 {
     for (double& sample : samples) sample *= unit.factor;
-    return {std::move(component), unit.quantity, time_step, std::move(samples), unit.name};
+    Channel channel;
+    channel.component = std::move(component);
+    channel.quantity = unit.quantity;
+    channel.time_step = time_step;
+    channel.samples = std::move(samples);
+    channel.unit_in_file = unit.name;
+    return channel;
 }
 
 }  // namespace voussoir
