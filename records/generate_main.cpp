@@ -1,4 +1,4 @@
-// voussoir-generate-record: writes a synthetic accelerogram (synthetic.h) as a PEER AT2 file whose header names
+// voussoir-generate-record: writes a synthetic accelerogram (noise.h) as a PEER AT2 file whose header names
 // the command that makes it again.
 
 #include <getopt.h>
@@ -11,7 +11,7 @@
 
 #include "libdda/errors.h"
 #include "records/numbers.h"
-#include "records/synthetic.h"
+#include "records/synthetic/noise.h"
 #include "records/units.h"
 #include "records/write_at2.h"
 

@@ -1,6 +1,6 @@
 // Synthetic accelerograms: the same everywhere, at rest at both ends, and shaking where they were asked to.
 
-#include "records/synthetic.h"
+#include "records/synthetic/noise.h"
 
 #include <gtest/gtest.h>
 
