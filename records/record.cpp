@@ -16,7 +16,9 @@ namespace
 {
 
 // Asked in this order; a text table is the least particular.
-const std::array<const Format*, 3> formats{&peer_at2, &corrected_acc, &text_table};
+const std::array formats{
+    &peer_at2, &corrected_acc, &csmip, &cosmos, &smc, &usc, &geonet, &bhrc, &text_table,
+};
 
 std::string known_formats()
 {

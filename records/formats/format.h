@@ -19,6 +19,12 @@ struct Format {
 
 extern const Format peer_at2;
 extern const Format corrected_acc;
+extern const Format csmip;
+extern const Format cosmos;
+extern const Format smc;
+extern const Format usc;
+extern const Format geonet;
+extern const Format bhrc;
 extern const Format text_table;
 
 // ---- what readers share (format.cpp)
