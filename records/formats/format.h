@@ -15,6 +15,8 @@ struct Format {
     bool (*recognises)(const SourceFile&);
     /// @throws InputError with every fault of the file and of the options it needs
     Record (*read)(const SourceFile&, const ReadOptions&);
+    /// Holds counts, which ReadOptions::response turns into motion.
+    bool may_hold_counts = false;
 };
 
 extern const Format peer_at2;
@@ -25,7 +27,15 @@ extern const Format smc;
 extern const Format usc;
 extern const Format geonet;
 extern const Format bhrc;
+extern const Format cwb;
+extern const Format dyna;
+extern const Format eqsig;
+extern const Format isesd;
+extern const Format knet;
+extern const Format miniseed;
+extern const Format sac_format;
 extern const Format text_table;
+extern const Format unam;
 
 // ---- what readers share (format.cpp)
 

@@ -1,9 +1,9 @@
-// Files of the American, New Zealand, Iranian and Chilean networks, as they came.
+// CWB of Taiwan, UNAM of Mexico, ISESD of Europe, and eqsig's text.
 
-#include <array>
+#include <gtest/gtest.h>
 
-#include "records/formats/format.h"
 #include "tests/records/expected.h"
+#include "tests/records/reading.h"
 
 namespace voussoir
 {
@@ -11,121 +11,142 @@ namespace voussoir
 namespace
 {
 
-void expect_azimuths(const Record& record, std::vector<std::optional<double>> azimuths)
-{
-    ASSERT_EQ(record.channels.size(), azimuths.size()) << record.file;
-    for (std::size_t i = 0; i < azimuths.size(); ++i) {
-        EXPECT_EQ(record.channels[i].azimuth, azimuths[i]) << record.file << ", channel " << i + 1;
-        EXPECT_EQ(record.channels[i].is_vertical, !azimuths[i].has_value()) << record.file;
-    }
-}
+const std::string cwb_header =
+    "#StationCode: ABC\r\n#RecordLength(sec): 0.06\r\n#SampleRate(Hz): 50\r\n#AmplitudeUnit:  gal. "
+    "DCoffset(corr)\r\n"
+    "#DataSequence: Time U(+); N(-); E(+)\r\n#Data: 4F10.3\r\n";
 
-TEST_F(RealRecords, CsmipFiles)
+TEST_F(RealRecords, CwbFilesNeedNothingFromTheUser)
 {
-    const std::vector<std::string> files = names("csmip_v1");
-    EXPECT_GE(files.size(), 4);
-    for (const std::string& name : files) check(name, {}, "CSMIP volume 1/2");
-    expect_azimuths(check("motions/CE89146.V1", {}, "CSMIP volume 1/2"), {0, std::nullopt, 90});
-    const Record film = check("motions/LA116TH.RAW", {}, "CSMIP volume 1/2");
-    expect_azimuths(film, {90, std::nullopt, 0});
-    EXPECT_EQ(film.remarks.size(), 3) << "the printed times of each channel stray from even ones";
-    const Record renadic = check("motions_restricted/altohospicio0911131.v1", {}, "CSMIP volume 1/2");
-    expect_azimuths(renadic, {90, 0, std::nullopt});
-    EXPECT_TRUE(renadic.remarks.empty());
-    const Record second = check("motions/ce36456p_CE36456.V2", {}, "CSMIP volume 1/2");
-    expect_azimuths(second, {90, std::nullopt, 0});
-    ASSERT_EQ(second.remarks.size(), 1);
-    EXPECT_NE(second.remarks.front().find("6 series of velocity or displacement"), std::string::npos);
-    EXPECT_NE(second.station.find("PARKFIELD"), std::string::npos);
-    EXPECT_NE(second.event.find("COALINGA"), std::string::npos);
-}
-
-TEST_F(RealRecords, SpectraOfCsmipAreRefused)
-{
-    try {
-        read_record(data_folder() / "motions/CE89146.V3", {});
-        ADD_FAILURE() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("response spectra, not a time history"), std::string::npos);
-    }
-}
-
-TEST_F(RealRecords, CosmosFiles)
-{
-    const std::vector<std::string> files = names("cosmos");
-    EXPECT_GE(files.size(), 2);
-    for (const std::string& name : files) check(name, {}, "COSMOS V0/V1/V2");
-    const Record three = read_record(data_folder() / "motions/CE23837.V1C", {});
-    expect_azimuths(three, {0, std::nullopt, 90});
-    EXPECT_EQ(three.channels[1].component, "23837.HNZ.CE.--");
-    EXPECT_TRUE(three.remarks.empty());
-    // The same record in two formats.
-    const Record csmip = read_record(data_folder() / "motions/CE23837.V1", {});
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(three.channels.at(i).samples, csmip.channels.at(i).samples);
-}
-
-TEST_F(RealRecords, SmcFiles)
-{
-    const std::vector<std::string> files = names("smc");
-    EXPECT_GE(files.size(), 4);
-    for (const std::string& name : files) check(name, {}, "USGS SMC");
-    expect_azimuths(read_record(data_folder() / "motions/0111b.smc", {}), {std::nullopt});
-    expect_azimuths(read_record(data_folder() / "motions/0111c.smc", {}), {270});
-    const Record film = read_record(data_folder() / "motions/np01002r_4225a_u.smc", {});
-    expect_azimuths(film, {133});
-    ASSERT_EQ(film.channels.front().times.size(), 24879);
-    EXPECT_DOUBLE_EQ(film.channels.front().times.back(), 35.963);
-    const Channel even = resampled_evenly(film.channels.front());
-    EXPECT_NEAR(peak(even), 2.2842, 0.01);
-}
-
-TEST_F(RealRecords, UscFiles)
-{
-    const std::vector<std::string> files = names("usc");
-    EXPECT_GE(files.size(), 4);
+    const std::vector<std::string> files = names("cwb");
+    EXPECT_GE(files.size(), 1);
     for (const std::string& name : files) {
-        const Record record = check(name, {}, "USC");
-        EXPECT_EQ(record.channels.front().times.size(), record.channels.front().samples.size());
+        const Record record = check(name, {}, "CWB (Taiwan)");
+        EXPECT_TRUE(record.channels.at(0).is_vertical);
+        EXPECT_EQ(record.channels.at(1).azimuth, 0);
+        EXPECT_EQ(record.channels.at(2).azimuth, 90);
     }
-    expect_azimuths(read_record(data_folder() / "motions/017m30cc.y0a", {}), {0});
-    expect_azimuths(read_record(data_folder() / "motions/017m30lw.s0a", {}), {90});
-    expect_azimuths(read_record(data_folder() / "motions/017m30lw.s0b", {}), {std::nullopt});
 }
 
-TEST_F(RealRecords, GeonetFiles)
+TEST(Cwb, ReadsEveryComponentItsDirectionAndItsSense)
 {
-    const Record first = check("motions/20161113_110313_THZ_20.V1A", {}, "GeoNet V1A/V2A");
-    expect_azimuths(first, {90, 0, std::nullopt});
-    EXPECT_TRUE(first.remarks.empty());
-    const Record second = check("motions/20161113_110259_WTMC_20.V2A", {}, "GeoNet V1A/V2A");
-    expect_azimuths(second, {332, 242, std::nullopt});
-    EXPECT_EQ(second.remarks.size(), 1);
-    EXPECT_EQ(second.station, "WTMC");
+    const Record record = read(cwb_header + " 0.000 1 2 3\r\n 0.020 4 5 6\r\n 0.040 7 8 9\r\n");
+    ASSERT_EQ(record.channels.size(), 3);
+    EXPECT_EQ(record.channels[1].component, "N");
+    EXPECT_EQ(record.channels[1].azimuth, 180);
+    EXPECT_DOUBLE_EQ(record.channels[2].samples.at(2), 0.09);
+    EXPECT_DOUBLE_EQ(record.channels[0].time_step, 0.02);
 }
 
-TEST_F(RealRecords, BhrcFiles)
+TEST(Cwb, RefusesWithLine)
 {
-    const Record record = check("motions_restricted/5526-1.V1", {}, "BHRC volume 1");
-    expect_azimuths(record, {50, std::nullopt, 140});
-    EXPECT_EQ(record.station, "Avin");
-    EXPECT_TRUE(record.remarks.empty());
+    expect_in(refusal(cwb_header + " 0.00 1 2 3\n 0.02 4 5 6\n"), ":2: the header announces 3 samples");
+    expect_in(refusal(cwb_header + " 0.00 1 2 3\n 0.02 4 5\n 0.04 7 8 9\n"), ":8: not a row of 4 numbers");
+    expect_in(refusal(cwb_header + " 0.00 1 2 3\n 0.02 4 inf 6\n 0.04 7 8 9\n"), ":8: sample inf");
+    expect_in(refusal(cwb_header + " 0.00 1 2 3\n 0.02 4 5 6\n 0.06 7 8 9\n"), ":9: time 0.06 s");
+    std::string still = cwb_header + " 0.00 1 2 3\n 0.02 4 5 6\n 0.04 7 8 9\n";
+    still.replace(still.find(": 50"), 4, ": 0 ");
+    expect_in(refusal(still), ":3: time step = inf s");
 }
 
-TEST_F(RealRecords, NoFormatClaimsAnothersFile)
+std::string unam(const std::string& count, const std::string& rows)
 {
-    const std::vector<std::pair<const Format*, std::string>> readers{
-        {&peer_at2, "peer_at2"}, {&corrected_acc, "smtk_cor_acc"},
-        {&csmip, "csmip_v"},     {&cosmos, "cosmos"},
-        {&smc, "smc"},           {&usc, "usc"},
-        {&geonet, "geonet_v"},   {&bhrc, "bhrc"}};
-    for (const auto& [name, record] : expected_.items()) {
-        const std::string format = record.value("format", "");
-        if (!std::filesystem::is_regular_file(data_folder() / name)) continue;
-        SourceFile file;
-        load_source_file(data_folder() / name, file);
-        for (const auto& [reader, prefix] : readers)
-            EXPECT_EQ(reader->recognises(file), format.starts_with(prefix)) << reader->name << ": " << name;
+    return "*****\n   INSTITUTO DE INGENIERIA, UNAM\nARCHIVO ESTANDAR DE ACELERACION:\n"
+           "CLAVE DE LA ESTACION                   : ABCD\n"
+           "ORIENTACION C1-C6 (rumbo;orientacion)  : /V/N90W/S30E\n"
+           "ORIENTACION C7-C12 (rumbo;orientacion) :\n"
+           "INTERVALO DE MUESTREO, C1-C6 (s)       : /0.01/0.01/0.01\n"
+           "NUM. TOTAL DE MUESTRAS, C1-C6          : /" +
+           count + "/" + count + "/" + count +
+           "  \nUNIDADES DE LOS DATOS                  : Gal (cm/s/s)\n====\nCALIDAD DEL ACELEROGRAMA:\nDUDOSO\n"
+           "====\nDATOS DE ACELERACION:\n----+----+\n  CANAL-1\n  V  N90W  S30E\n----+----+\n" +
+           rows;
+}
+
+TEST_F(RealRecords, UnamFilesNeedNothingFromTheUser)
+{
+    const std::vector<std::string> files = names("asa_unam");
+    EXPECT_GE(files.size(), 1);
+    for (const std::string& name : files) {
+        const Record record = check(name, {}, "UNAM (ASA)");
+        EXPECT_EQ(record.station, "ACAC");
+        EXPECT_EQ(record.channels.at(1).azimuth, 90);
+        expect_in(record.remarks.at(0), "announces 2455 samples but the file holds 2456");
     }
+}
+
+TEST(Unam, ReadsEveryChannelAndItsBearing)
+{
+    const Record record = read(unam("2", " 1.0  2.0  3.0\r\n 4.0 5.0 6.0\r\n"));
+    ASSERT_EQ(record.channels.size(), 3);
+    EXPECT_TRUE(record.channels[0].is_vertical);
+    EXPECT_EQ(record.channels[1].azimuth, 270);
+    EXPECT_EQ(record.channels[2].azimuth, 150);
+    EXPECT_DOUBLE_EQ(record.channels[2].samples.at(1), 0.06);
+    expect_in(record.remarks.at(0), "\"DUDOSO\"");
+    EXPECT_EQ(read(unam("2", "1 2 3\n4 5 6\n7 8 9\n")).channels[0].samples.size(), 3);  // one more
+}
+
+TEST(Unam, RefusesWithLine)
+{
+    expect_in(refusal(unam("3", "1 2 3\n4 5 6\n")), ":8: the header announces 3 samples but the file holds 2");
+    expect_in(refusal(unam("1e12", "1 2 3\n4 5 6\n")), "1000000000000 samples");
+    expect_in(refusal(unam("2", "1 2 3\n4 5\n")), ":20: not a row of 3 numbers");
+    expect_in(refusal(unam("2", "1 2 3\n4 nan 6\n")), ":20: sample nan");
+}
+
+std::string isesd(const std::string& sections)
+{
+    return "file:                         000001xa.cor\nearthquake code:  990\nstation code:  694\n"
+           "orientation of transducer:    NS\nsampling period:               0.010000s\n"
+           "number of samples:             3\nunits:                        m/s*s, m/s, m & s\nreference:\n"
+           "Somebody (2000)\n%- filtered\n" +
+           sections;
+}
+
+TEST(Isesd, ReadsTheAccelerationOfItsSections)
+{
+    const Record record = read(
+        isesd("-> corrected acceleration time histories\n-0.10000E-01-0.20000E-01\n 0.30000E-01\n"
+              "-> corrected velocity time histories\n 1 2 3\n-> corrected displacement time histories\n 4 5 6\n"
+              "STOP\n"));
+    EXPECT_EQ(record.format, "ISESD");
+    ASSERT_EQ(record.channels.size(), 1);
+    EXPECT_EQ(record.channels[0].azimuth, 0);
+    EXPECT_EQ(record.channels[0].unit_in_file, "m/s2");
+    EXPECT_EQ(record.channels[0].samples, (std::vector<double>{-0.01, -0.02, 0.03}));
+    EXPECT_DOUBLE_EQ(record.channels[0].time_step, 0.01);
+    expect_in(record.remarks.at(0), "left out");
+}
+
+TEST(Isesd, ReadsVelocityAloneAndRefusesSpectra)
+{
+    const Record record = read(isesd("-> corrected velocity time histories\n 1 2 3\n"));
+    EXPECT_EQ(record.channels.at(0).quantity, Quantity::velocity);
+    EXPECT_EQ(record.channels[0].unit_in_file, "m/s");
+    expect_in(refusal(isesd("-> PERIOD, SPECTRA\n 1 2 3\n")), ":11: \"-> PERIOD, SPECTRA\": not a time history");
+    expect_in(refusal(isesd("-> corrected acceleration time histories\n 1 2\n")), ":6: the header announces 3");
+    expect_in(refusal(isesd("-> corrected acceleration time histories\n 1 2\n 3x\n")),
+              ":13: not a line of numbers");
+}
+
+TEST_F(RealRecords, EqsigFilesAreInMetresByConvention)
+{
+    const std::vector<std::string> files = names("eqsig");
+    EXPECT_GE(files.size(), 1);
+    for (const std::string& name : files) expect_in(check(name, {}, "eqsig").remarks.at(0), "eqsig's convention");
+}
+
+TEST(Eqsig, ReadsLabelCountAndStep)
+{
+    const Record record = read("some motion\n3 0.0100\n1\n-2\n3");
+    EXPECT_EQ(record.format, "eqsig");
+    EXPECT_EQ(record.channels.at(0).component, "some motion");
+    EXPECT_DOUBLE_EQ(record.channels[0].samples.at(1), -2);
+    EXPECT_DOUBLE_EQ(read("m\n3 0.01\n1\n-2\n3\n", in_g()).channels[0].samples.at(1), -2 * 9.80665);
+    expect_in(refusal("some motion\n4 0.01\n1\n-2\n3\n"), ":2: the header announces 4 samples");
+    expect_in(refusal("some motion\n3 0.0\n1\n-2\n3\n"), ":2: time step = 0 s");
+    EXPECT_EQ(read("time acc\n2 0.1\n3 0.2\n4 0.3\n", in_g()).format, "two-column text");  // a table is not eqsig
 }
 
 }  // namespace
