@@ -27,6 +27,11 @@ std::string known_formats()
 
 }  // namespace
 
+std::span<const Format* const> all_formats()
+{
+    return formats;
+}
+
 namespace
 {
 

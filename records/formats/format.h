@@ -2,6 +2,8 @@
 // table of record.cpp.
 #pragma once
 
+#include <span>
+
 #include "records/record.h"
 #include "records/source_file.h"
 #include "records/units.h"
@@ -20,6 +22,9 @@ struct Format {
 extern const Format peer_at2;
 extern const Format corrected_acc;
 extern const Format text_table;
+
+/// Every format, in the order in which files are asked whether they are one (record.cpp).
+std::span<const Format* const> all_formats();
 
 // ---- what readers share (format.cpp)
 
