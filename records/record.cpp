@@ -16,7 +16,19 @@ namespace
 {
 
 // Asked in this order; a text table is the least particular.
-const std::array<const Format*, 3> formats{&peer_at2, &corrected_acc, &text_table};
+const auto formats = std::to_array<const Format*>({
+    &miniseed,
+    &sac_format,
+    &dyna,
+    &knet,
+    &cwb,
+    &unam,
+    &isesd,
+    &peer_at2,
+    &corrected_acc,
+    &eqsig,
+    &text_table,
+});
 
 std::string known_formats()
 {
@@ -38,7 +50,12 @@ namespace
 Record read_source(const SourceFile& source, const ReadOptions& options)
 {
     for (const Format* format : formats) {
-        if (format->recognises(source)) return format->read(source, options);
+        if (!format->recognises(source)) continue;
+        if (!options.response.empty() && !format->may_hold_counts)
+            throw InputError(source.name,
+                             "a response was given, but " + std::string(format->name) + " holds no counts",
+                             "leave the response out");
+        return format->read(source, options);
     }
     throw InputError(source.name, is_text(source) ? "a text without a line of numbers" : "binary content",
                      "not a record in a format we read: " + known_formats());

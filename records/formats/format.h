@@ -17,11 +17,21 @@ struct Format {
     bool (*recognises)(const SourceFile&);
     /// @throws InputError with every fault of the file and of the options it needs
     Record (*read)(const SourceFile&, const ReadOptions&);
+    /// Holds counts, which ReadOptions::response turns into motion.
+    bool may_hold_counts = false;
 };
 
 extern const Format peer_at2;
 extern const Format corrected_acc;
+extern const Format cwb;
+extern const Format dyna;
+extern const Format eqsig;
+extern const Format isesd;
+extern const Format knet;
+extern const Format miniseed;
+extern const Format sac_format;
 extern const Format text_table;
+extern const Format unam;
 
 /// Every format, in the order in which files are asked whether they are one (record.cpp).
 std::span<const Format* const> all_formats();
