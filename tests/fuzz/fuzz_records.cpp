@@ -42,7 +42,7 @@ Record read_with_only_format(std::string bytes, const ReadOptions& options)
     SourceFile source;
     load_source_bytes("fuzz", std::move(bytes), source);
     if (!only_format->recognises(source)) throw InputError("fuzz", "not this format", "another reader's business");
-    return only_format->read(source, options);
+    return read_as(*only_format, source, options);
 }
 
 }  // namespace
