@@ -108,32 +108,69 @@ void add_piece(std::vector<Trace>& traces, const MSRecord& record, const SourceF
             .pieces.push_back(std::move(piece));
 }
 
+/// Bytes a sample takes at least; 0 where frames are counted by libmseed itself (Steim, text).
+std::size_t bytes_per_sample(int encoding)
+{
+    switch (encoding) {
+        case DE_INT32:
+        case DE_FLOAT32:
+            return 4;
+        case DE_FLOAT64:
+            return 8;
+        case DE_GEOSCOPE24:
+            return 3;
+        case DE_STEIM1:
+        case DE_STEIM2:
+        case DE_ASCII:
+            return 0;
+        default:
+            return 2;
+    }
+}
+
+/// libmseed believes the announced count and reads past the record: what cannot fit is refused before.
+bool holds_its_samples(const MSRecord& record)
+{
+    if (record.samplecnt == 0) return true;
+    const auto length = static_cast<std::size_t>(record.reclen);
+    const std::size_t begin = record.fsdh == nullptr ? 0 : record.fsdh->data_offset;
+    const auto count = static_cast<std::size_t>(std::max<std::int64_t>(record.samplecnt, 0));
+    return begin >= fixed_header && begin < length && count * bytes_per_sample(record.encoding) <= length - begin;
+}
+
+/// Unpacks the record at `here`. @returns what is wrong with it; empty when nothing is
+std::string unpack(char* here, std::size_t left, MSRecord*& record)
+{
+    complaint.clear();
+    const int length = static_cast<int>(std::min<std::size_t>(left, 1U << 30U));
+    int outcome = msr_parse(here, length, &record, -1, 0, 0);
+    if (outcome == MS_NOERROR && !holds_its_samples(*record)) return "a record of fewer samples than it announces";
+    if (outcome == MS_NOERROR) outcome = msr_parse(here, length, &record, record->reclen, 1, 0);
+    if (!complaint.empty()) return complaint;
+    if (outcome > 0) return "a record that is cut short";
+    return outcome == MS_NOERROR && record->reclen > 0 ? "" : ms_errorstr(outcome);
+}
+
 std::vector<Trace> read_traces(const SourceFile& file, FaultList& faults)
 {
     listen_to_libmseed();
     std::vector<Trace> traces;
-    std::string bytes = file.bytes;  // libmseed turns bytes round in place
+    std::string bytes = file.bytes;    // libmseed turns bytes round in place
+    bytes.append(fixed_header, '\0');  // and may look a few past the end
+    const std::size_t end = file.bytes.size();
     MSRecord* record = nullptr;
     const auto release = [](MSRecord** held) { msr_free(held); };
     const std::unique_ptr<MSRecord*, decltype(release)> guard(&record, release);
-    for (std::size_t offset = 0; offset + fixed_header <= bytes.size();) {
-        char* here = bytes.data() + offset;
-        const std::size_t left = bytes.size() - offset;
-        complaint.clear();
-        const int outcome =
-            msr_parse(here, static_cast<int>(std::min<std::size_t>(left, 1U << 30U)), &record, -1, 1, 0);
-        if (outcome != MS_NOERROR || !complaint.empty() || record == nullptr || record->reclen <= 0) {
-            const std::string why = !complaint.empty() ? complaint
-                                    : outcome > 0      ? std::string("a record that is cut short")
-                                                       : std::string(ms_errorstr(outcome));
-            faults.add(at_byte(file, offset), why, "the file is cut short or damaged: fetch it again");
+    for (std::size_t offset = 0; offset < end;) {
+        const std::string fault = end - offset < fixed_header
+                                      ? std::string("a record that is cut short")
+                                      : unpack(bytes.data() + offset, end - offset, record);
+        if (!fault.empty()) {
+            faults.add(at_byte(file, offset), fault, "the file is cut short or damaged: fetch it again");
             break;
         }
         add_piece(traces, *record, file, offset, faults);
         offset += static_cast<std::size_t>(record->reclen);
-        const std::size_t rest = bytes.size() - std::min(offset, bytes.size());
-        if (rest > 0 && rest < fixed_header)
-            faults.add(at_byte(file, offset), "a record that is cut short", "fetch the file again");
     }
     return traces;
 }
@@ -156,11 +193,13 @@ std::vector<double> join(const SourceFile& file, Trace& trace, FaultList& faults
                 faults.add(at_byte(file, piece.offset), "another sample rate in " + where,
                            "one rate for a channel");
             else if (late > 0.5 * step)
-                faults.add(at_byte(file, piece.offset), "a gap of " + to_text(late * 1e-6) + " s in " + where,
+                faults.add(at_byte(file, piece.offset),
+                           "a gap of " + to_text(std::round(late) / 1e6) + " s in " + where,
                            "fetch a record without gaps, or cut it at the gap");
             else if (late < -0.5 * step)
                 faults.add(at_byte(file, piece.offset),
-                           "an overlap of " + to_text(-late * 1e-6) + " s in " + where, "fetch the record again");
+                           "an overlap of " + to_text(std::round(-late) / 1e6) + " s in " + where,
+                           "fetch the record again");
         }
         samples.insert(samples.end(), piece.samples.begin(), piece.samples.end());
         before = &piece;

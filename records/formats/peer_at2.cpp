@@ -5,11 +5,15 @@
 //   ACCELERATION TIME SERIES IN UNITS OF G                     <- unit
 //   NPTS=   7999, DT=   .0050 SEC,                             <- or, older:  4096    0.0100    NPTS, DT
 //
-// Source: PEER NGA-West2 flat files and the older PEER Strong Motion Database, read from their own headers.
+// Further lines may stand above (spectrally matched records have seven header lines) or below the count.
+//
+// Source: PEER NGA-West2 flat files and the older PEER Strong Motion Database, read from their own headers and
+// from "Sample data files" of peer.berkeley.edu/smcat.
 
+#include <algorithm>
 #include <optional>
 
-#include "records/formats/format.h"
+#include "records/formats/keyed_header.h"
 #include "records/numbers.h"
 
 namespace voussoir
@@ -40,82 +44,188 @@ struct Announced {
     double time_step = 0;  // s
 };
 
-/// The number after "KEY=", and what follows it up to the next comma in `rest`.
+/// The number after "KEY=", "KEY:" or "KEY", and in `rest` what follows it up to the next comma.
 bool number_after(const std::string& line, std::string_view key, double& value, std::string_view& rest)
 {
     const std::size_t at = line.find(key);
     if (at == std::string::npos) return false;
     rest = trim(std::string_view(line).substr(at + key.size()));
-    if (rest.empty() || rest.front() != '=') return false;
-    rest = trim(rest.substr(1));
+    if (!rest.empty() && (rest.front() == '=' || rest.front() == ':')) rest = trim(rest.substr(1));
     const std::size_t used = parse_leading_number(rest, value);
     rest = trim(rest.substr(used));
-    rest = trim(rest.substr(0, rest.find(',')));
+    rest = trim(rest.substr(0, rest.find_first_of(",;)")));
     return used > 0;
 }
 
-/// "NPTS= 4000, DT= .01000 SEC" or "4096 0.0100 NPTS, DT".
+/// All numbers among the words of a line: "4096  0.0100  (NPTS, DT)".
+std::vector<double> numbers_among_words(std::string line)
+{
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == ',' || c == '(' || c == ')'; }, ' ');
+    std::vector<double> numbers;
+    std::string_view rest = trim(line);
+    while (!rest.empty()) {
+        const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
+        double number = 0;
+        if (parse_number(word, number)) numbers.push_back(number);
+        rest = trim(rest.substr(word.size()));
+    }
+    return numbers;
+}
+
+/// "NPTS= 4000, DT= .01000 SEC", "4096 0.0100 NPTS, DT" or "(NPTS, DT) 4096 .01".
 std::optional<Announced> parse_count_line(std::string_view text)
 {
     const std::string line = lower_case(text);
     Announced announced;
     std::string_view rest;
-    if (number_after(line, "npts", announced.count, rest)) {
-        const bool has_step = number_after(line, "dt", announced.time_step, rest);
-        const bool in_seconds = rest.empty() || rest == "s" || rest.substr(0, 3) == "sec";
-        if (has_step && in_seconds) return announced;
-        return std::nullopt;
+    if (number_after(line, "npts", announced.count, rest) && number_after(line, "dt", announced.time_step, rest)) {
+        const bool in_seconds = rest.empty() || rest == "s" || rest.starts_with("sec");
+        return in_seconds ? std::optional<Announced>(announced) : std::nullopt;
     }
-    std::vector<double> numbers;
-    if (parse_separated(std::string_view(line).substr(0, line.find("npts")), numbers) && numbers.size() == 2) {
-        return Announced{numbers[0], numbers[1]};
-    }
-    return std::nullopt;
+    const std::vector<double> numbers = numbers_among_words(line);
+    const bool in_other_units = line.find("msec") != std::string::npos;
+    if (line.find('=') != std::string::npos || numbers.size() != 2 || in_other_units) return std::nullopt;
+    const bool step_first = line.find("dt") < line.find("npts");
+    return step_first ? Announced{numbers[1], numbers[0]} : Announced{numbers[0], numbers[1]};
 }
 
-/// "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: ..." -> "G"; "The units are (g)" -> "g".
-std::string parse_unit(std::string_view header_line)
+/// A unit at the start of a text: "CM/SEC. FILTER POINTS: ...", "(g)", "G's, scaled". Empty when there is none.
+std::string leading_unit(std::string_view text)
 {
-    const std::string line = lower_case(header_line);
-    for (const std::string_view words : {"units of", "units are", "units:"}) {
-        const std::size_t at = line.find(words);
-        if (at == std::string::npos) continue;
-        std::string_view unit = trim(header_line.substr(at + words.size()));
-        unit = trim(unit.substr(0, unit.find_first_of(".,;")));
-        if (unit.size() > 2 && unit.front() == '(' && unit.back() == ')') unit = unit.substr(1, unit.size() - 2);
-        return std::string(trim(unit));
+    text = trim(text);
+    if (text.starts_with('(')) text = text.substr(1, text.find(')') - 1);
+    text = trim(text.substr(0, text.find_first_of(".,;:)")));
+    for (std::string_view candidate : {text, text.substr(0, text.find_first_of(" \t"))}) {
+        const std::string lower = lower_case(candidate);
+        if (lower == "g's" || lower == "gs") return "g";
+        if (find_unit(candidate)) return std::string(candidate);
     }
     return "";
 }
 
-std::string parse_component(std::string_view title)
+/// "ACCELERATION TIME HISTORY IN UNITS OF G" -> "G"; "The units are (g)" -> "g"; "TIME HISTORY (G'S)" -> "g".
+std::string parse_unit(std::string_view header_line)
 {
-    const std::size_t comma = title.rfind(',');
-    return comma == std::string_view::npos ? "" : std::string(trim(title.substr(comma + 1)));
+    const std::string line = lower_case(header_line);
+    for (const std::string_view words : {"units of", "units are", "units", "unit", " in ", "("}) {
+        std::size_t at = line.find(words);
+        if (at == std::string::npos) continue;
+        at = line.find_first_not_of("=: \t", at + words.size());
+        const std::string unit = at == std::string::npos ? "" : leading_unit(header_line.substr(at));
+        if (!unit.empty()) return unit;
+    }
+    return "";
+}
+
+struct FoundUnit {
+    std::string text;      // empty: none
+    std::size_t line = 0;  // 0-based; where one was expected when there is none
+};
+
+/// Nearest above the count; else on the line of the count itself.
+FoundUnit find_unit_line(const SourceFile& file, std::size_t count_line)
+{
+    for (std::size_t i = count_line; i-- > 0;) {
+        std::string unit = parse_unit(file.lines[i]);
+        if (!unit.empty()) return {std::move(unit), i};
+    }
+    return {parse_unit(file.lines[count_line]), count_line - 1};
+}
+
+/// Adds a fault for "VELOCITY TIME SERIES IN UNITS OF G".
+void check_quantity(const SourceFile& file, const FoundUnit& found, const Unit& unit, FaultList& faults)
+{
+    const std::string line = lower_case(file.lines[found.line]);
+    for (const Quantity quantity : {Quantity::acceleration, Quantity::velocity, Quantity::displacement}) {
+        if (unit.name.empty() || quantity == unit.quantity || !line.starts_with(to_text(quantity))) continue;
+        faults.add(file.at(found.line), std::string(to_text(quantity)) + " in " + unit.name,
+                   "kind and unit of the samples must agree");
+    }
+}
+
+/// Lines of words may stand between the count and the samples.
+std::size_t first_row(const SourceFile& file, std::size_t count_line)
+{
+    std::size_t row = count_line + 1;
+    double number = 0;
+    while (row < file.lines.size() && parse_leading_number(trim(file.lines[row]), number) == 0 &&
+           row < count_line + header_search)
+        ++row;
+    return row;
+}
+
+/// What the title says: "Loma Prieta, 10/18/1989, Gilroy - Gavilan Coll., 67".
+struct Title {
+    std::string event, station, component;
+};
+
+Title parse_title(const SourceFile& file, std::size_t count_line)
+{
+    Title title;
+    if (count_line < 2) return title;
+    const std::string_view line = file.lines[count_line - 2];
+    const std::size_t comma = line.rfind(',');
+    if (comma == std::string_view::npos) return title;
+    title.component = std::string(trim(line.substr(comma + 1)));
+    const std::string_view before = line.substr(0, comma);
+    const std::size_t middle = before.rfind(',');
+    const bool is_peer = lower_case(file.lines.front()).find("strong") != std::string::npos;
+    if (!is_peer || middle == std::string_view::npos) return title;
+    title.event = std::string(trim(before.substr(0, middle)));
+    title.station = std::string(trim(before.substr(middle + 1)));
+    return title;
+}
+
+/// "67", "180 (USGS STATION 117)", "UP", "DWN", "-V", "VERT".
+void orient(Channel& channel, std::vector<std::string>& remarks)
+{
+    const std::string_view name = channel.component;
+    double azimuth = 0;
+    const std::size_t used = parse_leading_number(name, azimuth);
+    const std::string_view rest = trim(name.substr(used));
+    const bool is_azimuth = used > 0 && name.front() != '-' && azimuth >= 0 && azimuth <= 360 &&
+                            (rest.empty() || rest.starts_with('(') || lower_case(rest).starts_with("deg"));
+    const std::string word = lower_case(name.substr(0, name.find_first_of(" \t(")));
+    if (is_azimuth)
+        channel.azimuth = azimuth == 360 ? 0 : azimuth;
+    else if (word == "dwn" || word == "down" || word == "dn")
+        remarks.push_back("Component " + channel.component + " is positive downwards.");
+    else
+        orient_by_short_name(channel, word);
+}
+
+const char* format_of(Quantity quantity)
+{
+    if (quantity == Quantity::velocity) return "PEER VT2";
+    return quantity == Quantity::displacement ? "PEER DT2" : "PEER AT2";
 }
 
 Record read(const SourceFile& file, const ReadOptions& options)
 {
     FaultList faults;
     const std::size_t count_line = *find_count_line(file);
-    const std::size_t unit_line = count_line - 1;
     const std::optional<Announced> announced = parse_count_line(file.lines[count_line]);
     if (!announced) {
         faults.add(file.at(count_line), "\"" + std::string(trim(file.lines[count_line])) + "\"",
                    "write the count and the step as \"NPTS= 4000, DT= .01 SEC\"");
     }
-    const Unit unit = resolve_unit(parse_unit(file.lines[unit_line]), options, file.at(unit_line), faults);
-    std::vector<double> samples = read_fortran_samples(file, count_line + 1, faults);
+    const FoundUnit found = find_unit_line(file, count_line);
+    const Unit unit = resolve_unit(found.text, options, file.at(found.line), faults);
+    check_quantity(file, found, unit, faults);
+    std::vector<double> samples = read_fortran_samples(file, first_row(file, count_line), faults);
     double time_step = 1;
     if (announced) {
         time_step = resolve_time_step(announced->time_step, options, file.at(count_line), faults);
         check_count(announced->count, samples.size(), file.at(count_line), faults);
     }
-    if (options.column)
-        faults.add(file.name, "a column was asked for", "PEER AT2 holds one component: leave it out");
+    refuse_column(file, options, faults);
     faults.throw_if_any(file.name);
-    const std::string component = count_line >= 2 ? parse_component(file.lines[count_line - 2]) : "";
-    return {file.name, "PEER AT2", {make_channel(component, unit, time_step, std::move(samples))}};
+    const Title title = parse_title(file, count_line);
+    Record record{file.name, format_of(unit.quantity), {}, title.station, title.event};
+    record.channels.push_back(make_channel(title.component, unit, time_step, std::move(samples)));
+    orient(record.channels.back(), record.remarks);
+    return record;
 }
 
 }  // namespace

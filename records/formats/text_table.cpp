@@ -1,7 +1,7 @@
 // Text: a table whose first column is time (each further column a component), or values only, any number on a
 // line, read row by row. Heading lines before the first number; lines beginning with # % ! // are comments, and
 // lines beginning with * may close the file ("*** End Data ***"). Unit and, without a time column, time step come
-// from the user.
+// from the user. Times need not be evenly spaced, only increasing.
 
 #include <algorithm>
 #include <cmath>
@@ -136,8 +136,14 @@ std::size_t first_uneven(const Rows& rows, double step)
     return strayed > 0 && changed > 0 ? changed : strayed;
 }
 
-/// The mean step of the time column [s]. Adds a fault when the times do not increase in even steps.
-double even_time_step(const SourceFile& file, const Rows& rows, FaultList& faults)
+/// The times of the rows [s].
+struct Times {
+    double mean_step = 0;
+    std::size_t uneven_row = 0;  // the first row where the step changes; 0: even
+};
+
+/// Adds a fault when the times do not increase, or when they are uneven where the user asked for a step.
+Times judge_times(const SourceFile& file, const Rows& rows, const ReadOptions& options, FaultList& faults)
 {
     const std::size_t last = rows.count() - 1;
     const double step = (rows.at(last, 0) - rows.at(0, 0)) / static_cast<double>(last);
@@ -146,12 +152,25 @@ double even_time_step(const SourceFile& file, const Rows& rows, FaultList& fault
     };
     if (const std::size_t row = first_not_increasing(rows); row > 0) {
         faults.add(file.at(rows.lines[row]), times(row), "column 1 must be an increasing time in seconds");
-    } else if (const std::size_t uneven = first_uneven(rows, step); uneven > 0) {
-        faults.add(file.at(rows.lines[uneven]), times(uneven) + " where the mean step is " + to_text(step) + " s",
-                   "resample the record to an even step; if only its printed times are rounded, give column and "
-                   "time_step");
+        return {step, 0};
     }
-    return step;
+    const std::size_t uneven = first_uneven(rows, step);
+    if (uneven > 0 && options.time_step)
+        faults.add(file.at(rows.lines[uneven]), times(uneven) + " where the mean step is " + to_text(step) + " s",
+                   "leave the time step out; if only the printed times are rounded, give the column too");
+    return {step, uneven};
+}
+
+/// Uneven times go with the samples, and the user is told.
+void set_times(Record& record, const SourceFile& file, const Rows& rows, const Times& times)
+{
+    for (Channel& channel : record.channels) {
+        channel.time_step = 0;
+        channel.times.reserve(rows.count());
+        for (std::size_t row = 0; row < rows.count(); ++row) channel.times.push_back(rows.at(row, 0));
+    }
+    record.remarks.push_back("The times are unevenly spaced, first at " + file.at(rows.lines[times.uneven_row]) +
+                             " (mean step " + to_text(times.mean_step) + " s); for a motion they are resampled.");
 }
 
 /// 0-based columns to read, as the user asked or all that are not time.
@@ -178,6 +197,39 @@ std::vector<double> take_column(const Rows& rows, std::size_t column)
     return samples;
 }
 
+/// The words of the lines above the first row, in lower case.
+std::vector<std::string> heading_words(const SourceFile& file, std::size_t first_row)
+{
+    std::vector<std::string> words(1);
+    for (std::size_t i = 0; i < first_row; ++i) {
+        for (const char c : lower_case(file.lines[i]) + " ") {
+            if (c >= 'a' && c <= 'z')
+                words.back() += c;
+            else if (!words.back().empty())
+                words.emplace_back();
+        }
+    }
+    return words;
+}
+
+/// Columns of periods and spectral values read like times and samples; only the heading tells.
+void refuse_spectra(const SourceFile& file, const Rows& rows)
+{
+    const std::vector<std::string> words = heading_words(file, rows.lines.front());
+    const auto have = [&](std::initializer_list<std::string_view> any) {
+        return std::find_first_of(words.begin(), words.end(), any.begin(), any.end()) != words.end();
+    };
+    const bool of_period = have({"period", "periods", "per", "freq", "frequency", "t"});
+    const bool of_response = have({"sa", "psa", "sv", "psv", "sd", "prv", "paa", "spectral"});
+    const bool of_damping = have({"damping", "damped"});
+    const bool named = have({"spectrum", "spectra"});
+    const bool names_response = named && have({"response", "pseudo", "fourier"});
+    const int signs = int{of_period} + int{of_response} + int{of_damping} + int{named};
+    const bool of_time = have({"time", "times", "accelerogram", "npts"});
+    if (!names_response && (signs < 2 || of_time)) return;
+    throw InputError(file.name, "response spectra, not a time history", "fetch the record the spectra are of");
+}
+
 bool recognises(const SourceFile& file)
 {
     std::vector<double> on_line;
@@ -190,6 +242,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
 {
     FaultList faults;
     const Rows rows = read_rows(file, faults);
+    refuse_spectra(file, rows);
     check_finite(file, rows, faults);
     const bool has_time = has_time_column(rows);
     const bool by_row = !has_time && !options.column;  // values only: the rows are one long list
@@ -202,9 +255,9 @@ Record read(const SourceFile& file, const ReadOptions& options)
     // Who names both a column and a step has said that column 1 is not to be believed.
     const bool timed = has_time && columns.front() != 0 && !(options.column && options.time_step);
     if (timed) faults.throw_if_any(file.name);  // times cannot be judged before every row is complete
-    std::optional<double> in_file;
-    if (timed) in_file = even_time_step(file, rows, faults);
-    if (timed) faults.throw_if_any(file.name);
+    const Times times = timed ? judge_times(file, rows, options, faults) : Times{};
+    faults.throw_if_any(file.name);
+    const std::optional<double> in_file = timed ? std::optional<double>(times.mean_step) : std::nullopt;
     const double time_step = resolve_time_step(in_file, options, file.name, faults);
     faults.throw_if_any(file.name);
 
@@ -214,6 +267,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
         record.channels.push_back(
             make_channel("column " + std::to_string(column + 1), unit, time_step, take_column(rows, column)));
     }
+    if (times.uneven_row > 0) set_times(record, file, rows, times);
     return record;
 }
 

@@ -72,11 +72,15 @@ TEST(TextTable, NeverGuessesUnitOrTimeStep)
     expect_in(refusal("0 1\n1 2\n2 3\n", in_g(0.5)), "0.5 s was asked for");
 }
 
-TEST(TextTable, RefusesUnevenTimesAtTheLineWhereTheyChange)
+TEST(TextTable, KeepsUnevenTimesAndTellsWhereTheyChange)
 {
-    expect_in(refusal("t a\n0 1\n.01 2\n.02 3\n.04 4\n.05 5\n", in_g()), ":5: time 0.04 s after 0.02 s");
-    expect_in(refusal("0 1\n.01 2\n.01 3\n.02 4\n", in_g()), ":3: time 0.01 s after 0.01 s");
-    expect_in(refusal("0 1\n.01 2\n-.02 3\n.03 4\n", in_g()), ":3:");
+    const Record record = read("t a\n0 1\n.01 2\n.02 3\n.04 4\n.05 5\n", in_g());
+    const Channel& channel = record.channels.at(0);
+    EXPECT_EQ(channel.time_step, 0);
+    EXPECT_EQ(channel.times, (std::vector<double>{0, 0.01, 0.02, 0.04, 0.05}));
+    EXPECT_EQ(channel.samples.size(), 5);
+    expect_in(record.remarks.at(0), ":5 (mean step 0.0125 s)");
+    EXPECT_DOUBLE_EQ(to_ground_motion(channel, "x").duration(), 0.05);
     // A step that creeps, each time by less than can be seen between neighbours.
     std::string creeping;
     double time = 0;
@@ -84,7 +88,25 @@ TEST(TextTable, RefusesUnevenTimesAtTheLineWhereTheyChange)
         time += 0.01 * (1 + 0.015 * std::sin(i * 0.01));
         creeping += std::to_string(time) + " 1\n";
     }
-    expect_in(refusal(creeping, in_g()), "even step");
+    EXPECT_EQ(read(creeping, in_g()).channels.at(0).times.size(), 500);
+    expect_in(refusal("0 1\n.01 2\n.03 3\n", in_g(0.015)), ":3: time 0.03 s after 0.01 s");
+}
+
+TEST(TextTable, RefusesTimesThatDoNotIncrease)
+{
+    expect_in(refusal("0 1\n.01 2\n.01 3\n.02 4\n", in_g()), ":3: time 0.01 s after 0.01 s");
+    expect_in(refusal("0 1\n.01 2\n-.02 3\n.03 4\n", in_g()), ":3:");
+}
+
+TEST(TextTable, RefusesResponseSpectraByTheirHeading)
+{
+    for (const std::string heading :
+         {"Period (s)  Sa (g)\n", "# Response spectrum\n", "T, PSA\n", "5% damping\nperiod value\n",
+          "PEER DATABASE SPECTRUM.\nNO FREQ RD RV PRV AA PAA MAG PER\n"})
+        expect_in(refusal(heading + "0.1 1\n0.2 2\n0.3 3\n", in_g()), "response spectra, not a time history");
+    for (const std::string heading :
+         {"time (s)  Sa-matched, 5% damping\n", "Frequency range: 0.12-23 Hz\n", "t a\n"})
+        EXPECT_EQ(read(heading + "0.1 1\n0.2 2\n0.3 3\n", in_g()).channels.size(), 1) << heading;
 }
 
 TEST(TextTable, AcceptsTimesRoundedInPrint)
