@@ -45,19 +45,42 @@ std::string known_formats()
 
 }  // namespace
 
+std::span<const Format* const> all_formats()
+{
+    return formats;
+}
+
+namespace
+{
+
+/// The largest numbers overflow when they are turned into SI.
+void require_finite_samples(const Record& record)
+{
+    for (const Channel& channel : record.channels)
+        for (const double sample : channel.samples)
+            if (!std::isfinite(sample))
+                throw InputError(record.file, "samples so large that they overflow in SI", "check their unit");
+}
+
+}  // namespace
+
+Record read_as(const Format& format, const SourceFile& source, const ReadOptions& options)
+{
+    if (!options.response.empty() && !format.may_hold_counts)
+        throw InputError(source.name, "a response was given, but " + std::string(format.name) + " holds no counts",
+                         "leave the response out");
+    Record record = format.read(source, options);
+    require_finite_samples(record);
+    return record;
+}
+
 namespace
 {
 
 Record read_source(const SourceFile& source, const ReadOptions& options)
 {
-    for (const Format* format : formats) {
-        if (!format->recognises(source)) continue;
-        if (!options.response.empty() && !format->may_hold_counts)
-            throw InputError(source.name,
-                             "a response was given, but " + std::string(format->name) + " holds no counts",
-                             "leave the response out");
-        return format->read(source, options);
-    }
+    for (const Format* format : formats)
+        if (format->recognises(source)) return read_as(*format, source, options);
     throw InputError(source.name, is_text(source) ? "a text without a line of numbers" : "binary content",
                      "not a record in a format we read: " + known_formats());
 }

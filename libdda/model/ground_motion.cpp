@@ -51,18 +51,19 @@ std::vector<Fault> sample_faults(const std::vector<double>& samples, double time
     return faults;
 }
 
-void require_samples(const std::vector<double>& samples, double time_step, const std::string& source)
-{
-    std::vector<Fault> faults = sample_faults(samples, time_step, source);
-    if (!faults.empty()) throw InputError(std::move(faults));
-}
-
 /// Sound samples can still overflow when integrated or differenced.
 void require_finite(double value, const std::string& source)
 {
     if (std::isfinite(value)) return;
     throw InputError(source, "samples and time step so large or small that the motion overflows",
                      "check their units");
+}
+
+void require_samples(const std::vector<double>& samples, double time_step, const std::string& source)
+{
+    std::vector<Fault> faults = sample_faults(samples, time_step, source);
+    if (!faults.empty()) throw InputError(std::move(faults));
+    require_finite(static_cast<double>(samples.size()) * time_step, source);  // the duration
 }
 
 /// Slopes of a sampled displacement: zero at the start (from rest), central inside, second-order one-sided at the

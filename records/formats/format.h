@@ -2,6 +2,8 @@
 // table of record.cpp.
 #pragma once
 
+#include <span>
+
 #include "records/record.h"
 #include "records/source_file.h"
 #include "records/units.h"
@@ -36,6 +38,12 @@ extern const Format miniseed;
 extern const Format sac_format;
 extern const Format text_table;
 extern const Format unam;
+
+/// Every format, in the order in which files are asked whether they are one (record.cpp).
+std::span<const Format* const> all_formats();
+
+/// Reads a file that `format` recognises. @throws InputError also when a sample overflows in SI
+Record read_as(const Format& format, const SourceFile& source, const ReadOptions& options);
 
 // ---- what readers share (format.cpp)
 

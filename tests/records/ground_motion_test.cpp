@@ -289,6 +289,7 @@ TEST(GroundMotion, BadSamplesAreRefusedWithEveryFault)
     EXPECT_THROW(GroundMotion::from_displacement({}, 1, ""), InputError);
     EXPECT_THROW(GroundMotion::from_displacement({0, 1}, 1e-300, ""), InputError);  // overflows
     EXPECT_THROW(GroundMotion::from_acceleration({1e308, 1e308}, 1e3, ""), InputError);
+    EXPECT_THROW(GroundMotion::from_velocity({1, 1, 1}, 1e308, ""), InputError);  // lasts for ever
     EXPECT_THROW(GroundMotion::sine_acceleration(nan, 0, nan, -1), InputError);
 }
 

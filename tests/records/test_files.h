@@ -38,7 +38,7 @@ class TemporaryFile
 {
  public:
     explicit TemporaryFile(const std::string& content, const std::string& name = "record.txt")
-        : path_(std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + "_" + name))
+        : path_(std::filesystem::path(::testing::TempDir()) / (std::to_string(getpid()) + "_" + name))
     {
         std::ofstream(path_, std::ios::binary) << content;
     }
