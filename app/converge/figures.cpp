@@ -77,7 +77,7 @@ std::vector<Figure> converge_figures(const ConvergeStudy& study)
     std::vector<Figure> figures;
     for (const QuantityStudy& quantity : study.quantities) {
         Figure figure{
-            file_name(figures.size(), quantity.name), study.title, quantity.name, {}, notes_of(quantity)};
+            file_name(figures.size(), quantity.name), study.title, quantity.name, {}, false, notes_of(quantity)};
         add_diagram(quantity, Varied::time_step, "time step [s]", time_step, figure);
         add_diagram(quantity, Varied::time_step, "CPU time [s]", cpu_time, figure);
         add_diagram(quantity, Varied::stiffness, "contact stiffness / the case's [-]", stiffness, figure);

@@ -7,8 +7,8 @@ namespace voussoir
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Curve, name, x, y, is_reference)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Level, name, y, tolerance)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagram, x_title, y_title, curves, levels, logarithmic)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Figure, name, title, subtitle, diagrams, notes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagram, x_title, y_title, curves, levels, logarithmic_x, logarithmic_y, marks)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Figure, name, title, subtitle, diagrams, stacked, notes)
 
 std::string figures_json(const std::vector<Figure>& figures)
 {

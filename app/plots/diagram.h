@@ -22,14 +22,16 @@ struct Level {
 struct Diagram {
     std::string x_title, y_title;  // with units
     std::vector<Curve> curves;
-    std::vector<Level> levels;  // horizontal lines
-    bool logarithmic = true;    // both axes; values are then > 0. Else lines without marks
+    std::vector<Level> levels;                        // horizontal lines
+    bool logarithmic_x = true, logarithmic_y = true;  // values are then > 0
+    bool marks = true;                                // on the points of curves; else lines alone
 };
 
 struct Figure {
     std::string name;  // of the file, without ending
     std::string title, subtitle;
-    std::vector<Diagram> diagrams;   // side by side
+    std::vector<Diagram> diagrams;   // side by side, or
+    bool stacked = false;            // broad and low, one under another
     std::vector<std::string> notes;  // at the foot: what could not be drawn
 };
 

@@ -28,6 +28,7 @@ constexpr Color palette[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62
 
 // Logical pixels; the picture has `sharpness` pixels to each.
 constexpr double sharpness = 2, panel_width = 430, panel_height = 330, head = 74, foot = 60;
+constexpr double stacked_height = 190;
 constexpr double axis_left = 66, axis_right = 20, legend_line = 18, legend_width = 380, note_line = 15;
 
 /// Where a diagram lies in the picture.
@@ -38,8 +39,26 @@ struct Panel {
     double at_y(double value) const { return top + height * (1 - y.share(value)); }
 };
 
-Panel place(const Diagram& diagram, double left, double width)
+/// The sheet a figure is drawn on.
+struct Sheet {
+    double width, panels_height;  // with heads and feet of the rows
+    double diagram_width, diagram_height, row_height;
+};
+
+Sheet sheet_of(const Figure& figure)
 {
+    const auto count = static_cast<double>(figure.diagrams.size());
+    if (figure.stacked) {
+        const double row = stacked_height + foot;
+        return {2 * panel_width, count * row, 2 * panel_width, stacked_height, row};
+    }
+    const double width = figure.diagrams.size() == 1 ? 2 * panel_width : panel_width;  // one alone is a broad one
+    return {count * width, panel_height + foot, width, panel_height, 0};
+}
+
+Panel place(const Diagram& diagram, const Figure& figure, const Sheet& sheet, std::size_t number)
+{
+    const double left = figure.stacked ? 0 : sheet.diagram_width * static_cast<double>(number);
     std::vector<double> x, y;
     for (const Curve& curve : diagram.curves) {
         x.insert(x.end(), curve.x.begin(), curve.x.end());
@@ -47,11 +66,11 @@ Panel place(const Diagram& diagram, double left, double width)
     }
     for (const Level& level : diagram.levels) y.push_back(level.y);
     return {left + axis_left,
-            head,
-            width - axis_left - axis_right,
-            panel_height,
-            axis_for(x, diagram.logarithmic),
-            axis_for(y, diagram.logarithmic)};
+            head + sheet.row_height * static_cast<double>(number),
+            sheet.diagram_width - axis_left - axis_right,
+            sheet.diagram_height,
+            axis_for(x, diagram.logarithmic_x),
+            axis_for(y, diagram.logarithmic_y)};
 }
 
 /// @param anchor 0 left, 0.5 middle, 1 right end of the label at x
@@ -158,7 +177,7 @@ std::vector<Style> styles_of(const Figure& figure)
         for (const Curve& curve : diagram.curves) {
             const auto same = [&](const Style& style) { return style.name == curve.name; };
             if (std::any_of(styles.begin(), styles.end(), same)) continue;
-            styles.push_back({curve.name, curve.is_reference, diagram.logarithmic && !curve.is_reference, number});
+            styles.push_back({curve.name, curve.is_reference, diagram.marks && !curve.is_reference, number});
             if (!curve.is_reference) ++number;
         }
     return styles;
@@ -215,13 +234,13 @@ void write_head(cairo_t* pen, const Figure& figure, double width)
 void draw_figure(const Figure& figure, const std::filesystem::path& file)
 {
     const std::vector<Style> styles = styles_of(figure);
-    const double widths = figure.diagrams.size() == 1 ? 2 : 1;  // one diagram alone is a broad one
-    const double width = widths * panel_width * static_cast<double>(figure.diagrams.size());
-    const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((width - axis_left) / legend_width)));
+    const Sheet sheet = sheet_of(figure);
+    const auto columns =
+        static_cast<std::size_t>(std::max(1.0, std::floor((sheet.width - axis_left) / legend_width)));
     const double lines = legend_line * static_cast<double>((styles.size() + columns - 1) / columns);
     const double height =
-        head + panel_height + foot + 16 + lines + note_line * static_cast<double>(figure.notes.size());
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(sharpness * width),
+        head + sheet.panels_height + 16 + lines + note_line * static_cast<double>(figure.notes.size());
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(sharpness * sheet.width),
                                                      static_cast<int>(sharpness * height)),
                           &cairo_surface_destroy);
     {
@@ -230,10 +249,10 @@ void draw_figure(const Figure& figure, const std::filesystem::path& file)
         cairo_set_source_rgb(pen.get(), 1, 1, 1);
         cairo_paint(pen.get());
         cairo_set_line_join(pen.get(), CAIRO_LINE_JOIN_ROUND);
-        write_head(pen.get(), figure, width);
+        write_head(pen.get(), figure, sheet.width);
         for (std::size_t i = 0; i < figure.diagrams.size(); ++i) {
             const Diagram& diagram = figure.diagrams[i];
-            const Panel panel = place(diagram, panel_width * static_cast<double>(i), widths * panel_width);
+            const Panel panel = place(diagram, figure, sheet, i);
             cairo_set_line_width(pen.get(), 1);
             draw_grid_of_x(pen.get(), panel);
             draw_grid_of_y(pen.get(), panel);
@@ -241,7 +260,7 @@ void draw_figure(const Figure& figure, const std::filesystem::path& file)
             draw_levels(pen.get(), diagram, panel);
             draw_frame(pen.get(), diagram, panel);
         }
-        draw_legend(pen.get(), figure, styles, columns, head + panel_height + foot + 8);
+        draw_legend(pen.get(), figure, styles, columns, head + sheet.panels_height + 8);
     }
     const cairo_status_t status = cairo_surface_write_to_png(surface.get(), file.c_str());
     if (status != CAIRO_STATUS_SUCCESS)

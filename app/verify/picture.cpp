@@ -29,7 +29,7 @@ Curve curve_of(const std::string& name, const std::vector<double>& x, const std:
 
 Diagram linear_diagram(const std::string& x_title, const std::string& y_title, std::vector<Curve> curves)
 {
-    return {x_title, y_title, std::move(curves), {}, false};
+    return {x_title, y_title, std::move(curves), {}, false, false, false};
 }
 
 }  // namespace voussoir

@@ -60,7 +60,7 @@ Figure work_precision(const VerifyOutcome& outcome)
     std::vector<Level> levels;
     if (benchmark.tolerance > 0) levels.push_back({"tolerance", benchmark.tolerance, true});
     if (benchmark.paper_level) levels.push_back({"the paper's error", *benchmark.paper_level, false});
-    Figure figure{benchmark.name, benchmark.title, benchmark.source, {}, notes_on(rows)};
+    Figure figure{benchmark.name, benchmark.title, benchmark.source, {}, false, notes_on(rows)};
     const auto add = [&](const std::string& x_title, std::vector<Curve> curves) {
         if (!curves.empty()) figure.diagrams.push_back({x_title, "error [-]", std::move(curves), levels});
     };
@@ -79,6 +79,7 @@ Figure picture(const VerifyOutcome& outcome)
                   benchmark.title,
                   method_name(row.setting) + ", " + step_in_words(row.setting.time_step),
                   {},
+                  false,
                   {}};
     if (!row.result.picture.curves.empty()) figure.diagrams.push_back(row.result.picture);
     return figure;

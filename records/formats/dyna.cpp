@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 #include "records/numbers.h"
 

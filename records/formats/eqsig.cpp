@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 #include "records/numbers.h"
 

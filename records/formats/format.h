@@ -64,6 +64,9 @@ std::vector<double> read_fortran_samples(const SourceFile& file, std::size_t fir
 /// Adds a fault when the header announces another number of samples than there are, or fewer than 2.
 void check_count(double announced, std::size_t found, const std::string& place, FaultList& faults);
 
+/// A column belongs to a text table: adds a fault when one was asked for.
+void refuse_column(const SourceFile& file, const ReadOptions& options, FaultList& faults);
+
 /// The samples times their unit: a channel in SI.
 Channel make_channel(std::string component, const Unit& unit, double time_step, std::vector<double> samples);
 

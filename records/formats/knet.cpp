@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 
+#include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 #include "records/numbers.h"
 

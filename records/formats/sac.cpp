@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 #include "records/formats/sac_header.h"
 #include "records/formats/station_xml.h"

@@ -33,12 +33,6 @@ void check_block(const SourceFile& file, const NumberBlock& block, const Announc
     }
 }
 
-void refuse_column(const SourceFile& file, const ReadOptions& options, FaultList& faults)
-{
-    if (!options.column) return;
-    faults.add(file.name, "a column was asked for", "the format names its components itself: leave it out");
-}
-
 void refuse_time_step(const SourceFile& file, const ReadOptions& options, FaultList& faults)
 {
     if (!options.time_step) return;

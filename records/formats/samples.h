@@ -23,9 +23,6 @@ struct Announced {
 void check_block(const SourceFile& file, const NumberBlock& block, const Announced& announced,
                  std::vector<std::string>& remarks, FaultList& faults);
 
-/// A column belongs to a text table; adds a fault when one was asked for.
-void refuse_column(const SourceFile& file, const ReadOptions& options, FaultList& faults);
-
 /// Adds a fault when a time step was asked for although the file holds the time of every sample.
 void refuse_time_step(const SourceFile& file, const ReadOptions& options, FaultList& faults);
 

@@ -54,13 +54,16 @@ TEST(Axis, linear_ticks_are_round_and_few_at_any_scale)
 
 TEST(Diagram, goes_through_json_unchanged)
 {
-    Figure figure{"name", "title", "subtitle", {}, {"a note"}};
+    Figure figure{"name", "title", "subtitle", {}, true, {"a note"}};
     figure.diagrams.push_back(
-        {"x [s]", "y [m]", {{"exact", {0, 1}, {2, 3}, true}}, {{"limit", 0.5, true}}, false});
+        {"x [s]", "y [m]", {{"exact", {0, 1}, {2, 3}, true}}, {{"limit", 0.5, true}}, true, false, false});
     const std::vector<Figure> back = figures_of_json(figures_json({figure}));
     ASSERT_EQ(back.size(), 1u);
     const Diagram& diagram = back[0].diagrams.at(0);
-    EXPECT_FALSE(diagram.logarithmic);
+    EXPECT_TRUE(back[0].stacked);
+    EXPECT_TRUE(diagram.logarithmic_x);
+    EXPECT_FALSE(diagram.logarithmic_y);
+    EXPECT_FALSE(diagram.marks);
     EXPECT_TRUE(diagram.curves.at(0).is_reference);
     EXPECT_EQ(diagram.curves[0].y, (std::vector<double>{2, 3}));
     EXPECT_TRUE(diagram.levels.at(0).tolerance);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "records/record.h"
-#include "records/synthetic.h"
+#include "records/synthetic/noise.h"
 
 namespace voussoir
 {

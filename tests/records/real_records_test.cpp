@@ -54,6 +54,31 @@ TEST_F(RealRecords, TheTwoFilesOfElCentroAreOneMotion)
     EXPECT_NEAR(motion.with_end_correction().residual_displacement(), 0, 1e-12);
 }
 
+// Nothing in the folders is left out, whoever wrote a test for its format.
+TEST_F(RealRecords, EveryFileIsReadOrRefusedAsExpected)
+{
+    int checked = 0, refused = 0;
+    for (const char* folder : {"motions", "motions/laquila2009", "motions_restricted"})
+        for (const auto& entry : std::filesystem::directory_iterator(data_folder() / folder)) {
+            const std::string name = std::string(folder) + "/" + entry.path().filename().string();
+            if (!entry.is_regular_file() || !expected_.contains(name)) continue;
+            const nlohmann::json& channels = expected_[name]["channels"];
+            if (channels.empty()) {
+                EXPECT_THROW(read_record(data_folder() / name, {}), InputError) << name;
+                ++refused;
+                continue;
+            }
+            ReadOptions options;
+            const std::string format = expected_[name].value("format", "");
+            if (format == "two_col" || format == "values_only") options.unit = "g";
+            if (format == "values_only") options.time_step = channels[0]["dt_s"].get<double>();
+            check(name, options, "");
+            ++checked;
+        }
+    EXPECT_EQ(checked + refused, static_cast<int>(expected_.size()));
+    EXPECT_GE(refused, 1);
+}
+
 }  // namespace
 
 }  // namespace voussoir
