@@ -24,8 +24,8 @@ void check_block(const SourceFile& file, const NumberBlock& block, const Announc
                           " samples but there is one more, which is kept");
     } else if (is_cut && block.end < file.lines.size()) {
         faults.add(file.at(block.end),
-                   "\"" + std::string(trim(file.lines[block.end]).substr(0, 40)) + "\" after " +
-                       std::to_string(found) + " of the " + std::to_string(static_cast<long long>(count)) +
+                   "\"" + first_not_number(file.lines[block.end], 0) + "\" after " + std::to_string(found) +
+                       " of the " + std::to_string(static_cast<long long>(count)) +
                        " samples the header announces",
                    "the file is cut short or damaged: fetch it again");
     } else {
