@@ -35,7 +35,12 @@ namespace
 Record read_source(const SourceFile& source, const ReadOptions& options)
 {
     for (const Format* format : formats) {
-        if (format->recognises(source)) return format->read(source, options);
+        if (!format->recognises(source)) continue;
+        Record record = format->read(source, options);
+        if (record.channels.empty())
+            throw InputError(source.name, "a header of " + record.format + " without samples",
+                             "the file is cut short or damaged: fetch it again");
+        return record;
     }
     throw InputError(source.name, is_text(source) ? "a text without a line of numbers" : "binary content",
                      "not a record in a format we read: " + known_formats());

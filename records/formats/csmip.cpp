@@ -62,7 +62,8 @@ bool recognises(const SourceFile& file)
     if (is_uncorrected(file.lines[first])) return true;
     const std::string title = lower_case(trim(file.lines[first]));
     const bool is_v2 = title.starts_with("corrected accelerogram");
-    return (is_v2 || is_spectra(file, first)) && find_channel(file, first) < first + 5;
+    return (is_v2 || is_spectra(file, first)) &&
+           find_channel(file, first) < std::min(first + 5, file.lines.size());
 }
 
 struct Header {

@@ -119,6 +119,8 @@ TEST(Csmip, RefusesDamage)
     expect_in(refusal(with(volume_2(), "at  .020", "at  .000")), "time step = 0 s");
     expect_in(refusal("Response and Fourier amplitude spectra for\nCorrected accelerogram\n" + volume_1("EW", "")),
               ":1: response spectra, not a time history");
+    expect_in(refusal("Corrected accelerogram   1      Chan  1: 360 Deg     from\n1 2\n"),
+              "a record holds at least 2");
     expect_in(refusal(text, {.unit = "cm/s2"}), "the file is in g but cm/s2 was asked for");
     expect_in(refusal(text, {.column = 2}), "a column was asked for");
 }
