@@ -9,12 +9,20 @@
 namespace voussoir
 {
 
+namespace
+{
+
+constexpr double largest_sample = 1e30;  // no unit makes a motion of more: a null value or damage
+
+}  // namespace
+
 void check_block(const SourceFile& file, const NumberBlock& block, const Announced& announced,
                  std::vector<std::string>& remarks, FaultList& faults)
 {
     for (std::size_t i = 0; i < block.numbers.size(); ++i) {
-        if (std::isfinite(block.numbers[i])) continue;
-        faults.add(file.at(line_of(block, i)), "sample " + to_text(block.numbers[i]), "must be finite");
+        if (std::abs(block.numbers[i]) < largest_sample) continue;  // not so for nan
+        faults.add(file.at(line_of(block, i)), "sample " + to_text(block.numbers[i]),
+                   "must be finite and smaller than " + to_text(largest_sample));
     }
     const std::size_t found = block.numbers.size() / announced.values_each;
     const double count = announced.count;

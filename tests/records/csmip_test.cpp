@@ -113,6 +113,8 @@ TEST(Csmip, RefusesDamage)
     expect_in(refusal(with(text, "at 200 pts", "at 0 pts")), "time step = inf s");
     expect_in(refusal(with(text, "  .100000", "      NaN")), ":25: sample nan; must be finite");
     expect_in(refusal(with(text, "  .100000", "*********")), ":25: \"*********");
+    expect_in(refusal(with(text, "  .100000", "    1e308")),
+              "sample 1e+308; must be finite and smaller than 1e+30");
     expect_in(refusal(volume_1("EW", "")), "a channel without samples");
     expect_in(refusal(volume_1("EW", with(pairs, "   .250", ""))), "a time without a value");
     expect_in(refusal(volume_1("EW", with(pairs, "   .015", "   .005"))), "time 0.005 s after 0.01 s");
