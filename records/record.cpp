@@ -70,6 +70,9 @@ Record read_as(const Format& format, const SourceFile& source, const ReadOptions
         throw InputError(source.name, "a response was given, but " + std::string(format.name) + " holds no counts",
                          "leave the response out");
     Record record = format.read(source, options);
+    if (record.channels.empty())
+        throw InputError(source.name, "a header of " + record.format + " without samples",
+                         "the file is cut short or damaged: fetch it again");
     require_finite_samples(record);
     return record;
 }
