@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <utility>
 
 #include "app/case/nearest_word.h"

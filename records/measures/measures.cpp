@@ -39,7 +39,7 @@ double cumulative_absolute_velocity(const Channel& channel)
 }
 
 /// Velocity has its extremes where the acceleration is zero.
-double peak_velocity(const GroundMotion& motion, const Channel& channel)
+double largest_velocity(const GroundMotion& motion, const Channel& channel)
 {
     double peak = std::abs(motion.residual_velocity());
     for (std::size_t i = 0; i + 1 < channel.samples.size(); ++i) {
@@ -52,7 +52,7 @@ double peak_velocity(const GroundMotion& motion, const Channel& channel)
 }
 
 /// Displacement has its extremes where the velocity v + a t + jerk t^2 / 2 is zero.
-double peak_displacement(const GroundMotion& motion, const Channel& channel)
+double largest_displacement(const GroundMotion& motion, const Channel& channel)
 {
     double peak = std::abs(motion.residual_displacement());
     const double step = channel.time_step;
@@ -117,6 +117,12 @@ double mean_period(const Channel& channel)
 
 }  // namespace
 
+double peak_velocity(const Channel& channel)
+{
+    const Channel even = even_acceleration(channel, "peak velocity");
+    return largest_velocity(to_ground_motion(even, even.component), even);
+}
+
 std::vector<double> arias_up_to(const std::vector<double>& samples, double time_step)
 {
     std::vector<double> cumulated(samples.size(), 0.0);
@@ -154,8 +160,8 @@ Measures measures_of(const Channel& channel, const MeasureOptions& options)
     };
     Measures measures;
     measures.peak_acceleration = peak(channel);
-    measures.peak_velocity = peak_velocity(motion, even);
-    measures.peak_displacement = peak_displacement(motion, even);
+    measures.peak_velocity = largest_velocity(motion, even);
+    measures.peak_displacement = largest_displacement(motion, even);
     measures.arias_intensity = arias.back();
     measures.cumulative_velocity = cumulative_absolute_velocity(even);
     measures.time_5 = time_of(0.05);

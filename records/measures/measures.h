@@ -1,6 +1,8 @@
 // What an earthquake engineer asks of a record, in single figures.
 #pragma once
 
+#include <vector>
+
 #include "records/record.h"
 #include "records/units.h"
 
@@ -33,6 +35,9 @@ struct MeasureOptions {
 /// Source: Arias (1970), I = pi/(2g) integral a^2 dt; Trifunac & Brady, BSSA 65 (1975), durations; Bolt (1973),
 /// bracketed duration; Rathje, Abrahamson & Bray, J. Geotech. Geoenv. Eng. 124 (1998), mean period
 Measures measures_of(const Channel& channel, const MeasureOptions& options = {});
+
+/// Its peak velocity alone [m/s].
+double peak_velocity(const Channel& channel);
 
 /// Arias intensity up to each sample of an acceleration. @returns (n) [m/s]
 std::vector<double> arias_up_to(const std::vector<double>& samples, double time_step);

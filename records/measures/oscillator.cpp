@@ -135,9 +135,10 @@ OscillatorState advanced(const Oscillator& oscillator, const Influence& over, co
 ResponseWalk::ResponseWalk(const Oscillator& oscillator, const std::vector<double>& samples, double time_step)
     : oscillator_(oscillator),
       samples_(samples),
-      time_step_(time_step),
+      sampling_rate_(1 / time_step),
       division_(static_cast<int>(std::ceil(time_step / longest_stretch(oscillator)))),
-      over_sampled_(influence(oscillator, time_step / division_)),
+      length_(time_step / division_),
+      over_sampled_(influence(oscillator, length_)),
       over_free_(influence(oscillator, longest_stretch(oscillator)))
 {
 }
@@ -147,11 +148,10 @@ bool ResponseWalk::next(Stretch& stretch)
     constexpr int free_stretches = 64;  // four periods
     const OscillatorState start = state_;
     if (sample_ + 1 < samples_.size()) {
-        const double length = time_step_ / division_;
-        const double jerk = (samples_[sample_ + 1] - samples_[sample_]) / time_step_;
-        const double acceleration = samples_[sample_] + jerk * part_ * length;
+        const double jerk = (samples_[sample_ + 1] - samples_[sample_]) * sampling_rate_;
+        const double acceleration = samples_[sample_] + jerk * part_ * length_;
         state_ = advanced(oscillator_, over_sampled_, start, acceleration, jerk);
-        stretch = {start, state_, acceleration, jerk, length};
+        stretch = {start, state_, acceleration, jerk, length_};
         if (++part_ == division_) {
             part_ = 0;
             ++sample_;

@@ -49,8 +49,9 @@ class ResponseWalk
  private:
     Oscillator oscillator_;
     const std::vector<double>& samples_;
-    double time_step_;
-    int division_;  // stretches between two samples
+    double sampling_rate_;  // 1/s
+    int division_;          // stretches between two samples
+    double length_;         // s, of one
     Influence over_sampled_, over_free_;
     OscillatorState state_;
     std::size_t sample_ = 0;

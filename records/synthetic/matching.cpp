@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "libdda/errors.h"
+#include "records/measures/oscillator.h"
 #include "records/numbers.h"
 #include "records/synthetic/rest.h"
 #include "records/synthetic/spectral_scaling.h"
@@ -37,54 +38,33 @@ struct Peaks {
     Peak larger, other;
 };
 
-/// What an oscillator has gathered: exact for an acceleration linear between samples (Nigam and Jennings 1969).
-class Oscillator
+/// The largest responses of an oscillator at rest to an acceleration that is linear between samples, looked for at
+/// the samples. @param over its influence over a time step
+Peaks peaks_of(const Oscillator& oscillator, const Influence& over, double step,
+               const std::vector<double>& acceleration)
 {
- public:
-    Oscillator(double period, double damping, double step)
-    {
-        const double w = 2 * pi / period, wd = w * std::sqrt(1 - damping * damping);
-        const double e = std::exp(-damping * w * step), s = std::sin(wd * step), c = std::cos(wd * step);
-        const double z = damping / std::sqrt(1 - damping * damping), w2 = w * w, b = 2 * damping / (w2 * w * step);
-        stiffness_ = w2;
-        a11_ = e * (z * s + c);
-        a12_ = e * s / wd;
-        a21_ = -w2 * a12_;
-        a22_ = e * (c - z * s);
-        const double p = (2 * damping * damping - 1) / (w2 * step), q = damping / w;
-        b11_ = e * ((p + q) * s / wd + (b + 1 / w2) * c) - b;
-        b12_ = -e * (p * s / wd + b * c) - 1 / w2 + b;
-        b21_ = e * ((p + q) * (c - z * s) - (b + 1 / w2) * (wd * s + damping * w * c)) + 1 / (w2 * step);
-        b22_ = -e * (p * (c - z * s) - b * (wd * s + damping * w * c)) - 1 / (w2 * step);
+    OscillatorState state;
+    Peak highest, lowest;
+    for (std::size_t i = 0; i + 1 < acceleration.size(); ++i) {
+        const double jerk = (acceleration[i + 1] - acceleration[i]) / step;
+        state = advanced(oscillator, over, state, acceleration[i], jerk);
+        if (state.displacement > highest.value) highest = {state.displacement, i + 1};
+        if (state.displacement < lowest.value) lowest = {state.displacement, i + 1};
     }
-    Peaks peaks(const std::vector<double>& acceleration) const
-    {
-        double u = 0, v = 0;
-        Peak highest, lowest;
-        for (std::size_t i = 0; i + 1 < acceleration.size(); ++i) {
-            const double a0 = acceleration[i], a1 = acceleration[i + 1];
-            const double next = a11_ * u + a12_ * v + b11_ * a0 + b12_ * a1;
-            v = a21_ * u + a22_ * v + b21_ * a0 + b22_ * a1;
-            u = next;
-            if (u > highest.value) highest = {u, i + 1};
-            if (u < lowest.value) lowest = {u, i + 1};
-        }
-        highest.value *= stiffness_;
-        lowest.value *= stiffness_;
-        return highest.value > -lowest.value ? Peaks{highest, lowest} : Peaks{lowest, highest};
-    }
-
- private:
-    double stiffness_, a11_, a12_, a21_, a22_, b11_, b12_, b21_, b22_;
-};
+    const double stiffness = oscillator.frequency * oscillator.frequency;
+    highest.value *= stiffness;
+    lowest.value *= stiffness;
+    return highest.value > -lowest.value ? Peaks{highest, lowest} : Peaks{lowest, highest};
+}
 
 /// The motion on its way: samples on the fine grid and how they respond.
 struct Matching {
     double damping = 0.05;
     std::vector<double> periods, wanted;  // s, m/s2
     std::vector<Oscillator> oscillators;
-    double step = 0;              // s
-    std::vector<double> samples;  // m/s2
+    std::vector<Influence> influences;  // over a step
+    double step = 0;                    // s
+    std::vector<double> samples;        // m/s2
     std::vector<Peaks> peaks;
     double worst = 0;  // largest |spectrum / target - 1|
 };
@@ -106,7 +86,8 @@ void settle(Matching& matching)
     bring_to_rest(matching.samples);
     matching.worst = 0;
     for (std::size_t i = 0; i < matching.periods.size(); ++i) {
-        matching.peaks[i] = matching.oscillators[i].peaks(matching.samples);
+        matching.peaks[i] =
+            peaks_of(matching.oscillators[i], matching.influences[i], matching.step, matching.samples);
         matching.worst =
             std::max(matching.worst, std::abs(std::abs(matching.peaks[i].larger.value) / matching.wanted[i] - 1));
     }
@@ -307,7 +288,8 @@ Matching begin(const Channel& seed, const TargetSpectrum& target, const MatchSet
         const double period = settings.shortest * std::pow(settings.longest / settings.shortest, share);
         matching.periods.push_back(period);
         matching.wanted.push_back(target.at(period));
-        matching.oscillators.emplace_back(period, target.damping, matching.step);
+        matching.oscillators.push_back({2 * pi / period, target.damping});
+        matching.influences.push_back(influence(matching.oscillators.back(), matching.step));
     }
     matching.peaks.resize(matching.periods.size());
     return matching;
@@ -328,7 +310,8 @@ Channel match_spectrum(const Channel& seed, const TargetSpectrum& target, const 
     check(seed, target, settings);
     Matching matching = begin(seed, target, settings);
     for (std::size_t i = 0; i < matching.periods.size(); ++i)
-        matching.peaks[i] = matching.oscillators[i].peaks(matching.samples);
+        matching.peaks[i] =
+            peaks_of(matching.oscillators[i], matching.influences[i], matching.step, matching.samples);
     report = {matching.periods, matching.wanted, spectrum_of(matching), {}, 0, 0, 0};
 
     Matching best = matching;
