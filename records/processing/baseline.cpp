@@ -49,12 +49,17 @@ void subtract(const std::vector<double>& values, std::vector<double>& samples)
     for (std::size_t i = 0; i < samples.size(); ++i) samples[i] -= values[i];
 }
 
-/// " m/s2 + ... m/s3 t" of a straight line through its ends.
+const char* unit_of_slope(Quantity quantity)
+{
+    return quantity == Quantity::acceleration ? "m/s3" : quantity == Quantity::velocity ? "m/s2" : "m/s";
+}
+
+/// "0.1 m/s2 + 0.02 m/s3 t" of a straight line through its ends.
 std::string line_text(const std::vector<double>& fit, const Channel& channel)
 {
     const double slope = (fit.back() - fit.front()) / duration_of(channel);
     return figure(fit.front()) + " " + si_unit(channel.quantity) + (slope < 0 ? " - " : " + ") +
-           figure(std::abs(slope)) + " " + si_unit(channel.quantity) + "/s t";
+           figure(std::abs(slope)) + " " + unit_of_slope(channel.quantity) + " t";
 }
 
 std::string largest_text(const std::vector<double>& fit, const Channel& channel)

@@ -123,7 +123,7 @@ TEST(Baseline, LeavesNothingOfItselfAndSaysWhatItTook)
     }
     const Channel line = sampled([](double t) { return 0.25 - 0.5 * t; }, 0.01, 101);
     expect_in(process({line}, {RemoveBaseline{1}}).sentences[0],
-              "linear baseline removed: x 0.25 m/s2 - 0.5 m/s2/s t");
+              "linear baseline removed: x 0.25 m/s2 - 0.5 m/s3 t");
     expect_in(process({of_samples({1, 2, 6}, 1)}, {RemoveMean{}}).sentences[0], "mean removed: x 3 m/s2");
     EXPECT_LT(peak(processed(of_samples({3, 3, 3}, 1), {RemoveMean{}})), 1e-15);
 }
