@@ -26,6 +26,12 @@ const auto formats = std::to_array<const Format*>({
     &isesd,
     &peer_at2,
     &corrected_acc,
+    &csmip,
+    &cosmos,
+    &smc,
+    &usc,
+    &geonet,
+    &bhrc,
     &eqsig,
     &text_table,
 });

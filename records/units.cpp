@@ -16,8 +16,9 @@ struct KnownUnit {
     double factor;
 };
 
-constexpr std::array<KnownUnit, 11> units{{
+constexpr std::array<KnownUnit, 12> units{{
     {"g", Quantity::acceleration, standard_gravity},
+    {"g/10", Quantity::acceleration, standard_gravity / 10},
     {"m/s2", Quantity::acceleration, 1},
     {"cm/s2", Quantity::acceleration, 0.01},
     {"mm/s2", Quantity::acceleration, 0.001},

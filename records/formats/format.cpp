@@ -84,6 +84,12 @@ void check_count(double announced, std::size_t found, const std::string& place, 
     }
 }
 
+void refuse_column(const SourceFile& file, const ReadOptions& options, FaultList& faults)
+{
+    if (!options.column) return;
+    faults.add(file.name, "a column was asked for", "the file names its components itself: leave it out");
+}
+
 Channel make_channel(std::string component, const Unit& unit, double time_step, std::vector<double> samples)
 {
     for (double& sample : samples) sample *= unit.factor;

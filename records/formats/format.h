@@ -30,6 +30,12 @@ extern const Format isesd;
 extern const Format knet;
 extern const Format miniseed;
 extern const Format sac_format;
+extern const Format csmip;
+extern const Format cosmos;
+extern const Format smc;
+extern const Format usc;
+extern const Format geonet;
+extern const Format bhrc;
 extern const Format text_table;
 extern const Format unam;
 
@@ -57,6 +63,9 @@ std::vector<double> read_fortran_samples(const SourceFile& file, std::size_t fir
 
 /// Adds a fault when the header announces another number of samples than there are, or fewer than 2.
 void check_count(double announced, std::size_t found, const std::string& place, FaultList& faults);
+
+/// A column belongs to a text table; adds a fault when one was asked for.
+void refuse_column(const SourceFile& file, const ReadOptions& options, FaultList& faults);
 
 /// The samples times their unit: a channel in SI.
 Channel make_channel(std::string component, const Unit& unit, double time_step, std::vector<double> samples);

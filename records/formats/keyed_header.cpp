@@ -116,12 +116,6 @@ std::vector<std::vector<double>> read_columns(const SourceFile& file, std::size_
     return columns;
 }
 
-void refuse_column(const SourceFile& file, const ReadOptions& options, FaultList& faults)
-{
-    if (!options.column) return;
-    faults.add(file.name, "a column was asked for", "the file names its components itself: leave it out");
-}
-
 void orient_by_short_name(Channel& channel, std::string_view name)
 {
     constexpr std::array<std::string_view, 3> north{"ns", "n", "north"}, up{"ud", "up", "u"},

@@ -58,9 +58,6 @@ void check_count_with_surplus(double announced, std::size_t found, std::size_t s
 std::vector<std::vector<double>> read_columns(const SourceFile& file, std::size_t first, std::size_t width,
                                               FaultList& faults);
 
-/// Adds a fault when a column was asked for: these files name their components themselves.
-void refuse_column(const SourceFile& file, const ReadOptions& options, FaultList& faults);
-
 /// The azimuth or the vertical of a component by the usual short names: NS, N-S, N, WE, EW, E-W, E, UD, U-D, UP,
 /// U, V, Z, or a channel code that ends in N, E or Z (HNE). Other names, "1" and "2" among them, leave the
 /// channel without.
