@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "records/formats/format.h"
+#include "records/formats/keyed_header.h"
 #include "records/numbers.h"
 
 namespace voussoir
@@ -20,13 +20,13 @@ constexpr std::size_t header_search = 30;  // lines; ten in every file seen
 constexpr std::string_view unit_words = "time series in ";
 
 struct Header {
-    std::string component;
+    std::string component, station, event;
     std::optional<double> count, time_step, peak;
     std::size_t count_line = 0, step_line = 0, peak_line = 0, unit_line = 0;
     std::string unit;
 };
 
-std::optional<double> number_of(std::string_view text)
+std::optional<double> number_in(std::string_view text)
 {
     double value = 0;
     return parse_number(text, value) ? std::optional<double>(value) : std::nullopt;
@@ -47,9 +47,11 @@ Header read_header(const SourceFile& file)
         if (colon == std::string_view::npos) continue;
         const std::string_view key = trim(line.substr(0, colon)), value = trim(line.substr(colon + 3));
         if (key == "Orientation") header.component = std::string(value);
-        if (key == "Number of Data") header.count = number_of(value), header.count_line = i;
-        if (key == "Time Increment (s)") header.time_step = number_of(value), header.step_line = i;
-        if (key == "PGA (m/s/s)") header.peak = number_of(value), header.peak_line = i;
+        if (key == "Station Code / Name") header.station = std::string(value);
+        if (key == "Event Date & Time") header.event = std::string(value);
+        if (key == "Number of Data") header.count = number_in(value), header.count_line = i;
+        if (key == "Time Increment (s)") header.time_step = number_in(value), header.step_line = i;
+        if (key == "PGA (m/s/s)") header.peak = number_in(value), header.peak_line = i;
     }
     return header;
 }
@@ -83,12 +85,12 @@ Record read(const SourceFile& file, const ReadOptions& options)
         resolve_time_step(header.time_step.value_or(0), options, file.at(header.step_line), faults);
     std::vector<double> samples = read_fortran_samples(file, header.unit_line + 1, faults);
     check_count(header.count.value_or(0), samples.size(), file.at(header.count_line), faults);
-    if (options.column)
-        faults.add(file.name, "a column was asked for", "the file holds one component: leave it out");
+    refuse_column(file, options, faults);
     Channel channel = make_channel(header.component, unit, time_step, std::move(samples));
     check_peak(header, channel, file, faults);
     faults.throw_if_any(file.name);
-    return {file.name, "corrected acceleration (.cor.acc)", {std::move(channel)}};
+    orient_by_short_name(channel, channel.component);
+    return {file.name, "corrected acceleration (.cor.acc)", {std::move(channel)}, header.station, header.event};
 }
 
 }  // namespace

@@ -42,19 +42,23 @@ struct Column {
     bool is_reversed = false;  // positive the other way: "U(-)"
 };
 
-/// "Time U(+); N(+); E(+)" -> Time, U, N, E.
-std::vector<Column> parse_sequence(std::string text)
+/// "Time U(+); N(+); E(+)" -> Time, U, N, E. Adds a fault when there is no time or nothing else.
+std::vector<Column> parse_sequence(const SourceFile& file, const HeaderLine* line, FaultList& faults)
 {
+    std::string text = text_of(line);
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == ';' || c == ',' || c == '\t'; }, ' ');
     std::vector<Column> columns;
     std::string_view rest = trim(text);
     while (!rest.empty()) {
         const std::string_view word = rest.substr(0, rest.find(' '));
-        columns.push_back(
-            {std::string(word.substr(0, word.find('('))), word.find("(-)") != std::string_view::npos});
+        const bool is_reversed = word.find("(-)") != std::string_view::npos;
+        columns.push_back({std::string(word.substr(0, word.find('('))), is_reversed});
         rest = trim(rest.substr(word.size()));
     }
+    if (columns.size() < 2 || lower_case(columns.front().name) != "time")
+        faults.add(place_of(file, line), "DataSequence = \"" + text_of(line) + "\"",
+                   "time and one component or more");
     return columns;
 }
 
@@ -85,14 +89,9 @@ Channel make_component(const Column& column, const Unit& unit, double time_step,
     return channel;
 }
 
-std::string words_of(const KeyedHeader& header, std::initializer_list<const char*> keys)
+std::string joined(const std::string& first, const char* between, const std::string& second)
 {
-    std::string words;
-    for (const char* key : keys) {
-        const std::string text = text_of(header.find_beginning(key));
-        if (!text.empty()) words += (words.empty() ? "" : " ") + text;
-    }
-    return words;
+    return first + (first.empty() || second.empty() ? "" : between) + second;
 }
 
 Record read(const SourceFile& file, const ReadOptions& options)
@@ -103,10 +102,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
     const HeaderLine* rate = header.find_beginning("SampleRate");
     const HeaderLine* units = header.find_beginning("AmplitudeUnit");
     const HeaderLine* length = header.find_beginning("RecordLength");
-    const std::vector<Column> columns = parse_sequence(text_of(sequence));
-    if (columns.size() < 2 || lower_case(columns.front().name) != "time")
-        faults.add(place_of(file, sequence), "DataSequence = \"" + text_of(sequence) + "\"",
-                   "time and one component or more");
+    const std::vector<Column> columns = parse_sequence(file, sequence, faults);
     const std::string unit_words = text_of(units);
     const Unit unit = resolve_unit(unit_words.substr(0, unit_words.find_first_of(" .;,(")), options,
                                    place_of(file, units), faults);
@@ -117,11 +113,10 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
     std::vector<std::vector<double>> numbers = read_columns(file, header.end, columns.size(), faults);
     faults.throw_if_any(file.name);
-    Record record{file.name,
-                  format_name,
-                  {},
-                  words_of(header, {"StationCode", "StationName"}),
-                  words_of(header, {"OriginTime", "Magnitude"})};
+    const auto text = [&](const char* key) { return text_of(header.find_beginning(key)); };
+    Record record{file.name, format_name, {}};
+    record.station = joined(text("StationCode"), " ", text("StationName"));
+    record.event = joined(text("OriginTime"), " M", text("Magnitude"));
     const double announced = length != nullptr ? number_of(length).value_or(0) * per_second
                                                : static_cast<double>(numbers.front().size());
     check_count_with_surplus(std::round(announced), numbers.front().size(), 1, place_of(file, length), faults,

@@ -108,7 +108,7 @@ void add_piece(std::vector<Trace>& traces, const MSRecord& record, const SourceF
             .pieces.push_back(std::move(piece));
 }
 
-/// Bytes a sample takes at least; 0 where frames are counted by libmseed itself (Steim, text).
+/// Bytes a sample takes at least; 0 for Steim, whose frames libmseed counts itself.
 std::size_t bytes_per_sample(int encoding)
 {
     switch (encoding) {
@@ -119,9 +119,10 @@ std::size_t bytes_per_sample(int encoding)
             return 8;
         case DE_GEOSCOPE24:
             return 3;
+        case DE_ASCII:
+            return 1;
         case DE_STEIM1:
         case DE_STEIM2:
-        case DE_ASCII:
             return 0;
         default:
             return 2;

@@ -160,11 +160,14 @@ struct Title {
     std::string event, station, component;
 };
 
-Title parse_title(const SourceFile& file, std::size_t count_line)
+/// It stands above the unit.
+Title parse_title(const SourceFile& file, std::size_t unit_line)
 {
     Title title;
-    if (count_line < 2) return title;
-    const std::string_view line = file.lines[count_line - 2];
+    std::size_t i = unit_line;
+    while (i > 1 && trim(file.lines[i - 1]).empty()) --i;
+    if (i == 0) return title;
+    const std::string_view line = file.lines[i - 1];
     const std::size_t comma = line.rfind(',');
     if (comma == std::string_view::npos) return title;
     title.component = std::string(trim(line.substr(comma + 1)));
@@ -221,7 +224,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
     }
     refuse_column(file, options, faults);
     faults.throw_if_any(file.name);
-    const Title title = parse_title(file, count_line);
+    const Title title = parse_title(file, found.line);
     Record record{file.name, format_of(unit.quantity), {}, title.station, title.event};
     record.channels.push_back(make_channel(title.component, unit, time_step, std::move(samples)));
     orient(record.channels.back(), record.remarks);

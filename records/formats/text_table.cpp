@@ -219,14 +219,16 @@ void refuse_spectra(const SourceFile& file, const Rows& rows)
     const auto have = [&](std::initializer_list<std::string_view> any) {
         return std::find_first_of(words.begin(), words.end(), any.begin(), any.end()) != words.end();
     };
-    const bool of_period = have({"period", "periods", "per", "freq", "frequency", "t"});
+    const bool of_period = have({"period", "periods", "per", "t"});
+    const bool of_frequency = have({"freq", "frequency"});
     const bool of_response = have({"sa", "psa", "sv", "psv", "sd", "prv", "paa", "spectral"});
     const bool of_damping = have({"damping", "damped"});
     const bool named = have({"spectrum", "spectra"});
     const bool names_response = named && have({"response", "pseudo", "fourier"});
-    const int signs = int{of_period} + int{of_response} + int{of_damping} + int{named};
-    const bool of_time = have({"time", "times", "accelerogram", "npts"});
-    if (!names_response && (signs < 2 || of_time)) return;
+    const int signs = int{of_period} + int{of_frequency} + int{of_response} + int{of_damping} + int{named};
+    const bool is_damping_of_instrument = signs == 2 && of_frequency && of_damping;
+    const bool of_time = have({"time", "times", "accelerogram", "accelerograph", "instrument", "natural", "npts"});
+    if (!names_response && (signs < 2 || is_damping_of_instrument || of_time)) return;
     throw InputError(file.name, "response spectra, not a time history", "fetch the record the spectra are of");
 }
 

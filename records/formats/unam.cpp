@@ -108,11 +108,26 @@ void add_remarks(Record& record, const SourceFile& file, const KeyedHeader& head
     if (!quality.empty()) record.remarks.push_back("The network on this record's quality: \"" + quality + "\".");
 }
 
+/// The directions of the channels; of those without a column of samples nothing is left but a remark.
+std::vector<std::string> names_of_columns(const SourceFile& file, const KeyedHeader& header,
+                                          std::vector<std::string>& remarks)
+{
+    std::vector<std::string> names = values_of(header, "ORIENTACION ");
+    std::vector<double> first_row;
+    const bool has_row = header.end < file.lines.size() && parse_fortran(file.lines[header.end], first_row);
+    if (has_row && first_row.size() < names.size()) {
+        remarks.push_back("The header names " + std::to_string(names.size()) + " channels but the file holds " +
+                          std::to_string(first_row.size()) + ": the first of them are taken.");
+        names.resize(first_row.size());
+    }
+    return names;
+}
+
 /// One channel a column; counts and steps are announced for each.
 void add_channels(Record& record, const SourceFile& file, const KeyedHeader& header, const ReadOptions& options,
                   FaultList& faults)
 {
-    const std::vector<std::string> names = values_of(header, "ORIENTACION ");
+    const std::vector<std::string> names = names_of_columns(file, header, record.remarks);
     const std::vector<std::string> steps = values_of(header, "INTERVALO DE MUESTREO ");
     const std::vector<std::string> counts = values_of(header, "NUM. TOTAL DE MUESTRAS ");
     const HeaderLine* units = header.find("UNIDADES DE LOS DATOS");
@@ -133,7 +148,7 @@ void add_channels(Record& record, const SourceFile& file, const KeyedHeader& hea
         std::vector<std::string> remarks;
         check_count_with_surplus(value_for(counts, i), columns[i].size(), 1, place_of(file, count_line), faults,
                                  remarks);
-        if (i == 0) record.remarks = remarks;
+        if (i == 0) record.remarks.insert(record.remarks.end(), remarks.begin(), remarks.end());
         record.channels.push_back(make_channel(names[i], unit, time_step, std::move(columns[i])));
         orient(record.channels.back(), names[i]);
     }

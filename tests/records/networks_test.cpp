@@ -85,6 +85,7 @@ TEST(Unam, ReadsEveryChannelAndItsBearing)
     EXPECT_DOUBLE_EQ(record.channels[2].samples.at(1), 0.06);
     expect_in(record.remarks.at(0), "\"DUDOSO\"");
     EXPECT_EQ(read(unam("2", "1 2 3\n4 5 6\n7 8 9\n")).channels[0].samples.size(), 3);  // one more
+    EXPECT_EQ(read(unam("2", "1 2\n4 5\n")).channels.size(), 2);  // a channel without samples
 }
 
 TEST(Unam, RefusesWithLine)

@@ -132,6 +132,7 @@ TEST(CorrectedAcc, ReadsAndChecksItsHeader)
     const std::string samples = "Accelaration time series in m/s/s\n-1.0E-01 2.0E-01-3.0E-01\n 1.5E-01\n";
     const Record record = read(header + "PGA (m/s/s) : 3.0E-01\n" + samples);
     EXPECT_EQ(record.channels.front().component, "NS");
+    EXPECT_EQ(record.channels.front().azimuth, 0);
     EXPECT_EQ(record.channels.front().samples.size(), 4);
     EXPECT_DOUBLE_EQ(record.channels.front().samples[2], -0.3);
     EXPECT_DOUBLE_EQ(record.channels.front().time_step, 0.005);

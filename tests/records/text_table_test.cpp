@@ -105,7 +105,8 @@ TEST(TextTable, RefusesResponseSpectraByTheirHeading)
           "PEER DATABASE SPECTRUM.\nNO FREQ RD RV PRV AA PAA MAG PER\n"})
         expect_in(refusal(heading + "0.1 1\n0.2 2\n0.3 3\n", in_g()), "response spectra, not a time history");
     for (const std::string heading :
-         {"time (s)  Sa-matched, 5% damping\n", "Frequency range: 0.12-23 Hz\n", "t a\n"})
+         {"time (s)  Sa-matched, 5% damping\n", "Frequency range: 0.12-23 Hz\n", "t a\n",
+          "Instrument: natural period 0.05 s, damping 0.6\n", "frequency 25 Hz, damping 0.65\n"})
         EXPECT_EQ(read(heading + "0.1 1\n0.2 2\n0.3 3\n", in_g()).channels.size(), 1) << heading;
 }
 
