@@ -58,7 +58,7 @@ namespace
 void require_sound(const Record& record)
 {
     if (record.channels.empty())
-        throw InputError(record.file, "a header of " + record.format + " without a channel",
+        throw InputError(record.file, "a header of " + record.format + " without samples",
                          "the file is cut short or damaged: fetch it again");
     for (const Channel& channel : record.channels)
         for (const double sample : channel.samples)

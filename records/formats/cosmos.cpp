@@ -11,7 +11,8 @@
 //    13400 acceleration pts, approx  67 secs, units=g.     (02)Format=(8f9.6)
 //
 // Whole numbers: 1 stage (3: spectra), 3 unit, 54 azimuth [deg] (400 up, 401 down). Real numbers: 22 volts of a
-// count [1e-6 V], 42 sensitivity of the sensor [V/g], 47 gain, 62 time step [ms], 34 that of the raw record [s].
+// count [1e-6 V], 42 sensitivity of the sensor [V/g], 47 gain, 62 time step [ms], 34 that of the raw record [s],
+// 64 peak.
 //
 // Source: COSMOS Strong Motion Data Format, version 1.20 (2001), with its tables.
 
@@ -62,9 +63,8 @@ bool recognises(const SourceFile& file)
 {
     const std::size_t first = skip_blank(file, 0);
     if (first >= file.lines.size()) return false;
-    const std::size_t end = std::min(first + header_search, file.lines.size());
-    return lower_case(file.lines[first]).find(title) != std::string::npos &&
-           find_words(file, first, end, "integer-header") < end;
+    const std::string line = lower_case(file.lines[first]);
+    return line.find(title) != std::string::npos && line.find("text lines") != std::string::npos;
 }
 
 struct Header {
@@ -263,6 +263,10 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
         record.channels.push_back(make_channel(header.component, unit, step, block.numbers));
         set_direction(record.channels.back(), direction, record.remarks);
         compare_duration(file, record.channels.back(), line, record.remarks);
+        const std::optional<double> stated = header.real(64);  // of the first series
+        if (stated && line == header.end && has_unit(record.channels.back()))
+            compare_peak(record.channels.back(), *stated * unit.factor, 0, file.at(header.real_line),
+                         record.remarks);
         line = skip_blank(file, block.end);
     }
     const std::size_t station = find_words(file, begin, header.integer_line, "code:");

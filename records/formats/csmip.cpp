@@ -62,7 +62,8 @@ bool recognises(const SourceFile& file)
     if (is_uncorrected(file.lines[first])) return true;
     const std::string title = lower_case(trim(file.lines[first]));
     const bool is_v2 = title.starts_with("corrected accelerogram");
-    return (is_v2 || is_spectra(file, first)) && find_channel(file, first) < first + 5;
+    return (is_v2 || is_spectra(file, first)) &&
+           find_channel(file, first) < std::min(first + 5, file.lines.size());
 }
 
 struct Header {
@@ -90,9 +91,9 @@ Header read_header(const SourceFile& file, std::size_t begin, Record& record)
         const std::string line = lower_case(trim(file.lines[i]));
         if (line.starts_with("chan ") && header.component.empty()) read_component(file.lines[i], header);
         if (line.starts_with("station ") && i + 1 < header.integer_line) {
-            const std::string_view words = trim(file.lines[i]);
-            record.station =
-                std::string(trim(words.substr(0, words.find("  ")))) + ", " + std::string(trim(file.lines[i + 1]));
+            const std::string_view words = trim(file.lines[i]), name = trim(file.lines[i + 1]);
+            record.station = std::string(trim(words.substr(0, words.find("  ")))) + ", " +
+                             std::string(trim(name.substr(0, name.find("  "))));
         }
     }
     if (begin + 1 < header.integer_line) record.event = std::string(trim(file.lines[begin + 1]));

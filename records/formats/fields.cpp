@@ -92,6 +92,23 @@ bool parse_fields(std::string_view line, std::size_t width, std::vector<double>&
     return !numbers.empty();
 }
 
+std::string first_not_number(std::string_view line, std::size_t width)
+{
+    std::vector<double> numbers;
+    std::string_view rest = trim(line);
+    std::size_t before = 0;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find_first_of(" \t\f\v\r"), rest.size());
+        const std::string_view word = rest.substr(0, std::min<std::size_t>(end, 40));
+        // A heading is better recognised by more than its first word.
+        if (!parse_token(rest.substr(0, end), width, numbers) && before > 0) return std::string(word);
+        if (numbers.size() == before) break;
+        before = numbers.size();
+        rest = trim(rest.substr(end));
+    }
+    return std::string(trim(line).substr(0, 40));
+}
+
 NumberBlock read_block(const SourceFile& file, std::size_t first, std::size_t width, std::size_t enough)
 {
     NumberBlock block;

@@ -24,6 +24,10 @@ std::size_t format_width(std::string_view text);
 /// @returns false when anything on the line is not a number, or nothing is
 bool parse_fields(std::string_view line, std::size_t width, std::vector<double>& numbers);
 
+/// The first word of the line that parse_fields cannot read; the whole line, cut to 40 letters, when there is
+/// none.
+std::string first_not_number(std::string_view line, std::size_t width);
+
 struct NumberBlock {
     std::vector<double> numbers;
     std::vector<std::size_t> line_ends;  // numbers up to the end of each line that holds some

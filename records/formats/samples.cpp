@@ -9,12 +9,20 @@
 namespace voussoir
 {
 
+namespace
+{
+
+constexpr double largest_sample = 1e30;  // no unit makes a motion of more: a null value or damage
+
+}  // namespace
+
 void check_block(const SourceFile& file, const NumberBlock& block, const Announced& announced,
                  std::vector<std::string>& remarks, FaultList& faults)
 {
     for (std::size_t i = 0; i < block.numbers.size(); ++i) {
-        if (std::isfinite(block.numbers[i])) continue;
-        faults.add(file.at(line_of(block, i)), "sample " + to_text(block.numbers[i]), "must be finite");
+        if (std::abs(block.numbers[i]) < largest_sample) continue;  // not so for nan
+        faults.add(file.at(line_of(block, i)), "sample " + to_text(block.numbers[i]),
+                   "must be finite and smaller than " + to_text(largest_sample));
     }
     const std::size_t found = block.numbers.size() / announced.values_each;
     const double count = announced.count;
@@ -24,8 +32,8 @@ void check_block(const SourceFile& file, const NumberBlock& block, const Announc
                           " samples but there is one more, which is kept");
     } else if (is_cut && block.end < file.lines.size()) {
         faults.add(file.at(block.end),
-                   "\"" + std::string(trim(file.lines[block.end]).substr(0, 40)) + "\" after " +
-                       std::to_string(found) + " of the " + std::to_string(static_cast<long long>(count)) +
+                   "\"" + first_not_number(file.lines[block.end], 0) + "\" after " + std::to_string(found) +
+                       " of the " + std::to_string(static_cast<long long>(count)) +
                        " samples the header announces",
                    "the file is cut short or damaged: fetch it again");
     } else {

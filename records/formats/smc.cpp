@@ -75,10 +75,10 @@ struct Headers {
     std::size_t integer_line = 0, real_line = 0, end = 0;
 };
 
-Headers read_headers(const SourceFile& file, FaultList& faults)
+Headers read_headers(const SourceFile& file, std::size_t title, FaultList& faults)
 {
     Headers headers;
-    headers.text = skip_blank(file, 0);
+    headers.text = title;
     headers.integer_line = find_numbers(file, headers.text + 1, headers.text + header_search, 8);
     const NumberBlock integers = read_block(file, headers.integer_line, integer_width, integer_count);
     const NumberBlock reals = read_block(file, integers.end, real_width, real_count);
@@ -120,21 +120,20 @@ void remark_on_padding(const SourceFile& file, std::vector<std::string>& remarks
         remarks.push_back("zero bytes that fill the file's last line were passed over");
 }
 
-void read_samples(const SourceFile& file, const Headers& headers, const ReadOptions& options, Channel& channel,
-                  Record& record, FaultList& faults)
+/// The samples as they are stored, their step or their times. @returns the line behind them
+std::size_t read_samples(const SourceFile& file, const Headers& headers, const ReadOptions& options,
+                         Channel& channel, std::vector<std::string>& remarks, FaultList& faults)
 {
     const NumberBlock block = read_block(file, headers.end, sample_width);
-    const Announced announced{headers.integers[count_at], file.at(headers.integer_line + count_at / 8), 1};
-    check_block(file, block, announced, record.remarks, faults);
-    if (block.end < file.lines.size())
-        faults.add(file.at(block.end), "not a line of numbers", "only samples after the header");
+    check_block(file, block, {headers.integers[count_at], file.at(headers.integer_line + count_at / 8)}, remarks,
+                faults);
     const double rate = headers.reals[rate_at];
     if (rate == headers.reals[0]) {
         refuse_time_step(file, options, faults);
-        TimedSamples samples = split_pairs(file, block, record.remarks, faults);
+        TimedSamples samples = split_pairs(file, block, remarks, faults);
         channel.samples = std::move(samples.values);
         channel.times = std::move(samples.times);
-        return;
+        return block.end;
     }
     channel.samples = block.numbers;
     const std::string place = file.at(headers.real_line);
@@ -143,37 +142,60 @@ void read_samples(const SourceFile& file, const Headers& headers, const ReadOpti
     else
         faults.add(place, "the header gives " + to_text(rate) + " samples a second",
                    "must be greater than 0 and at most " + to_text(largest_rate));
+    return block.end;
+}
+
+/// Station and event of the record. @returns the component's name
+std::string read_text(const SourceFile& file, const Headers& headers, Record& record)
+{
+    if (headers.text + 3 < headers.integer_line) record.event = std::string(trim(file.lines[headers.text + 3]));
+    const std::size_t line = find_words(file, headers.text, headers.integer_line, "station =");
+    if (line == headers.integer_line) return "";
+    const std::string_view words = file.lines[line];
+    const std::size_t component = std::min(lower_case(words).find("component"), words.size());
+    const std::string_view station = words.substr(0, component);
+    record.station = std::string(trim(station.substr(std::min(station.find('=') + 1, station.size()))));
+    return text_after(words.substr(component), "component");
+}
+
+/// Reads the component whose header begins on line `title`. @returns the line behind it
+std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std::size_t title, Record& record,
+                         FaultList& faults)
+{
+    const Kind& kind = *find_kind(file.lines[title]);
+    if (kind.unit == nullptr) {
+        throw InputError(file.at(title), "response spectra, not a time history",
+                         "name the accelerogram they were computed from");
+    }
+    const Headers headers = read_headers(file, title, faults);
+    const Unit unit = resolve_unit(kind.unit, options, file.at(title), faults);
+    Channel stored;
+    const std::size_t end = read_samples(file, headers, options, stored, record.remarks, faults);
+    const std::string component = read_text(file, headers, record);
+    Channel channel = make_channel(component, unit, stored.time_step, std::move(stored.samples));
+    channel.times = std::move(stored.times);
+    set_direction(channel, direction_of(headers, component), record.remarks);
+    record.channels.push_back(std::move(channel));
+    return end;
 }
 
 Record read(const SourceFile& file, const ReadOptions& options)
 {
     FaultList faults;
     Record record{file.name, smc.name, {}};
-    const std::size_t title = skip_blank(file, 0);
-    const Kind* kind = find_kind(file.lines[title]);
-    if (kind->unit == nullptr) {
-        throw InputError(file.at(title), "response spectra, not a time history",
-                         "name the accelerogram they were computed from");
-    }
-    const Headers headers = read_headers(file, faults);
     refuse_column(file, options, faults);
-    const Unit unit = resolve_unit(kind->unit, options, file.at(title), faults);
-    Channel samples;
-    read_samples(file, headers, options, samples, record, faults);
-    const std::size_t station_line = find_words(file, title, headers.integer_line, "station =");
-    const std::string_view station = file.lines[station_line];
-    const std::size_t words_end = lower_case(station).find("component");
-    const std::string component =
-        words_end == std::string::npos ? "" : text_after(station.substr(words_end), "component");
-    record.station = std::string(trim(station.substr(0, words_end)));
-    record.station = std::string(trim(std::string_view(record.station).substr(record.station.find('=') + 1)));
-    if (title + 3 < headers.integer_line) record.event = std::string(trim(file.lines[title + 3]));
-    Channel channel = make_channel(component, unit, samples.time_step, std::move(samples.samples));
-    channel.times = std::move(samples.times);
-    set_direction(channel, direction_of(headers, component), record.remarks);
+    for (std::size_t line = skip_blank(file, 0); line < file.lines.size(); line = skip_blank(file, line)) {
+        if (find_kind(file.lines[line]) == nullptr) {
+            if (faults.empty())
+                faults.add(file.at(line), "\"" + first_not_number(file.lines[line], 0) + "\" behind the samples",
+                           "here the file ends or the next component begins");
+            break;
+        }
+        line = read_channel(file, options, line, record, faults);
+    }
     remark_on_padding(file, record.remarks);
     faults.throw_if_any(file.name);
-    record.channels.push_back(std::move(channel));
+    keep_accelerations(record);
     return record;
 }
 
