@@ -53,9 +53,13 @@ std::span<const Format* const> all_formats()
 namespace
 {
 
-/// The largest numbers overflow when they are turned into SI.
-void require_finite_samples(const Record& record)
+/// What no reader alone need think of: a file that ends before its first channel; the largest numbers, which
+/// overflow when they are turned into SI.
+void require_sound(const Record& record)
 {
+    if (record.channels.empty())
+        throw InputError(record.file, "a header of " + record.format + " without samples",
+                         "the file is cut short or damaged: fetch it again");
     for (const Channel& channel : record.channels)
         for (const double sample : channel.samples)
             if (!std::isfinite(sample))
@@ -70,10 +74,7 @@ Record read_as(const Format& format, const SourceFile& source, const ReadOptions
         throw InputError(source.name, "a response was given, but " + std::string(format.name) + " holds no counts",
                          "leave the response out");
     Record record = format.read(source, options);
-    if (record.channels.empty())
-        throw InputError(source.name, "a header of " + record.format + " without samples",
-                         "the file is cut short or damaged: fetch it again");
-    require_finite_samples(record);
+    require_sound(record);
     return record;
 }
 

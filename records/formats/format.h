@@ -42,7 +42,8 @@ extern const Format unam;
 /// Every format, in the order in which files are asked whether they are one (record.cpp).
 std::span<const Format* const> all_formats();
 
-/// Reads a file that `format` recognises. @throws InputError also when a sample overflows in SI
+/// Reads a file that `format` recognises. @throws InputError also when there is no channel or a
+/// sample overflows in SI
 Record read_as(const Format& format, const SourceFile& source, const ReadOptions& options);
 
 // ---- what readers share (format.cpp)
