@@ -3,78 +3,37 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 
-#include "app/case/nearest_word.h"
 #include "app/case/plane.h"
-#include "records/record.h"
+#include "app/case/record_source.h"
+#include "app/case/wave.h"
+#include "libdda/errors.h"
 
 namespace voussoir
 {
 namespace
 {
 
-bool equal_ignoring_case(const std::string& a, const std::string& b)
-{
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
-/// What a record file does not carry.
-ReadOptions read_record_options(YamlCursor& map)
-{
-    ReadOptions options;
-    options.unit = map.find_text("unit");
-    options.time_step = map.find_quantity("time_step", dimension::time, Range::positive());
-    if (map.find("column")) options.column = map.integer_or("column", 1, 10000, 1);
-    return options;
-}
-
-/// The channel that `component` names, by its name or its number from 1; it may stay away when there is only one.
-const Channel* choose_channel(YamlCursor& map, const YamlCursor& file, const Record& record)
-{
-    const std::optional<YamlCursor> component = map.find("component");
-    if (!component && record.channels.size() == 1) return &record.channels.front();
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < record.channels.size(); ++i) {
-        const std::string& name = record.channels[i].component;
-        names.push_back(name.empty() ? std::to_string(i + 1) : name);
-    }
-    if (!component) {
-        std::string list;
-        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-        file.fault(fmt::format("{} channels in the record", names.size()), "say which with component: " + list);
-        return nullptr;
-    }
-    const std::string wanted = component->as_text();
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (equal_ignoring_case(names[i], wanted) || wanted == std::to_string(i + 1)) return &record.channels[i];
-    if (!wanted.empty()) component->fault("no channel \"" + wanted + "\"", suggestion(wanted, names));
-    return nullptr;
-}
-
-/// What is done to a record before it is used.
-struct Processing {
+/// The short forms of what is done to a motion, after its processing.
+struct Scaling {
     std::optional<double> scale, scale_to_pga;
     bool end_correction = false;
 };
 
-Processing read_processing(YamlCursor& map)
+Scaling read_scaling(YamlCursor& map)
 {
-    Processing processing;
-    processing.scale = map.find_quantity("scale", dimension::number, Range::any());
-    processing.scale_to_pga = map.find_quantity("scale_to_pga", dimension::acceleration, Range::positive());
-    processing.end_correction = map.find("end_correction") && map.boolean_or("end_correction", false);
-    if (processing.scale && processing.scale_to_pga)
-        map.fault("both scale and scale_to_pga", "give one of the two");
-    return processing;
+    Scaling scaling;
+    scaling.scale = map.find_quantity("scale", dimension::number, Range::any());
+    scaling.scale_to_pga = map.find_quantity("scale_to_pga", dimension::acceleration, Range::positive());
+    scaling.end_correction = map.find("end_correction") && map.boolean_or("end_correction", false);
+    if (scaling.scale && scaling.scale_to_pga) map.fault("both scale and scale_to_pga", "give one of the two");
+    return scaling;
 }
 
 /// Scales and corrects as asked, and says so in `description`.
-GroundMotion process(GroundMotion motion, const Channel& channel, const Processing& asked,
-                     std::string& description)
+GroundMotion scale(GroundMotion motion, const Channel& channel, const Scaling& asked, std::string& description)
 {
     if (asked.scale_to_pga && !(motion.peak_acceleration() > 0))
         throw InputError("", "its peak acceleration is 0", "it cannot be scaled to a peak");
@@ -90,33 +49,36 @@ GroundMotion process(GroundMotion motion, const Channel& channel, const Processi
     return motion.with_end_correction();
 }
 
-std::string_view unit_of(Quantity quantity)
+/// A channel, processed and scaled as its motion says.
+std::optional<GroundMotion> finish(YamlCursor& map, const Channel& channel, const std::string& source,
+                                   const YamlCursor& blamed, std::string& description)
 {
-    if (quantity == Quantity::acceleration) return "m/s2";
-    return quantity == Quantity::velocity ? "m/s" : "m";
+    const Scaling scaling = read_scaling(map);
+    try {
+        const std::optional<std::vector<Channel>> processed = process_as_written(map, {channel}, {}, description);
+        if (!processed) return std::nullopt;
+        const Channel& result = processed->front();
+        return scale(to_ground_motion(result, source), result, scaling, description);
+    } catch (const InputError& error) {
+        for (const Fault& fault : error.faults)
+            blamed.fault(fault.place.empty() ? fault.found : fault.place + ": " + fault.found, fault.expected);
+    }
+    return std::nullopt;
 }
 
 std::optional<GroundMotion> read_recorded(YamlCursor& map, const YamlCursor& file, const MotionContext& context,
                                           std::string& description)
 {
-    const ReadOptions options = read_record_options(map);
-    const Processing processing = read_processing(map);
-    const std::string name = file.as_text();
-    std::optional<GroundMotion> motion;
-    try {
-        if (name.empty()) throw InputError("", "no file name", "name a record");
-        const Record record = read_record(context.folder / name, options);
-        if (const Channel* channel = choose_channel(map, file, record)) {
-            description += fmt::format("{} ({}, {:g} s, {:g} {})", name, record.format, channel->time_step,
-                                       peak(*channel), unit_of(channel->quantity));
-            motion = process(to_ground_motion(*channel, name), *channel, processing, description);
-        }
-    } catch (const InputError& error) {
-        map.find("component");  // known, even if there is nothing to choose from
-        for (const Fault& fault : error.faults)
-            file.fault(fault.place.empty() ? fault.found : fault.place + ": " + fault.found, fault.expected);
+    const ReadOptions options = read_record_options(map, context.folder);
+    const std::optional<Record> record = read_named_record(file, context.folder, options);
+    const Channel* channel = record ? choose_channel(map, file, *record) : nullptr;
+    if (!channel) {
+        for (const char* key : {"component", "processing"}) map.find(key);  // known, even with nothing to use them
+        read_scaling(map);
+        return std::nullopt;
     }
-    return motion;
+    description += in_words(*record, *channel, file.as_text());
+    return finish(map, *channel, file.as_text(), file, description);
 }
 
 std::optional<GroundMotion> read_sine(YamlCursor& sine, std::optional<double> stage_duration,
@@ -138,31 +100,91 @@ std::optional<GroundMotion> read_sine(YamlCursor& sine, std::optional<double> st
     return GroundMotion::sine_acceleration(amplitude, frequency, phase, *duration);
 }
 
+/// Which of the things a motion can be are written there.
+std::vector<std::string> sources_of(YamlCursor& map)
+{
+    std::vector<std::string> found;
+    std::vector<std::string> keys = wave_keys();
+    keys.insert(keys.begin(), {"record", "sine"});
+    for (const std::string& key : keys)
+        if (map.find(key)) found.push_back(key);
+    return found;
+}
+
+std::shared_ptr<const GroundMotion> noted(GroundMotion motion, std::string description, MotionContext& context)
+{
+    context.notes.push_back({std::move(description), motion.residual_velocity(), motion.residual_displacement(),
+                             motion.peak_acceleration()});
+    return std::make_shared<const GroundMotion>(std::move(motion));
+}
+
 }  // namespace
 
 std::shared_ptr<const GroundMotion> read_motion(YamlCursor& map, const std::string& whose,
                                                 std::optional<double> stage_duration, MotionContext& context)
 {
-    if (!map.expect_map("a motion {record: file} or {sine: {...}}")) return nullptr;
-    std::optional<YamlCursor> record = map.find("record"), sine = map.find("sine");
+    if (!map.expect_map("a motion {record: file}, {sine: {...}} or a wave")) return nullptr;
+    const std::vector<std::string> sources = sources_of(map);
+    if (sources.size() != 1) {
+        map.fault(
+            sources.empty() ? "neither a record nor a wave" : "both a " + sources[0] + " and a " + sources[1],
+            "give one of record, sine, ramped_sine, sweep, ricker, pulse, noise");
+        return nullptr;
+    }
+    YamlCursor source = *map.find(sources[0]);
     std::string description = whose + ": ";
     std::optional<GroundMotion> motion;
-    if (record.has_value() == sine.has_value())
-        map.fault(record ? "both a record and a sine" : "neither a record nor a sine", "give one of the two");
-    else if (record)
-        motion = read_recorded(map, *record, context, description);
-    else
-        motion = read_sine(*sine, stage_duration, description);
-    if (record.has_value() != sine.has_value()) map.reject_unknown_keys();
+    if (sources[0] == "record") {
+        motion = read_recorded(map, source, context, description);
+    } else if (sources[0] == "sine") {
+        motion = read_sine(source, stage_duration, description);
+    } else if (const std::optional<Channel> wave = read_wave(sources[0], source, description)) {
+        motion = finish(map, *wave, sources[0], source, description);
+    } else {
+        map.find("processing");
+        read_scaling(map);
+    }
+    map.reject_unknown_keys();
     if (!motion) return nullptr;
-    context.notes.push_back(
-        {description, motion->residual_velocity(), motion->residual_displacement(), motion->peak_acceleration()});
-    return std::make_shared<const GroundMotion>(std::move(*motion));
+    return noted(std::move(*motion), std::move(description), context);
 }
+
+namespace
+{
+
+/// The motions of records that belong together, along the scene's axes.
+std::vector<AxisMotion> read_joint_motions(YamlCursor& map, const std::string& whose, MotionContext& context)
+{
+    std::string description = whose + ": ";
+    const std::vector<Channel> channels = read_joint_records(map, context.folder, description);
+    const auto axes = axes_of(context.kinematics);
+    std::vector<AxisMotion> motions;
+    for (const Channel& channel : channels) {
+        const int component = channel.component.size() == 1 ? channel.component[0] - 'x' : -1;
+        if (std::find(axes.begin(), axes.end(), component) == axes.end()) {
+            map.warn("the motion along " + channel.component + " is left out: the scene has no such axis");
+            continue;
+        }
+        try {
+            // What was done is said once, for all three.
+            const std::string said = (motions.empty() ? description + "; " : whose + ": the same, ") + "along ";
+            motions.push_back(
+                {component, map,
+                 noted(to_ground_motion(channel, channel.component), said + channel.component, context)});
+        } catch (const InputError& error) {
+            for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
+        }
+    }
+    for (const char* axis : {"x", "y", "z"}) map.forbid(axis, "records give all axes");
+    return motions;
+}
+
+}  // namespace
 
 std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& whose,
                                           std::optional<double> stage_duration, MotionContext& context)
 {
+    if (map.find("records")) return read_joint_motions(map, whose, context);
     std::vector<AxisMotion> motions;
     for (const int component : axes_of(context.kinematics)) {
         const std::string axis(1, static_cast<char>('x' + component));
