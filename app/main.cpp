@@ -103,8 +103,9 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
 void add_record(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<RecordArguments>();
-    CLI::App* command = app.add_subcommand("record", "Tell what accelerograms hold");
-    command->add_option("file", arguments->files, "Accelerograms")->required()->type_name("FILE");
+    CLI::App* command =
+        app.add_subcommand("record", "Tell what accelerograms hold; process, measure, plot and convert them");
+    command->add_option("file", arguments->files, "Accelerograms")->type_name("FILE");
     command->add_option("--unit", arguments->unit, "Unit, if the file does not say: g, m/s2, cm/s2, cm/s, mm, ...")
         ->type_name("UNIT");
     command->add_option("--time-step", arguments->time_step, "Time step in s, if the file does not say")
@@ -112,8 +113,21 @@ void add_record(CLI::App& app, std::function<int()>& chosen)
         ->type_name("SECONDS");
     command->add_option("--column", arguments->column, "Column of a text table, from 1")
         ->check(CLI::Range(1, 10000));
+    command->add_option("--response", arguments->response, "StationXML with the sensitivity of counts")
+        ->type_name("FILE");
+    command->add_flag("--together", arguments->together, "The files are components of one motion");
+    command
+        ->add_option("--process", arguments->process,
+                     "What to do, as in a case: '[{window: {arias: [0.1 %, 99 %]}}, {taper: 1 s}]'")
+        ->type_name("STEPS");
+    command
+        ->add_option("--motion", arguments->motion,
+                     "A wave instead of files, as in a case: '{ricker: {acceleration: 0.3 g, frequency: 2 Hz}}'")
+        ->type_name("WAVE");
     command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
         ->type_name("FILE");
+    command->add_option("-o,--output", arguments->folder, "Write CSV, AT2, spectra and pictures into a folder")
+        ->type_name("DIR");
     command->callback([arguments, &chosen] { chosen = [arguments] { return record_command(*arguments); }; });
 }
 

@@ -56,10 +56,14 @@ struct RecordArguments {
     std::optional<std::string> unit;
     std::optional<double> time_step;  // s
     std::optional<int> column;
-    std::optional<std::filesystem::path> json;
+    std::optional<std::filesystem::path> response;  // StationXML with the sensitivity of counts
+    bool together = false;                          // the files are components of one motion
+    std::optional<std::string> process, motion;     // YAML, as in a case
+    std::optional<std::filesystem::path> json, folder;
 };
 
-/// What accelerograms hold. @returns exit_bad_input when any file was refused
+/// What accelerograms hold, what is left after processing, and files of it. @returns exit_bad_input when any file
+/// was refused
 int record_command(const RecordArguments& arguments);
 
 struct RenderArguments {

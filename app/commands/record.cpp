@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
+#include "app/case/motion_text.h"
+#include "app/case/processing.h"
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
+#include "app/commands/record_set.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -13,72 +16,140 @@ namespace voussoir
 namespace
 {
 
-using nlohmann::json;
-
-std::string_view name_of(Quantity quantity)
+void refuse(RecordSet& set, const InputError& error)
 {
-    if (quantity == Quantity::acceleration) return "acceleration";
-    return quantity == Quantity::velocity ? "velocity" : "displacement";
+    set.reason = error.what();
+    fmt::print(stderr, "{}\n", error.what());
 }
 
-json to_json(const Channel& channel, const GroundMotion& motion)
+/// The name of a file without what says how it is packed and written.
+std::string stem_of(const std::filesystem::path& file)
 {
-    return {{"component", channel.component},
-            {"quantity", name_of(channel.quantity)},
-            {"npts", channel.samples.size()},
-            {"dt_s", channel.time_step},
-            {"duration_s", motion.duration()},
-            {"pga_m_s2", motion.peak_acceleration()},
-            {"peak", peak(channel)},
-            {"units_in_file", has_unit(channel) ? json(channel.unit_in_file) : json()},
-            {"residual_velocity_m_s", motion.residual_velocity()},
-            {"residual_displacement_m", motion.residual_displacement()}};
+    return (file.extension() == ".gz" ? file.stem() : file.filename()).stem().string();
 }
 
-void print_channel(const Channel& channel, const GroundMotion& motion)
+/// Channels of one motion, processed as asked and measured.
+void finish(std::vector<Channel> channels, const Processing& steps, RecordSet& set)
 {
-    fmt::print(
-        "  {}: {} in {}, {} samples at {:g} s = {:g} s, peak acceleration {:.4g} m/s2; "
-        "at the end {:.3g} m/s and {:.3g} m\n",
-        channel.component.empty() ? "(no name)" : channel.component, name_of(channel.quantity),
-        channel.unit_in_file, channel.samples.size(), channel.time_step, motion.duration(),
-        motion.peak_acceleration(), motion.residual_velocity(), motion.residual_displacement());
-}
-
-/// One file, described; its reason if it is refused.
-json describe(const std::filesystem::path& file, const ReadOptions& options, bool in_words)
-{
-    json description = {{"file", file.string()}, {"format", ""}, {"channels", json::array()}, {"reason", ""}};
-    try {
-        const Record record = read_record(file, options);
-        description["format"] = record.format;
-        if (in_words) fmt::print("{}: {}\n", file.string(), record.format);
-        for (const Channel& channel : record.channels) {
-            const GroundMotion motion = to_ground_motion(channel, file.string());
-            description["channels"].push_back(to_json(channel, motion));
-            if (in_words) print_channel(channel, motion);
-        }
-    } catch (const InputError& error) {
-        description["channels"] = json::array();
-        description["reason"] = error.what();
-        fmt::print(stderr, "{}\n", error.what());
+    const bool all_known = std::all_of(channels.begin(), channels.end(), has_unit);
+    if (!steps.empty() && !all_known)
+        throw InputError(set.file, "the unit of the samples is not known", "give --unit: nothing was processed");
+    if (!steps.empty()) {
+        ProcessedRecord processed = process(channels, steps);
+        channels = std::move(processed.channels);
+        set.processing.insert(set.processing.end(), processed.sentences.begin(), processed.sentences.end());
     }
-    return description;
+    measure(std::move(channels), set);
+}
+
+std::vector<RecordSet> read_one_by_one(const RecordArguments& arguments, const ReadOptions& options,
+                                       const Processing& steps)
+{
+    std::vector<RecordSet> sets;
+    for (const std::filesystem::path& file : arguments.files) {
+        RecordSet& set = sets.emplace_back();
+        set.file = file.string();
+        set.stem = stem_of(file);
+        try {
+            Record record = read_record(file, options);
+            set.format = record.format;
+            set.station = record.station;
+            set.event = record.event;
+            set.remarks = record.remarks;
+            finish(std::move(record.channels), steps, set);
+        } catch (const InputError& error) {
+            refuse(set, error);
+        }
+    }
+    return sets;
+}
+
+/// All files as one motion.
+RecordSet read_together(const RecordArguments& arguments, const ReadOptions& options, const Processing& steps)
+{
+    RecordSet set;
+    std::vector<Channel> channels;
+    try {
+        for (const std::filesystem::path& file : arguments.files) {
+            set.file += (set.file.empty() ? "" : " + ") + file.string();
+            if (set.stem.empty()) set.stem = stem_of(file);
+            Record record = read_record(file, options);
+            set.format = record.format;
+            set.station = record.station;
+            set.event = record.event;
+            for (const std::string& remark : record.remarks) set.remarks.push_back(file.string() + ": " + remark);
+            channels.insert(channels.end(), record.channels.begin(), record.channels.end());
+        }
+        finish(std::move(channels), steps, set);
+    } catch (const InputError& error) {
+        set.channels.clear();
+        refuse(set, error);
+    }
+    return set;
+}
+
+RecordSet make_motion(const std::string& text, const Processing& steps)
+{
+    RecordSet set;
+    set.file = set.stem = "motion";
+    set.format = "synthetic";
+    try {
+        std::string description;
+        std::vector<Channel> channels = parse_wave_motion(text, "--motion", description);
+        set.processing.push_back(description);
+        finish(std::move(channels), steps, set);
+    } catch (const InputError& error) {
+        refuse(set, error);
+    }
+    return set;
+}
+
+/// Two sets of one name would write over each other's files.
+void make_stems_unique(std::vector<RecordSet>& sets)
+{
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        int same = 1;
+        for (std::size_t k = 0; k < i; ++k) same += sets[k].stem == sets[i].stem;
+        if (same > 1) sets[i].stem += fmt::format("_{}", same);
+    }
 }
 
 }  // namespace
 
 int record_command(const RecordArguments& arguments)
 {
-    const ReadOptions options{arguments.unit, arguments.time_step, arguments.column};
     const bool to_stdout = arguments.json && *arguments.json == "-";
-    json descriptions = json::array();
+    if (arguments.files.empty() == !arguments.motion)
+        throw InputError("command line", arguments.motion ? "both files and --motion" : "no file",
+                         "name accelerograms, or give --motion");
+    expect_writable(arguments.json, arguments.folder);
+    Processing steps;
+    if (arguments.process) steps = parse_processing_steps(*arguments.process, "--process");
+    const ReadOptions options{arguments.unit, arguments.time_step, arguments.column,
+                              arguments.response.value_or(std::filesystem::path())};
+    std::vector<RecordSet> sets;
+    if (arguments.motion)
+        sets.push_back(make_motion(*arguments.motion, steps));
+    else if (arguments.together)
+        sets.push_back(read_together(arguments, options, steps));
+    else
+        sets = read_one_by_one(arguments, options, steps);
+    make_stems_unique(sets);
+
     bool any_refused = false;
-    for (const std::filesystem::path& file : arguments.files) {
-        descriptions.push_back(describe(file, options, !to_stdout));
-        any_refused = any_refused || !descriptions.back()["reason"].get_ref<const std::string&>().empty();
+    for (const RecordSet& set : sets) {
+        any_refused = any_refused || !set.reason.empty();
+        if (!to_stdout && set.reason.empty()) print(set);
     }
-    if (arguments.json) write_json_text(*arguments.json, descriptions.dump(2));
+    if (arguments.json) write_json_text(*arguments.json, json_of(sets));
+    if (arguments.folder) {
+        make_output_folder(*arguments.folder);
+        for (const RecordSet& set : sets) {
+            if (!set.reason.empty()) continue;
+            for (const std::string& file : write_files(set, *arguments.folder))
+                if (!to_stdout) fmt::print("  {}\n", file);
+        }
+    }
     return any_refused ? exit_bad_input : exit_done;
 }
 

@@ -12,55 +12,13 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/app/program_start.h"
 #include "tests/app/test_files.h"
 
 namespace voussoir
 {
 namespace
 {
-
-struct Ended {
-    int exit_code = -1;  // -1: killed by a signal
-    std::string output, errors;
-};
-
-std::string contents(const std::filesystem::path& file)
-{
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-/// Starts the program with its output in files of `folder`. @returns its process id
-pid_t start(const TemporaryFolder& folder, const std::vector<std::string>& arguments)
-{
-    std::vector<std::string> words = arguments;
-    words.insert(words.begin(), VOUSSOIR_PROGRAM);
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    const std::string output = folder / "stdout", errors = folder / "stderr";
-    const pid_t child = fork();
-    if (child != 0) return child;
-    dup2(open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
-    dup2(open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-    execv(pointers[0], pointers.data());
-    _exit(127);
-}
-
-Ended finish(const TemporaryFolder& folder, pid_t child)
-{
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "stdout"),
-            contents(folder / "stderr")};
-}
-
-Ended voussoir(const TemporaryFolder& folder, const std::vector<std::string>& arguments)
-{
-    return finish(folder, start(folder, arguments));
-}
 
 /// A case whose only block entry is a mesh.
 std::string mesh_case(const std::string& mesh)

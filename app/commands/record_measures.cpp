@@ -1,0 +1,196 @@
+// Measures of a set of channels, in words and as JSON.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/record_set.h"
+
+namespace voussoir
+{
+namespace
+{
+
+using nlohmann::json;
+
+constexpr double shortest_period = 0.02, longest_period = 10;  // s
+constexpr std::size_t period_count = 100;
+
+/// Two horizontal channels at right angles and of one length, for RotD; nothing when there are none or more.
+std::optional<std::pair<const Channel*, const Channel*>> horizontal_pair(const RecordSet& set)
+{
+    std::vector<const Channel*> horizontal;
+    for (const MeasuredChannel& measured : set.channels)
+        if (measured.channel.azimuth && measured.measures) horizontal.push_back(&measured.channel);
+    if (horizontal.size() != 2) return std::nullopt;
+    const double apart = std::remainder(*horizontal[1]->azimuth - *horizontal[0]->azimuth, 180);
+    const bool alike = horizontal[0]->samples.size() == horizontal[1]->samples.size() &&
+                       horizontal[0]->time_step == horizontal[1]->time_step && horizontal[0]->time_step > 0;
+    if (!alike || std::abs(std::abs(apart) - 90) > 1e-6) return std::nullopt;
+    return std::pair(horizontal[0], horizontal[1]);
+}
+
+json json_of_measures(const Measures& m)
+{
+    return {{"pgv_m_s", m.peak_velocity},
+            {"pgd_m", m.peak_displacement},
+            {"arias_intensity_m_s", m.arias_intensity},
+            {"cav_m_s", m.cumulative_velocity},
+            {"significant_duration_5_75_s", m.duration_5_75},
+            {"significant_duration_5_95_s", m.duration_5_95},
+            {"bracketed_duration_s", m.bracketed_duration},
+            {"predominant_period_s", m.predominant_period},
+            {"mean_period_s", m.mean_period}};
+}
+
+json json_of_channel(const MeasuredChannel& measured)
+{
+    const Channel& channel = measured.channel;
+    const bool is_even = channel.times.empty(), is_known = has_unit(channel);
+    const double duration = is_even ? static_cast<double>(channel.samples.size() - 1) * channel.time_step
+                                    : channel.times.back() - channel.times.front();
+    json entry = {{"component", channel.component},
+                  {"quantity", is_known ? json(to_text(channel.quantity)) : json()},
+                  {"npts", channel.samples.size()},
+                  {"dt_s", is_even ? json(channel.time_step) : json()},
+                  {"duration_s", duration},
+                  {"units_in_file", is_known ? json(channel.unit_in_file) : json()},
+                  {"azimuth_deg", channel.azimuth ? json(*channel.azimuth) : json()},
+                  {"vertical", channel.is_vertical},
+                  {"peak", is_known ? json(peak(channel)) : json()},
+                  {"peak_as_stored", is_known ? json() : json(peak(channel))},
+                  {"pga_m_s2", is_known ? json(measured.peak_acceleration) : json()}};
+    if (!is_known) return entry;
+    entry["residual_velocity_m_s"] = measured.residual_velocity;
+    entry["residual_displacement_m"] = measured.residual_displacement;
+    if (measured.measures) entry.update(json_of_measures(*measured.measures));
+    if (measured.spectrum)
+        entry["spectrum"] = {{"damping", measured.spectrum->damping},
+                             {"periods_s", measured.spectrum->periods},
+                             {"pseudo_acceleration_m_s2", measured.spectrum->pseudo_acceleration}};
+    return entry;
+}
+
+std::string name_of(const Channel& channel)
+{
+    std::string name = channel.component.empty() ? "(no name)" : channel.component;
+    if (channel.is_vertical) name += " (vertical)";
+    if (channel.azimuth) name += fmt::format(" ({:g} deg)", *channel.azimuth);
+    return name;
+}
+
+std::string sampling_of(const Channel& channel)
+{
+    if (!channel.times.empty())
+        return fmt::format("{} uneven samples over {:g} s", channel.samples.size(),
+                           channel.times.back() - channel.times.front());
+    return fmt::format("{} samples at {:g} s = {:g} s", channel.samples.size(), channel.time_step,
+                       static_cast<double>(channel.samples.size() - 1) * channel.time_step);
+}
+
+void print_channel(const MeasuredChannel& measured)
+{
+    const Channel& channel = measured.channel;
+    if (!has_unit(channel)) {
+        fmt::print("  {}: unit not known, {}, largest number {:.6g}\n", name_of(channel), sampling_of(channel),
+                   peak(channel));
+        return;
+    }
+    fmt::print("  {}: {} in {}, {}\n", name_of(channel), to_text(channel.quantity), channel.unit_in_file,
+               sampling_of(channel));
+    fmt::print("    peak acceleration {:.4g} m/s2; at the end {:.3g} m/s and {:.3g} m\n",
+               measured.peak_acceleration, measured.residual_velocity, measured.residual_displacement);
+    if (!measured.measures) return;
+    const Measures& m = *measured.measures;
+    fmt::print("    PGV {:.4g} m/s, PGD {:.4g} m, Arias intensity {:.4g} m/s, CAV {:.4g} m/s\n", m.peak_velocity,
+               m.peak_displacement, m.arias_intensity, m.cumulative_velocity);
+    fmt::print(
+        "    duration: significant 5-75 % {:.4g} s, 5-95 % {:.4g} s ({:.5g} to {:.5g} s), above 0.05 g "
+        "{:.4g} s\n",
+        m.duration_5_75, m.duration_5_95, m.time_5, m.time_95, m.bracketed_duration);
+    fmt::print("    period: predominant {:.3g} s, mean {:.3g} s\n", m.predominant_period, m.mean_period);
+}
+
+/// A table of the spectra at round periods.
+void print_spectra(const RecordSet& set)
+{
+    std::string head = "    period s";
+    for (const MeasuredChannel& measured : set.channels)
+        if (measured.spectrum) head += fmt::format("  {:>10.10}", measured.channel.component);
+    if (head.size() == 12) return;
+    if (set.rotd) head += "      RotD50     RotD100";
+    fmt::print("  5 % pseudo-acceleration [m/s2]\n{}\n", head);
+    for (std::size_t i = 0; i < period_count; i += 11) {
+        std::string row;
+        for (const MeasuredChannel& measured : set.channels)
+            if (measured.spectrum) {
+                if (row.empty()) row = fmt::format("    {:8.3f}", measured.spectrum->periods[i]);
+                row += fmt::format("  {:10.4g}", measured.spectrum->pseudo_acceleration[i]);
+            }
+        if (set.rotd) row += fmt::format("  {:10.4g}  {:10.4g}", set.rotd->rotd50[i], set.rotd->rotd100[i]);
+        fmt::print("{}\n", row);
+    }
+}
+
+}  // namespace
+
+void measure(std::vector<Channel> channels, RecordSet& set)
+{
+    const std::vector<double> periods = logarithmic_periods(shortest_period, longest_period, period_count);
+    for (Channel& channel : channels) {
+        MeasuredChannel measured;
+        if (has_unit(channel)) {
+            const GroundMotion motion = to_ground_motion(channel, set.file);
+            measured.residual_velocity = motion.residual_velocity();
+            measured.residual_displacement = motion.residual_displacement();
+            const bool is_acceleration = channel.quantity == Quantity::acceleration;
+            measured.peak_acceleration = is_acceleration ? peak(channel) : motion.peak_acceleration();
+            if (is_acceleration) {
+                measured.measures = measures_of(channel);
+                measured.spectrum = response_spectrum(channel, periods);
+            }
+        }
+        measured.channel = std::move(channel);
+        set.channels.push_back(std::move(measured));
+    }
+    if (const auto pair = horizontal_pair(set)) set.rotd = rotd(*pair->first, *pair->second, periods);
+}
+
+void print(const RecordSet& set)
+{
+    fmt::print("{}: {}", set.file, set.format);
+    if (!set.station.empty()) fmt::print(", station {}", set.station);
+    if (!set.event.empty()) fmt::print(", {}", set.event);
+    fmt::print("\n");
+    for (const std::string& remark : set.remarks) fmt::print("  remark: {}\n", remark);
+    for (const std::string& sentence : set.processing) fmt::print("  done: {}\n", sentence);
+    for (const MeasuredChannel& measured : set.channels) print_channel(measured);
+    print_spectra(set);
+}
+
+std::string json_of(const std::vector<RecordSet>& sets)
+{
+    json list = json::array();
+    for (const RecordSet& set : sets) {
+        json channels = json::array();
+        for (const MeasuredChannel& measured : set.channels) channels.push_back(json_of_channel(measured));
+        json entry = {{"file", set.file},
+                      {"format", set.format},
+                      {"station", set.station},
+                      {"event", set.event},
+                      {"channels", channels},
+                      {"remarks", set.remarks},
+                      {"processing", set.processing},
+                      {"reason", set.reason}};
+        if (set.rotd)
+            entry["rotd"] = {{"damping", set.rotd->damping},
+                             {"periods_s", set.rotd->periods},
+                             {"rotd50_m_s2", set.rotd->rotd50},
+                             {"rotd100_m_s2", set.rotd->rotd100}};
+        list.push_back(std::move(entry));
+    }
+    // Headers are in any encoding: what is no UTF-8 in them is replaced.
+    return list.dump(2, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace voussoir
