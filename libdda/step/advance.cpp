@@ -104,15 +104,19 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
     }
 }
 
-/// The velocity that complete kinetic damping would leave: that of the ground.
+/// The velocity that complete kinetic damping would leave: that of the ground; where supports move differently,
+/// the mean of their motions.
 Vector3d ground_velocity(const Stage& stage, double time)
 {
     Vector3d velocity = Vector3d::Zero();
-    std::array<bool, 3> found{};
-    for (const FoundationMotion& motion : stage.motions) {
-        if (found[motion.component]) continue;
-        velocity[motion.component] = motion.motion->velocity(time);
-        found[motion.component] = true;
+    for (int component = 0; component < 3; ++component) {
+        std::vector<const GroundMotion*> different;  // a motion shared by many foundations counts once
+        for (const FoundationMotion& motion : stage.motions)
+            if (motion.component == component &&
+                std::find(different.begin(), different.end(), motion.motion.get()) == different.end())
+                different.push_back(motion.motion.get());
+        for (const GroundMotion* motion : different)
+            velocity[component] += motion->velocity(time) / static_cast<double>(different.size());
     }
     return velocity;
 }

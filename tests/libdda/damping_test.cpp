@@ -101,6 +101,25 @@ TEST_P(Damped, is_relative_to_the_moving_ground)
     EXPECT_NEAR(velocity_of(model.kinematics, state, 1).x(), ground, 1e-12);
 }
 
+// Two supports that move apart: the block between them goes with the mean, whichever is written first.
+TEST_P(Damped, is_relative_to_the_mean_of_supports_that_move_differently)
+{
+    Model model = lone_block(GetParam());
+    hold(model, add_box(model, "left", {-5, -5, -10}, {0, 5, -9}));
+    hold(model, add_box(model, "right", {1, -5, -10}, {5, 5, -9}));
+    const auto fast = std::make_shared<GroundMotion>(GroundMotion::sine_acceleration(2, 1, 0, 0.5));
+    const auto slow = std::make_shared<GroundMotion>(fast->scaled(-0.5));
+    for (const bool fast_first : {true, false}) {
+        Stage stage = dynamic_stage(8, 5e-3, Vector3d::Zero());
+        stage.motions = {{0, 0, fast}, {1, 0, slow}};
+        if (!fast_first) std::swap(stage.motions[0], stage.motions[1]);
+        stage.damping.rate = 3;
+        State state = initial_state(model);
+        run_quietly(model, {stage}, state);
+        EXPECT_NEAR(velocity_of(model.kinematics, state, 0).x(), 0.25 * fast->residual_velocity(), 1e-6);
+    }
+}
+
 // e = exp(-pi xi / sqrt(1 - xi^2)) for N = <-k (g + eta dg/dt)>, xi = eta omega / 2; Newmark's own loss adds omega
 // h / 4 to xi. Where the contact was found, the block being still in the air, must not matter.
 TEST_P(Damped, dashpot_gives_the_restitution_of_its_ratio)
