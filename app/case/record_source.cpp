@@ -55,7 +55,7 @@ void name_axes(const YamlCursor& list, std::vector<Channel>& channels)
     }
 }
 
-/// Where channels point whose files do not say it.
+/// Where channels point whose files do not say it. One that points down is turned over: our vertical is upward.
 void read_azimuths(const YamlCursor& list, std::vector<Channel>& channels)
 {
     const std::vector<YamlCursor> items = list.items("a direction for each channel, [0 deg, 90 deg, up]");
@@ -63,7 +63,10 @@ void read_azimuths(const YamlCursor& list, std::vector<Channel>& channels)
         return list.fault(fmt::format("{} directions for {} channels", items.size(), channels.size()),
                           "give one for each channel");
     for (std::size_t i = 0; i < items.size(); ++i) {
-        channels[i].is_vertical = items[i].is_scalar() && items[i].as_text() == "up";
+        const std::string word = items[i].is_scalar() ? items[i].as_text() : "";
+        channels[i].is_vertical = word == "up" || word == "down";
+        if (word == "down")
+            for (double& sample : channels[i].samples) sample = -sample;
         channels[i].azimuth.reset();
         if (!channels[i].is_vertical)
             channels[i].azimuth = items[i].as_quantity(dimension::angle, Range::any()) * 180 / std::numbers::pi;

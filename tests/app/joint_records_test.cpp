@@ -31,6 +31,12 @@ TEST_F(JointRecords, turn_to_the_axes_of_the_scene)
     EXPECT_NE(the_case.motions.at(0).description.find("rotated to x at azimuth 40 deg"), std::string::npos);
 }
 
+TEST_F(JointRecords, that_point_down_are_turned_over)
+{
+    const Case the_case = read(moved_by("{" + with(three_records, "up]", "down]") + "}"));
+    EXPECT_EQ(motion_along(2, the_case).motion->acceleration(0.03), -upwards[3]);
+}
+
 TEST_F(JointRecords, lie_with_x_to_the_east_unless_told_otherwise)
 {
     const Case the_case = read(moved_by("{records: [a.txt, b.txt], unit: m/s2, azimuths: [0 deg, 90 deg]}"));
