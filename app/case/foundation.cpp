@@ -98,7 +98,6 @@ void read_foundation_motions(YamlCursor& map, const std::vector<FoundationEntry>
     if (entries.empty()) map.fault("a motion without foundation", "add a foundation {blocks: group}");
     const std::string whose = stage.name + ": " + (entries.size() == 1 ? entries[0].group : "all foundations");
     const std::vector<AxisMotion> motions = read_axis_motions(map, whose, stage_duration, context);
-    if (motions.empty()) map.fault("no motion", "give x, y or z");
     for (const AxisMotion& axis : motions)
         for (const FoundationEntry& entry : entries) add_motion(axis, entry, stage);
     map.reject_unknown_keys();

@@ -53,10 +53,11 @@ GroundMotion scale(GroundMotion motion, const Channel& channel, const Scaling& a
 std::optional<GroundMotion> finish(YamlCursor& map, const Channel& channel, const std::string& source,
                                    const YamlCursor& blamed, std::string& description)
 {
+    const std::size_t faults = map.fault_count();
     const Scaling scaling = read_scaling(map);
     try {
         const std::optional<std::vector<Channel>> processed = process_as_written(map, {channel}, {}, description);
-        if (!processed) return std::nullopt;
+        if (!processed || map.fault_count() > faults) return std::nullopt;
         const Channel& result = processed->front();
         return scale(to_ground_motion(result, source), result, scaling, description);
     } catch (const InputError& error) {
@@ -66,6 +67,14 @@ std::optional<GroundMotion> finish(YamlCursor& map, const Channel& channel, cons
     return std::nullopt;
 }
 
+/// Reads what would be done to a motion that cannot be used, for its faults.
+void read_in_vain(YamlCursor& map)
+{
+    std::string unused;
+    read_scaling(map);
+    process_as_written(map, {}, {}, unused);
+}
+
 std::optional<GroundMotion> read_recorded(YamlCursor& map, const YamlCursor& file, const MotionContext& context,
                                           std::string& description)
 {
@@ -73,8 +82,8 @@ std::optional<GroundMotion> read_recorded(YamlCursor& map, const YamlCursor& fil
     const std::optional<Record> record = read_named_record(file, context.folder, options);
     const Channel* channel = record ? choose_channel(map, file, *record) : nullptr;
     if (!channel) {
-        for (const char* key : {"component", "processing"}) map.find(key);  // known, even with nothing to use them
-        read_scaling(map);
+        map.find("component");  // known, even with nothing to choose from
+        read_in_vain(map);
         return std::nullopt;
     }
     description += in_words(*record, *channel, file.as_text());
@@ -111,6 +120,19 @@ std::vector<std::string> sources_of(YamlCursor& map)
     return found;
 }
 
+/// A motion that is nothing, for an unknown key if there is one, or that is several things at once.
+void refuse_sources(YamlCursor& map, const std::vector<std::string>& sources)
+{
+    const std::size_t faults = map.fault_count();
+    for (const char* key : {"unit", "time_step", "column", "response", "component", "processing", "scale",
+                            "scale_to_pga", "end_correction"})
+        map.find(key);
+    map.reject_unknown_keys();
+    if (map.fault_count() > faults) return;
+    map.fault(sources.empty() ? "neither a record nor a wave" : "both a " + sources[0] + " and a " + sources[1],
+              "give one of record, sine, ramped_sine, sweep, ricker, pulse, noise");
+}
+
 std::shared_ptr<const GroundMotion> noted(GroundMotion motion, std::string description, MotionContext& context)
 {
     context.notes.push_back({std::move(description), motion.residual_velocity(), motion.residual_displacement(),
@@ -126,9 +148,7 @@ std::shared_ptr<const GroundMotion> read_motion(YamlCursor& map, const std::stri
     if (!map.expect_map("a motion {record: file}, {sine: {...}} or a wave")) return nullptr;
     const std::vector<std::string> sources = sources_of(map);
     if (sources.size() != 1) {
-        map.fault(
-            sources.empty() ? "neither a record nor a wave" : "both a " + sources[0] + " and a " + sources[1],
-            "give one of record, sine, ramped_sine, sweep, ricker, pulse, noise");
+        refuse_sources(map, sources);
         return nullptr;
     }
     YamlCursor source = *map.find(sources[0]);
@@ -138,11 +158,12 @@ std::shared_ptr<const GroundMotion> read_motion(YamlCursor& map, const std::stri
         motion = read_recorded(map, source, context, description);
     } else if (sources[0] == "sine") {
         motion = read_sine(source, stage_duration, description);
+        for (const char* key : {"processing", "scale", "scale_to_pga", "end_correction"})
+            map.forbid(key, "a sine is what its figures say: change them, or take a ramped_sine");
     } else if (const std::optional<Channel> wave = read_wave(sources[0], source, description)) {
         motion = finish(map, *wave, sources[0], source, description);
     } else {
-        map.find("processing");
-        read_scaling(map);
+        read_in_vain(map);
     }
     map.reject_unknown_keys();
     if (!motion) return nullptr;
@@ -152,6 +173,22 @@ std::shared_ptr<const GroundMotion> read_motion(YamlCursor& map, const std::stri
 namespace
 {
 
+/// The motion of one channel of several along `component`, which is said with what was done to all of them.
+void add_joint_motion(YamlCursor& map, const Channel& channel, int component, const std::string& said,
+                      MotionContext& context, std::vector<AxisMotion>& motions)
+{
+    const bool is_taken = std::any_of(motions.begin(), motions.end(),
+                                      [&](const AxisMotion& other) { return other.component == component; });
+    if (is_taken) return map.fault("a second channel along " + channel.component, "leave one of the two out");
+    try {
+        motions.push_back(
+            {component, map,
+             noted(to_ground_motion(channel, channel.component), said + "along " + channel.component, context)});
+    } catch (const InputError& error) {
+        for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
+    }
+}
+
 /// The motions of records that belong together, along the scene's axes.
 std::vector<AxisMotion> read_joint_motions(YamlCursor& map, const std::string& whose, MotionContext& context)
 {
@@ -160,21 +197,16 @@ std::vector<AxisMotion> read_joint_motions(YamlCursor& map, const std::string& w
     const auto axes = axes_of(context.kinematics);
     std::vector<AxisMotion> motions;
     for (const Channel& channel : channels) {
-        const int component = channel.component.size() == 1 ? channel.component[0] - 'x' : -1;
+        const int component = channel.component[0] - 'x';
         if (std::find(axes.begin(), axes.end(), component) == axes.end()) {
             map.warn("the motion along " + channel.component + " is left out: the scene has no such axis");
             continue;
         }
-        try {
-            // What was done is said once, for all three.
-            const std::string said = (motions.empty() ? description + "; " : whose + ": the same, ") + "along ";
-            motions.push_back(
-                {component, map,
-                 noted(to_ground_motion(channel, channel.component), said + channel.component, context)});
-        } catch (const InputError& error) {
-            for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
-        }
+        // What was done is said once, for all three.
+        const std::string said = motions.empty() ? description + "; " : whose + ": the same, ";
+        add_joint_motion(map, channel, component, said, context, motions);
     }
+    if (!channels.empty() && motions.empty()) map.fault("no record along x or z", "turn or name them otherwise");
     for (const char* axis : {"x", "y", "z"}) map.forbid(axis, "records give all axes");
     return motions;
 }
@@ -195,6 +227,7 @@ std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& wh
         motions.push_back({component, std::move(*value), std::move(motion)});
     }
     if (is_planar(context.kinematics)) forbid_y(map);
+    if (motions.empty()) map.fault("no motion", "give x, y or z, or records");
     return motions;
 }
 

@@ -1,4 +1,4 @@
-// One motion of a case: a record or a sine, along one axis.
+// Motions of a case: records and waves, along one axis or all of them.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +28,8 @@ struct MotionContext {
 std::shared_ptr<const GroundMotion> read_motion(YamlCursor& map, const std::string& whose,
                                                 std::optional<double> stage_duration, MotionContext& context);
 
-/// The axes of a motion map `{x: ..., y: ..., z: ...}` with their motions, null where unusable.
+/// The axes of a motion map `{x: ..., y: ..., z: ...}` with their motions, null where unusable; or of
+/// `{records: [...], ...}`, none if they are unusable. A fault if there is neither.
 struct AxisMotion {
     int component = 0;  // 0, 1, 2: x, y, z
     YamlCursor written;

@@ -172,8 +172,13 @@ std::optional<ProcessingStep> read_word(const YamlCursor& item)
     if (word == "mean") return RemoveMean{};
     if (word == "end_correction") return CorrectEnd{};
     std::vector<std::string> words{"mean", "end_correction"};
-    for (const StepReader& reader : step_readers()) words.push_back(reader.key);
-    item.fault("step \"" + word + "\"", suggestion(word, words));
+    for (const StepReader& reader : step_readers()) {
+        words.push_back(reader.key);
+        if (word != reader.key) continue;
+        item.fault("step " + word + " without figures", "write {" + word + ": ...}");
+        return std::nullopt;
+    }
+    if (!word.empty()) item.fault("step \"" + word + "\"", suggestion(word, words));
     return std::nullopt;
 }
 
@@ -188,6 +193,7 @@ std::optional<ProcessingStep> read_step(YamlCursor& item)
         if (step) item.fault("two steps in one entry", "write each as an entry of its own: their order counts");
         step = reader.read(*value);
     }
+    for (const char* word : {"mean", "end_correction"}) item.forbid(word, "write it as a word, without figures");
     item.reject_unknown_keys();
     return step;
 }

@@ -25,6 +25,7 @@ std::optional<Record> read_named_record(const YamlCursor& file, const std::files
 const Channel* choose_channel(YamlCursor& map, const YamlCursor& file, const Record& record);
 
 /// Channels after the steps of the key `processing`, if there is one; what was done is added to `description`.
+/// @param channels none, with faults, when they could not be read: the steps are still checked
 /// @returns nothing, with faults, when it cannot be done
 std::optional<std::vector<Channel>> process_as_written(YamlCursor& map, std::vector<Channel> channels,
                                                        const Processing& afterwards, std::string& description);
@@ -34,7 +35,7 @@ std::string in_words(const Record& record, const Channel& channel, const std::st
 
 /// The three components of one place, along the axes of the scene: `{records: [...], x_azimuth: 30 deg}`.
 /// @param map in which `records` is present
-/// @returns channels named x, y, z, with faults where one cannot be used
+/// @returns channels named x, y, z; none, with faults, when one of them cannot be used
 std::vector<Channel> read_joint_records(YamlCursor& map, const std::filesystem::path& folder,
                                         std::string& description);
 

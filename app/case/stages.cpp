@@ -92,7 +92,6 @@ void read_body_accelerations(StageEntry& entry, const Model& model, MotionContex
         const std::string whose = entry.stage.name + ": body acceleration of " + (group ? group->as_text() : "?");
         const std::vector<AxisMotion> motions = read_axis_motions(item, whose, entry.duration, context);
         item.reject_unknown_keys();
-        if (motions.empty()) item.fault("no motion", "give x, y or z");
         if (!group) continue;
         for (const int block : blocks_of_group(*group, model))
             for (const AxisMotion& axis : motions)

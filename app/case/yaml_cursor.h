@@ -41,6 +41,8 @@ class YamlCursor
 
     void fault(std::string found, std::string expected) const;
     void warn(const std::string& text) const;
+    /// Faults of the whole case so far: what is read between two counts is sound if they are equal.
+    std::size_t fault_count() const { return findings_->faults.size(); }
     void took_default(const std::string& key, const std::string& value) const;
 
     // The value itself.
