@@ -41,6 +41,22 @@ std::size_t parse_with_exponent_d(std::string_view text, std::size_t mantissa, d
     return error == std::errc() && stop == with_e.data() + with_e.size() ? end : 0;
 }
 
+/// Fortran leaves the letter out where the exponent has three digits: 1.234-105. Without a decimal point it would
+/// rather be a number and the next one. @returns characters of the exponent; 0 when there is none
+std::size_t parse_bare_exponent(std::string_view text, std::size_t mantissa, double& value)
+{
+    constexpr std::size_t length = 4;  // sign and digits
+    const std::string_view exponent = text.substr(mantissa);
+    if (exponent.size() < length || !is_sign(exponent[0])) return 0;
+    if (text.substr(0, mantissa).find('.') == std::string_view::npos) return 0;
+    const std::size_t end = std::min(exponent.find_first_not_of("0123456789", 1), exponent.size());
+    if (end != length || (end < exponent.size() && exponent[end] == '.')) return 0;
+    const std::string with_e =
+        std::string(text.substr(0, mantissa)) + "e" + std::string(exponent.substr(0, length));
+    const auto [stop, error] = std::from_chars(with_e.data(), with_e.data() + with_e.size(), value);
+    return error == std::errc() && stop == with_e.data() + with_e.size() ? length : 0;
+}
+
 }  // namespace
 
 std::string_view trim(std::string_view text)
@@ -73,6 +89,8 @@ std::size_t parse_leading_number(std::string_view text, double& value)
     } else if (used < digits.size() && (digits[used] == 'D' || digits[used] == 'd')) {
         const std::size_t with_exponent = parse_with_exponent_d(digits, used, value);
         if (with_exponent > 0) used = with_exponent;
+    } else if (used < digits.size() && digits.substr(0, used).find_first_of("eE") == std::string_view::npos) {
+        used += parse_bare_exponent(digits, used, value);
     }
     return skipped + used;
 }
@@ -121,7 +139,7 @@ bool parse_fortran(std::string_view line, std::vector<double>& values)
         const std::string_view number = rest.substr(0, used);
         rest.remove_prefix(used);
         // Only a complete number, exponent included, may be touched by the sign of the next.
-        const bool complete = number.find_first_of("eEdD") != std::string_view::npos;
+        const bool complete = number.find_first_of("eEdD+-", 1) != std::string_view::npos;
         if (!rest.empty() && !is_space(rest.front()) && !(complete && is_sign(rest.front()))) return false;
         values.push_back(value);
         rest = trim(rest);

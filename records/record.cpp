@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libdda/errors.h"
+#include "records/content.h"
 #include "records/formats/format.h"
 #include "records/units.h"
 
@@ -66,6 +67,17 @@ void require_sound(const Record& record)
                 throw InputError(record.file, "samples so large that they overflow in SI", "check their unit");
 }
 
+/// Names come in the file's encoding; what leaves here is UTF-8.
+void encode_names(Record& record)
+{
+    for (std::string* text : {&record.station, &record.event}) *text = to_utf8(*text);
+    for (std::string& remark : record.remarks) remark = to_utf8(remark);
+    for (Channel& channel : record.channels) {
+        channel.component = to_utf8(channel.component);
+        channel.unit_in_file = to_utf8(channel.unit_in_file);
+    }
+}
+
 }  // namespace
 
 Record read_as(const Format& format, const SourceFile& source, const ReadOptions& options)
@@ -75,6 +87,7 @@ Record read_as(const Format& format, const SourceFile& source, const ReadOptions
                          "leave the response out");
     Record record = format.read(source, options);
     require_sound(record);
+    encode_names(record);
     return record;
 }
 
@@ -85,8 +98,7 @@ Record read_source(const SourceFile& source, const ReadOptions& options)
 {
     for (const Format* format : formats)
         if (format->recognises(source)) return read_as(*format, source, options);
-    throw InputError(source.name, is_text(source) ? "a text without a line of numbers" : "binary content",
-                     "not a record in a format we read: " + known_formats());
+    throw InputError({why_unknown(source, known_formats())});
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "records/content.h"
+
 namespace voussoir
 {
 
@@ -18,13 +20,16 @@ namespace
 
 constexpr std::uintmax_t largest_file = 1'000'000'000;  // bytes; a day at 200 Hz in text is some 300 MB
 constexpr std::size_t faults_named = 10;
+constexpr int most_packings = 3;  // one inside another
 
 void split_lines(SourceFile& file)
 {
     std::string_view rest = file.bytes;
     if (rest.substr(0, 3) == "\xEF\xBB\xBF") rest.remove_prefix(3);  // byte order mark of UTF-8
+    // Old Macintosh programs end lines with CR alone.
+    const char line_end = rest.find('\n') == std::string_view::npos ? '\r' : '\n';
     while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        const std::size_t end = std::min(rest.find(line_end), rest.size());
         std::string_view line = rest.substr(0, end);
         while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
         file.lines.push_back(line);
@@ -97,7 +102,10 @@ void load_source_file(const std::filesystem::path& path, SourceFile& file)
 void load_source_bytes(const std::string& name, std::string bytes, SourceFile& file)
 {
     file.name = name;
-    file.bytes = bytes.starts_with("\x1F\x8B") ? unpack(name, bytes) : std::move(bytes);
+    // Some servers pack what was packed already.
+    for (int packing = 0; packing < most_packings && bytes.starts_with("\x1F\x8B"); ++packing)
+        bytes = unpack(name, bytes);
+    file.bytes = decode_utf16(std::move(bytes));
     if (file.bytes.empty()) throw InputError(name, "the file is empty", "a record holds at least 2 samples");
     split_lines(file);
 }

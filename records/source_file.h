@@ -14,7 +14,7 @@ namespace voussoir
 struct SourceFile {
     std::string name;                     // as the user wrote it
     std::string bytes;                    // whole content, unpacked
-    std::vector<std::string_view> lines;  // into `bytes`, without line ends (LF, CR LF, CR CR LF)
+    std::vector<std::string_view> lines;  // into `bytes`, without line ends (LF, CR LF, CR CR LF, CR)
 
     SourceFile() = default;
     SourceFile(const SourceFile&) = delete;  // `lines` point into `bytes`
@@ -24,8 +24,8 @@ struct SourceFile {
     std::string at(std::size_t index) const { return name + ":" + std::to_string(index + 1); }
 };
 
-/// Unpacks gzip. @throws InputError when it is not a regular file, cannot be read or unpacked, is empty or larger
-/// than 1 GB
+/// Unpacks gzip and decodes UTF-16. @throws InputError when it is not a regular file, cannot be read or unpacked,
+/// is empty or larger than 1 GB
 void load_source_file(const std::filesystem::path& path, SourceFile& file);
 
 /// The same from memory.

@@ -17,10 +17,10 @@
 // Source: COSMOS Strong Motion Data Format, version 1.20 (2001), with its tables.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
+#include "records/formats/cosmos_units.h"
 #include "records/formats/direction.h"
 #include "records/formats/format.h"
 #include "records/formats/samples.h"
@@ -35,29 +35,7 @@ namespace
 constexpr std::size_t header_search = 80;  // lines of text of a channel
 constexpr std::string_view title = "(format v";
 
-struct Code {
-    int code;
-    Unit unit;
-};
 constexpr int counts_code = 50;
-
-/// Table 2 of the format, of motions.
-const std::array<Code, 10>& unit_codes()
-{
-    static const std::array<Code, 10> codes{{
-        {2, {"g", Quantity::acceleration, standard_gravity}},
-        {4, {"cm/s2", Quantity::acceleration, 0.01}},
-        {5, {"cm/s", Quantity::velocity, 0.01}},
-        {6, {"cm", Quantity::displacement, 0.01}},
-        {7, {"in/s2", Quantity::acceleration, 0.0254}},
-        {8, {"in/s", Quantity::velocity, 0.0254}},
-        {9, {"in", Quantity::displacement, 0.0254}},
-        {10, {"gal", Quantity::acceleration, 0.01}},
-        {11, {"mg", Quantity::acceleration, 1e-3 * standard_gravity}},
-        {12, {"micro g", Quantity::acceleration, 1e-6 * standard_gravity}},
-    }};
-    return codes;
-}
 
 bool recognises(const SourceFile& file)
 {
@@ -191,21 +169,18 @@ Unit unit_of(const SourceFile& file, const Header& header, std::size_t line, con
              FaultList& faults)
 {
     const std::string words = text_after(file.lines[line], "units=");
-    const std::string_view text = file.lines[line];
-    const std::size_t bracket = std::min(text.find('('), text.size());
-    const int code = static_cast<int>(
-        std::clamp(number_after(text.substr(bracket), "(").value_or(header.integer(3).value_or(0)), 0.0, 1e6));
+    const double given = cosmos_code_in(file.lines[line]).value_or(header.integer(3).value_or(0));
+    const int code = static_cast<int>(std::clamp(given, 0.0, 1e6));
     const bool is_counts = code == counts_code || lower_case(words).starts_with("count");
     if (is_counts && !options.unit) return unit_of_counts(header);
     const std::optional<Unit> named = find_unit(words);
-    for (const Code& known : unit_codes()) {
-        if (known.code != code) continue;
-        const bool agree = !named || std::abs(named->factor - known.unit.factor) <= 1e-9 * known.unit.factor;
+    if (const std::optional<Unit> known = find_cosmos_unit(code)) {
+        const bool agree = !named || std::abs(named->factor - known->factor) <= 1e-9 * known->factor;
         if (!agree)
             faults.add(file.at(line),
-                       "units=" + words + " with code " + std::to_string(code) + ", which is " + known.unit.name,
+                       "units=" + words + " with code " + std::to_string(code) + ", which is " + known->name,
                        "the file is damaged: fetch it again");
-        if (!named && !options.unit) return known.unit;
+        if (!named && !options.unit) return *known;
     }
     return resolve_unit(words, options, file.at(line), faults);
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "records/content.h"
+#include "records/formats/fields.h"
 #include "records/numbers.h"
 
 namespace voussoir
@@ -53,13 +55,23 @@ double resolve_time_step(std::optional<double> in_file, const ReadOptions& optio
     return time_step;
 }
 
+void add_row_fault(const SourceFile& file, std::size_t line, const std::string& expected, FaultList& faults)
+{
+    if (has_decimal_commas(file.lines[line]))
+        faults.add(file.at(line), "numbers with decimal commas", "write decimal points (0.01 for 0,01)");
+    else
+        faults.add(file.at(line), "not a line of numbers: \"" + first_not_number(file.lines[line], 0) + "\"",
+                   expected);
+}
+
 std::vector<double> read_fortran_samples(const SourceFile& file, std::size_t first, FaultList& faults)
 {
     std::vector<double> samples, on_line;
     for (std::size_t i = first; i < file.lines.size(); ++i) {
         if (trim(file.lines[i]).empty()) continue;
         if (!parse_fortran(file.lines[i], on_line)) {
-            faults.add(file.at(i), "not a line of numbers", "every line after the header holds samples only");
+            add_row_fault(file, i, "every line after the header holds samples only", faults);
+            if (has_decimal_commas(file.lines[i])) faults.throw_if_any(file.name);  // they stand on every line
             continue;
         }
         for (const double sample : on_line) {

@@ -58,8 +58,12 @@ Unit resolve_unit(const std::string& in_header, const ReadOptions& options, cons
 double resolve_time_step(std::optional<double> in_file, const ReadOptions& options, const std::string& place,
                          FaultList& faults);
 
+/// Adds the fault of a line that should hold numbers only: the word that is none, or its decimal commas.
+void add_row_fault(const SourceFile& file, std::size_t line, const std::string& expected, FaultList& faults);
+
 /// All numbers of the lines from `first` on, touching Fortran numbers included; blank lines are passed over. Adds
 /// a fault for each line that holds anything but finite numbers.
+/// @throws InputError at the first line with decimal commas, for they stand on all of them
 std::vector<double> read_fortran_samples(const SourceFile& file, std::size_t first, FaultList& faults);
 
 /// Adds a fault when the header announces another number of samples than there are, or fewer than 2.

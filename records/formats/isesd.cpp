@@ -108,7 +108,7 @@ std::vector<double> read_section(const SourceFile& file, const Section& section,
         if (trim(file.lines[i]).empty()) continue;
         const bool is_row = parse_fortran(file.lines[i], on_line);
         if (!is_row) {
-            faults.add(file.at(i), "not a line of numbers", "a section holds samples only");
+            add_row_fault(file, i, "a section holds samples only", faults);
         } else if (!std::all_of(on_line.begin(), on_line.end(), [](double x) { return std::isfinite(x); })) {
             faults.add(file.at(i), "a sample that is no number", "every sample must be finite");
         } else {

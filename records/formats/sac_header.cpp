@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "records/formats/format.h"
 #include "records/numbers.h"
 
 namespace voussoir
@@ -127,7 +128,7 @@ SacHeader read_alphanumeric(const SourceFile& file)
     for (std::size_t i = real_lines + integer_lines + word_lines; i < file.lines.size(); ++i) {
         if (trim(file.lines[i]).empty()) continue;
         if (!parse_fortran(file.lines[i], on_line))
-            faults.add(file.at(i), "not a line of numbers", "every line after the header holds samples only");
+            add_row_fault(file, i, "every line after the header holds samples only", faults);
         else
             for (const double number : on_line) header.numbers.push_back(static_cast<float>(number));
     }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "records/formats/format.h"
+#include "records/formats/text_heading.h"
 #include "records/numbers.h"
 
 namespace voussoir
@@ -63,9 +64,10 @@ Rows read_rows(const SourceFile& file, FaultList& faults)
         } else if (rows.count() > 0 && trim(file.lines[i]).front() == '*') {
             if (closing == 0) closing = i;
         } else if (rows.count() > 0 || begins_with_number(file.lines[i])) {
-            faults.add(file.at(i), "not a line of numbers",
-                       "rows hold numbers with a decimal point, separated by blanks, commas or semicolons; "
-                       "headings stand before them and do not begin with a number");
+            add_row_fault(file, i,
+                          "rows hold numbers with a decimal point, separated by blanks, commas or semicolons; "
+                          "headings stand before them and do not begin with a number",
+                          faults);
         }
     }
     return rows;
@@ -83,10 +85,25 @@ void check_finite(const SourceFile& file, const Rows& rows, FaultList& faults)
     }
 }
 
+/// Whether all rows but the first are alike: a count and a time step stand above one value on each line.
+bool is_first_the_odd_one(const Rows& rows)
+{
+    if (rows.count() < 4 || rows.width(0) < 2) return false;
+    for (std::size_t row = 1; row < rows.count(); ++row)
+        if (rows.width(row) != 1) return false;
+    return true;
+}
+
 /// Every row as wide as the first; only a last row of values without time may be shorter.
 void check_widths(const SourceFile& file, const Rows& rows, bool last_may_be_short, FaultList& faults)
 {
     const std::size_t width = rows.width(0);
+    if (is_first_the_odd_one(rows)) {
+        faults.add(file.at(rows.lines.front()),
+                   std::to_string(width) + " numbers where every other line has " + std::to_string(rows.width(1)),
+                   "if they are a count and a step, take the line away and give the time step");
+        return;
+    }
     for (std::size_t row = 1; row < rows.count(); ++row) {
         const std::size_t here = rows.width(row);
         const bool is_last = row + 1 == rows.count();
@@ -197,39 +214,26 @@ std::vector<double> take_column(const Rows& rows, std::size_t column)
     return samples;
 }
 
-/// The words of the lines above the first row, in lower case.
-std::vector<std::string> heading_words(const SourceFile& file, std::size_t first_row)
+/// Rows of three without a time are read row by row only if the last one is short: three components look the same,
+/// and would be stirred into one series.
+void refuse_three_components(const SourceFile& file, const Rows& rows, FaultList& faults)
 {
-    std::vector<std::string> words(1);
-    for (std::size_t i = 0; i < first_row; ++i) {
-        for (const char c : lower_case(file.lines[i]) + " ") {
-            if (c >= 'a' && c <= 'z')
-                words.back() += c;
-            else if (!words.back().empty())
-                words.emplace_back();
-        }
-    }
-    return words;
+    for (std::size_t row = 0; row < rows.count(); ++row)
+        if (rows.width(row) != 3) return;
+    if (rows.count() < 2) return;
+    faults.add(file.at(rows.lines.front()),
+               "three numbers on every line and no time: three components, or one series?",
+               "name the column of a component; write a series with one value on a line");
 }
 
-/// Columns of periods and spectral values read like times and samples; only the heading tells.
-void refuse_spectra(const SourceFile& file, const Rows& rows)
+/// An index before the time ("0, 0.00, 0.13") would be taken for it.
+void refuse_time_behind(const SourceFile& file, const Rows& rows, FaultList& faults)
 {
-    const std::vector<std::string> words = heading_words(file, rows.lines.front());
-    const auto have = [&](std::initializer_list<std::string_view> any) {
-        return std::find_first_of(words.begin(), words.end(), any.begin(), any.end()) != words.end();
-    };
-    const bool of_period = have({"period", "periods", "per", "t"});
-    const bool of_frequency = have({"freq", "frequency"});
-    const bool of_response = have({"sa", "psa", "sv", "psv", "sd", "prv", "paa", "spectral"});
-    const bool of_damping = have({"damping", "damped"});
-    const bool named = have({"spectrum", "spectra"});
-    const bool names_response = named && have({"response", "pseudo", "fourier"});
-    const int signs = int{of_period} + int{of_frequency} + int{of_response} + int{of_damping} + int{named};
-    const bool is_damping_of_instrument = signs == 2 && of_frequency && of_damping;
-    const bool of_time = have({"time", "times", "accelerogram", "accelerograph", "instrument", "natural", "npts"});
-    if (!names_response && (signs < 2 || is_damping_of_instrument || of_time)) return;
-    throw InputError(file.name, "response spectra, not a time history", "fetch the record the spectra are of");
+    const std::size_t named = named_time_column(file, rows.lines.front(), rows.width(0));
+    if (named > 0)
+        faults.add(file.at(rows.lines.front()),
+                   "the heading calls column " + std::to_string(named + 1) + " the time, but column 1 increases",
+                   "take the column before the time away");
 }
 
 bool recognises(const SourceFile& file)
@@ -244,11 +248,12 @@ Record read(const SourceFile& file, const ReadOptions& options)
 {
     FaultList faults;
     const Rows rows = read_rows(file, faults);
-    refuse_spectra(file, rows);
+    refuse_spectra(file, rows.lines.front());
     check_finite(file, rows, faults);
     const bool has_time = has_time_column(rows);
     const bool by_row = !has_time && !options.column;  // values only: the rows are one long list
     check_widths(file, rows, by_row, faults);
+    if (by_row) refuse_three_components(file, rows, faults);
     const Unit unit = resolve_unit("", options, file.name, faults);
     const std::vector<std::size_t> columns = choose_columns(rows, options, has_time, file.name, faults);
     const std::size_t count = by_row ? rows.numbers.size() : rows.count();
@@ -256,6 +261,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
     // Who names both a column and a step has said that column 1 is not to be believed.
     const bool timed = has_time && columns.front() != 0 && !(options.column && options.time_step);
+    if (timed) refuse_time_behind(file, rows, faults);
     if (timed) faults.throw_if_any(file.name);  // times cannot be judged before every row is complete
     const Times times = timed ? judge_times(file, rows, options, faults) : Times{};
     faults.throw_if_any(file.name);
@@ -263,12 +269,14 @@ Record read(const SourceFile& file, const ReadOptions& options)
     const double time_step = resolve_time_step(in_file, options, file.name, faults);
     faults.throw_if_any(file.name);
 
-    if (by_row) return {file.name, "values-only text", {make_channel("", unit, time_step, rows.numbers)}};
-    Record record{file.name, rows.width(0) == 2 ? "two-column text" : "text table", {}};
-    for (const std::size_t column : columns) {
+    const char* format = by_row ? "values-only text" : rows.width(0) == 2 ? "two-column text" : "text table";
+    Record record{file.name, format, {}};
+    if (by_row) record.channels.push_back(make_channel("", unit, time_step, rows.numbers));
+    for (const std::size_t column : by_row ? std::vector<std::size_t>{} : columns) {
         record.channels.push_back(
             make_channel("column " + std::to_string(column + 1), unit, time_step, take_column(rows, column)));
     }
+    remark_on_heading(file, rows.lines.front(), unit, record.remarks);
     if (times.uneven_row > 0) set_times(record, file, rows, times);
     return record;
 }

@@ -54,6 +54,19 @@ TEST(Cosmos, ReadsChannelsOneBehindTheOther)
     EXPECT_TRUE(record.remarks.empty());
 }
 
+/// "Format=(8F10.5)" is no code of a unit: 8 is that of inches a second.
+TEST(Cosmos, ReadsAUnitWithoutACode)
+{
+    Composed composed;
+    const std::string announcement = "units=g.     (02)Format=(8f9.6)";
+    composed.samples = with(composed.samples, announcement, "units=g,Format=(8F9.6)");
+    EXPECT_DOUBLE_EQ(read(composed.text()).channels.front().samples[4], 10 * g);
+    composed.samples = with(composed.samples, "units=g,", "units=cm/s^2 (4),");
+    EXPECT_DOUBLE_EQ(read(composed.text()).channels.front().samples[4], 0.1);
+    composed.samples = with(composed.samples, "cm/s^2 (4)", "g (4)");
+    expect_in(refusal(composed.text()), "units=g with code 4, which is cm/s2");
+}
+
 TEST(Cosmos, TakesTheAzimuthFromTheHeaderWhereTheWordsHaveNone)
 {
     Composed composed;

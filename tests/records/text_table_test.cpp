@@ -62,6 +62,38 @@ TEST(TextTable, ReadsValuesOnlyRowByRow)
     }
 }
 
+/// North, east and up, row by row, would be one series of nonsense.
+TEST(TextTable, DoesNotStirThreeComponentsIntoOneSeries)
+{
+    const std::string content = "NS,EW,UD\n1,10,100\n2,20,200\n0,30,300\n";
+    expect_in(refusal(content, in_g(0.01)), ":2: three numbers on every line and no time");
+    const Record record = read(content, {.unit = "m/s2", .time_step = 0.01, .column = 2});
+    EXPECT_EQ(record.channels.at(0).samples, (std::vector<double>{10, 20, 30}));
+}
+
+TEST(TextTable, DoesNotTakeAnIndexForTheTime)
+{
+    expect_in(refusal(",Time (s),Acc\n0,0.00,.1\n1,0.01,.2\n2,0.02,.3\n", in_g()), "calls column 2 the time");
+    expect_in(refusal("\tt\ta\n0\t0.00\t.1\n1\t0.01\t.2\n2\t0.02\t.3\n", in_g()), "calls column 2 the time");
+    EXPECT_EQ(read("Time,x,timely\n0,1,2\n1,2,3\n2,3,4\n", in_g()).channels.size(), 2);
+}
+
+TEST(TextTable, SaysThatNoUnitIsTakenFromTheHeading)
+{
+    const Record record = read("Time (s), Acc (g)\n0,1\n1,2\n");
+    EXPECT_FALSE(has_unit(record.channels.at(0)));
+    expect_in(record.remarks.at(0), "\"Time (s), Acc (g)\", but no unit is taken");
+    EXPECT_TRUE(read("Time (s), Acc (g)\n0,1\n1,2\n", in_g()).remarks.empty());
+    EXPECT_TRUE(read("0,1\n1,2\n").remarks.empty());
+}
+
+TEST(TextTable, TellsACountAndAStepAboveTheValuesInOneSentence)
+{
+    const std::string faults = refusal("4 0.01\n1\n2\n3\n4\n", in_g(0.01));
+    expect_in(faults, ":1: 2 numbers where every other line has 1");
+    EXPECT_EQ(faults.find(":2:"), std::string::npos);
+}
+
 TEST(TextTable, NeverGuessesUnitOrTimeStep)
 {
     expect_in(refusal("1\n2\n3\n"), "no time step");
@@ -143,8 +175,8 @@ TEST(TextTable, RefusesDamagedRowsWithLine)
 
 TEST(TextTable, RefusesDecimalCommas)
 {
-    expect_in(refusal("0,00 0,1\n0,01 0,2\n0,02 0,3\n", in_g()), "not a record in a format we read");
-    expect_in(refusal("0,00;0,1\n0,01;0,2\n0,02;0,3\n", in_g()), "not a record in a format we read");
+    expect_in(refusal("0,00 0,1\n0,01 0,2\n0,02 0,3\n", in_g()), ":1: numbers with decimal commas");
+    expect_in(refusal("0,00;0,1\n0,01;0,2\n0,02;0,3\n", in_g()), ":1: numbers with decimal commas");
     expect_in(refusal("0,12\n0,15\n0,11\n", in_g()), ":2: time 0 s after 0 s");
 }
 
