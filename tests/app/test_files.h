@@ -1,45 +1,14 @@
 // Folders and case texts for the tests of case files.
 #pragma once
 
-#include <unistd.h>
-
-#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "tests/temporary_folder.h"
+
 namespace voussoir
 {
-
-/// A folder of its own for one test; it goes when the test ends.
-class TemporaryFolder
-{
- public:
-    TemporaryFolder()
-    {
-        static std::atomic<int> count = 0;
-        path_ = std::filesystem::temp_directory_path() /
-                ("voussoir_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
-        std::filesystem::create_directories(path_);
-    }
-    ~TemporaryFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path write(const std::string& name, const std::string& text) const
-    {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path_ / name;
-    }
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-    std::filesystem::path path_;
-};
 
 /// Two boxes, one on the other, at rest and then shaken: a case without faults. Line numbers matter to the tests.
 inline const std::string two_boxes = R"(title: Two boxes

@@ -10,6 +10,7 @@
 #include "app/results/results_reader.h"
 #include "app/results/results_writer.h"
 #include "tests/app_results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace
 {
@@ -42,8 +43,6 @@ namespace voussoir
 {
 namespace
 {
-
-using synthetic::TemporaryFolder;
 
 constexpr double step = 1e-3;  // s between frames
 
@@ -106,7 +105,7 @@ TEST(KilledWriter, AtRandomMoments)
         const TemporaryFolder folder;
         int ends[2];
         ASSERT_EQ(pipe(ends), 0);
-        const pid_t child = in_child([&] { write_frames(the_case, folder.path, 1'000'000, ends[1], -1, 0); });
+        const pid_t child = in_child([&] { write_frames(the_case, folder.path(), 1'000'000, ends[1], -1, 0); });
         close(ends[1]);
         char first = 0;
         ASSERT_EQ(read(ends[0], &first, 1), 1);  // the file is there
@@ -115,7 +114,7 @@ TEST(KilledWriter, AtRandomMoments)
         waitpid(child, nullptr, 0);
         const std::size_t frames = 1 + bytes_in(ends[0]);
         close(ends[0]);
-        check_file(the_case, folder.path, frames);
+        check_file(the_case, folder.path(), frames);
         total += frames;
     }
     EXPECT_GT(total, 100U) << "the kills came before anything was written";
@@ -129,13 +128,13 @@ void kill_at_every_write(const Case& the_case, int live_frames)
         int ends[2];
         ASSERT_EQ(pipe(ends), 0);
         const pid_t child = in_child(
-            [&] { write_frames(the_case, folder.path, live_frames + 1, ends[1], die_after, live_frames); });
+            [&] { write_frames(the_case, folder.path(), live_frames + 1, ends[1], die_after, live_frames); });
         close(ends[1]);
         int status = 0;
         waitpid(child, &status, 0);
         const std::size_t frames = bytes_in(ends[0]);
         close(ends[0]);
-        ASSERT_NO_FATAL_FAILURE(check_file(the_case, folder.path, frames))
+        ASSERT_NO_FATAL_FAILURE(check_file(the_case, folder.path(), frames))
             << "after " << live_frames << " frames and " << die_after << " writes";
         if (!WIFSIGNALED(status)) {
             EXPECT_GT(die_after, 0) << "no write was seen: the trap does not work";

@@ -9,13 +9,12 @@
 #include "app/results/results_writer.h"
 #include "libdda/errors.h"
 #include "tests/app_results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir
 {
 namespace
 {
-
-using synthetic::TemporaryFolder;
 
 std::filesystem::path results_of(const Case& the_case, const std::filesystem::path& folder)
 {
@@ -80,11 +79,11 @@ TEST(Pictures, HaveTheirSizeTheirNamesAndSomethingOnThem)
     options.width = 800;
     options.height = 500;
     const auto pictures =
-        render_snapshots(results_of(synthetic::arch(Kinematics::spatial_deformable), folder.path),
-                         folder.path / "snapshots", options);
+        render_snapshots(results_of(synthetic::arch(Kinematics::spatial_deformable), folder.path()),
+                         folder.path() / "snapshots", options);
     ASSERT_EQ(pictures.size(), 2U);
-    EXPECT_EQ(pictures[0], folder.path / "snapshots" / "snapshot_0001_t=0.500s.png");
-    EXPECT_EQ(pictures[1], folder.path / "snapshots" / "snapshot_0002_t=2.000s.png");
+    EXPECT_EQ(pictures[0], folder.path() / "snapshots" / "snapshot_0001_t=0.500s.png");
+    EXPECT_EQ(pictures[1], folder.path() / "snapshots" / "snapshot_0002_t=2.000s.png");
     for (const auto& path : pictures) {
         const Picture picture(path);
         EXPECT_EQ(picture.width, 800);
@@ -103,8 +102,8 @@ TEST(Pictures, NoMarkWhereNothingOpened)
     options.times = {0};
     options.width = 800;
     options.height = 500;
-    const auto pictures = render_snapshots(results_of(synthetic::arch(Kinematics::spatial_rigid), folder.path),
-                                           folder.path / "snapshots", options);
+    const auto pictures = render_snapshots(results_of(synthetic::arch(Kinematics::spatial_rigid), folder.path()),
+                                           folder.path() / "snapshots", options);
     ASSERT_EQ(pictures.size(), 1U);
     EXPECT_EQ(Picture(pictures[0]).share(is_red), 0);
 }
@@ -112,16 +111,16 @@ TEST(Pictures, NoMarkWhereNothingOpened)
 TEST(Pictures, OfAnEarlierRenderingDoNotStay)
 {
     const TemporaryFolder folder;
-    const auto results = results_of(synthetic::tower(Kinematics::spatial_rigid), folder.path);
+    const auto results = results_of(synthetic::tower(Kinematics::spatial_rigid), folder.path());
     SnapshotOptions options;
     options.width = options.height = 300;
     options.count = 4;
-    EXPECT_EQ(render_snapshots(results, folder.path / "s", options).size(), 4U);
+    EXPECT_EQ(render_snapshots(results, folder.path() / "s", options).size(), 4U);
     options.count = 1;
-    const auto pictures = render_snapshots(results, folder.path / "s", options);
+    const auto pictures = render_snapshots(results, folder.path() / "s", options);
     ASSERT_EQ(pictures.size(), 1U);
     int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path / "s")) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "s")) {
         EXPECT_EQ(entry.path(), pictures[0]);
         ++files;
     }
@@ -144,17 +143,17 @@ TEST(Pictures, OfStressesThatARigidSceneHasNotAreRefused)
     SnapshotOptions options;
     options.color = SnapshotColor::principal_stress;
     const std::string sentence =
-        sentence_of(results_of(synthetic::tower(Kinematics::spatial_rigid), folder.path), options);
+        sentence_of(results_of(synthetic::tower(Kinematics::spatial_rigid), folder.path()), options);
     EXPECT_NE(sentence.find("rigid blocks"), std::string::npos) << sentence;
-    EXPECT_FALSE(std::filesystem::exists(folder.path / "snapshots"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "snapshots"));
 }
 
 TEST(Pictures, WithoutResultsOrHelperAreRefused)
 {
     const TemporaryFolder folder;
-    EXPECT_NE(sentence_of(folder.path / "none.h5", {}).find("No such file"), std::string::npos);
-    setenv("VOUSSOIR_BIN_DIR", folder.path.c_str(), 1);
-    const std::string sentence = sentence_of(folder.path / "none.h5", {});
+    EXPECT_NE(sentence_of(folder.path() / "none.h5", {}).find("No such file"), std::string::npos);
+    setenv("VOUSSOIR_BIN_DIR", folder.path().c_str(), 1);
+    const std::string sentence = sentence_of(folder.path() / "none.h5", {});
     unsetenv("VOUSSOIR_BIN_DIR");
     EXPECT_NE(sentence.find("VOUSSOIR_RENDER"), std::string::npos) << sentence;
 }

@@ -8,18 +8,17 @@
 #include "app/results/results_writer.h"
 #include "app/results/state_file.h"
 #include "tests/app_results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir
 {
 namespace
 {
 
-using synthetic::TemporaryFolder;
-
 /// Three frames of a planar arch of 15 voussoirs and two abutments.
 std::filesystem::path write_arch(const TemporaryFolder& folder, const Case& the_case)
 {
-    ResultsWriter writer(the_case, folder.path);
+    ResultsWriter writer(the_case, folder.path());
     State state;
     for (const double time : {0.0, 0.5, 1.0}) {
         state = synthetic::swaying(the_case, time);
@@ -66,7 +65,7 @@ TEST_P(PlanarResults, TheSceneIsDescribed)
     EXPECT_EQ(file.number_attribute("/", "thickness_m"), 2);
     EXPECT_EQ(ResultsReader(path).model.kinematics, GetParam());
     EXPECT_EQ(ResultsReader(path).model.thickness, 2);
-    const nlohmann::json summary = nlohmann::json::parse(std::ifstream(folder.path / "summary.json"));
+    const nlohmann::json summary = nlohmann::json::parse(std::ifstream(folder.path() / "summary.json"));
     EXPECT_EQ(summary["thickness_m"], 2);
     EXPECT_EQ(summary["state_bytes_per_block"], is_deformable(GetParam()) ? 96 : 48);
     EXPECT_EQ(summary["left_out"][0], "the third dimension (the scene is planar)");
@@ -78,7 +77,7 @@ TEST_P(PlanarResults, TheSceneIsDescribed)
 
 TEST_P(PlanarResults, HistoriesHaveNoY)
 {
-    std::ifstream stream(folder.path / "histories.csv");
+    std::ifstream stream(folder.path() / "histories.csv");
     std::string header;
     std::getline(stream, header);
     EXPECT_EQ(header,
@@ -89,12 +88,12 @@ TEST_P(PlanarResults, AStateComesBackAndIsSmallerThanTheSpatialOne)
 {
     State state = synthetic::swaying(the_case, 1.2345678);
     state.planar_contacts.points[3].elastic_slip = {1e-9, -0.0};
-    save_state(state, folder.path / "planar");
-    EXPECT_EQ(hash_of(load_state(folder.path / "planar")), hash_of(state));
+    save_state(state, folder.path() / "planar");
+    EXPECT_EQ(hash_of(load_state(folder.path() / "planar")), hash_of(state));
     const Kinematics spatial =
         is_deformable(GetParam()) ? Kinematics::spatial_deformable : Kinematics::spatial_rigid;
-    save_state(synthetic::swaying(synthetic::arch(spatial), 1.2345678), folder.path / "spatial");
-    EXPECT_LT(2 * file_size(folder.path / "planar"), file_size(folder.path / "spatial"));
+    save_state(synthetic::swaying(synthetic::arch(spatial), 1.2345678), folder.path() / "spatial");
+    EXPECT_LT(2 * file_size(folder.path() / "planar"), file_size(folder.path() / "spatial"));
     EXPECT_LT(file_size(path), file_size(write_arch(TemporaryFolder(), synthetic::arch(spatial)))) << "results";
 }
 

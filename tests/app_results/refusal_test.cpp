@@ -9,13 +9,12 @@
 #include "app/results/results_writer.h"
 #include "libdda/errors.h"
 #include "tests/app_results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir
 {
 namespace
 {
-
-using synthetic::TemporaryFolder;
 
 template <typename Action>
 std::string sentence_of(Action action)
@@ -47,9 +46,9 @@ struct SmallDisk {
 TEST(Refusal, AFolderThatIsAFile)
 {
     const TemporaryFolder folder;
-    std::ofstream(folder.path / "taken") << "here";
+    std::ofstream(folder.path() / "taken") << "here";
     const Case the_case = synthetic::tower(Kinematics::spatial_rigid);
-    const std::string sentence = sentence_of([&] { ResultsWriter(the_case, folder.path / "taken"); });
+    const std::string sentence = sentence_of([&] { ResultsWriter(the_case, folder.path() / "taken"); });
     EXPECT_NE(sentence.find("cannot be written: Not a directory"), std::string::npos) << sentence;
 }
 
@@ -61,7 +60,7 @@ TEST(Refusal, AFullDiskAtTheStart)
     std::string sentence;
     {
         const SmallDisk disk(1000);
-        sentence = sentence_of([&] { ResultsWriter(the_case, folder.path); });
+        sentence = sentence_of([&] { ResultsWriter(the_case, folder.path()); });
     }
     EXPECT_NE(sentence.find("File too large"), std::string::npos) << sentence;
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "HDF5 prints nothing";
@@ -76,7 +75,7 @@ TEST(Refusal, AFullDiskInTheMiddle)
     {
         const SmallDisk disk(3'000'000);
         sentence = sentence_of([&] {
-            ResultsWriter writer(the_case, folder.path);
+            ResultsWriter writer(the_case, folder.path());
             for (int i = 0; i < 10000; ++i) writer.frame(synthetic::swaying(the_case, 1e-3 * i), {});
         });
     }
@@ -88,7 +87,7 @@ TEST(Refusal, AFullDiskInTheMiddle)
 TEST(Refusal, ResultsThatAreNone)
 {
     const TemporaryFolder folder;
-    const std::filesystem::path path = folder.path / "results.h5";
+    const std::filesystem::path path = folder.path() / "results.h5";
     EXPECT_NE(sentence_of([&] { ResultsReader{path}; }).find("No such file"), std::string::npos);
     std::ofstream(path) << "These are no results.";
     EXPECT_NE(sentence_of([&] { ResultsReader{path}; }).find("not a whole HDF5 file"), std::string::npos);
@@ -101,7 +100,7 @@ TEST(Refusal, AHistoryOfAnUnknownBlock)
     const TemporaryFolder folder;
     Case the_case = synthetic::tower(Kinematics::spatial_rigid);
     the_case.output.histories = {{"crown", "voussoir_47", {}}};
-    const std::string sentence = sentence_of([&] { ResultsWriter(the_case, folder.path); });
+    const std::string sentence = sentence_of([&] { ResultsWriter(the_case, folder.path()); });
     EXPECT_NE(sentence.find("voussoir_47"), std::string::npos) << sentence;
 }
 

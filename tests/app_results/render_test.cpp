@@ -13,6 +13,7 @@
 #include "app/render/scene.h"
 #include "app/results/results_writer.h"
 #include "tests/app_results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir
 {
@@ -20,7 +21,6 @@ namespace
 {
 
 using Eigen::Vector3d;
-using synthetic::TemporaryFolder;
 
 /// Frames at 0 (end of the static stage), 0.1, 0.2, ..., 2 s.
 ResultsReader run_of(const Case& the_case, const std::filesystem::path& folder)
@@ -34,7 +34,7 @@ ResultsReader run_of(const Case& the_case, const std::filesystem::path& folder)
 TEST(ChooseFrames, NearestToEachTimeAndEachOnce)
 {
     const TemporaryFolder folder;
-    const ResultsReader results = run_of(synthetic::tower(Kinematics::spatial_rigid), folder.path);
+    const ResultsReader results = run_of(synthetic::tower(Kinematics::spatial_rigid), folder.path());
     SnapshotOptions options;
     options.times = {1.52, 0.31, 0.29, 99};
     EXPECT_EQ(choose_frames(results, options), (std::vector<std::size_t>{3, 15, 20}));
@@ -43,7 +43,7 @@ TEST(ChooseFrames, NearestToEachTimeAndEachOnce)
 TEST(ChooseFrames, SpreadOverTheMotionWithTheLast)
 {
     const TemporaryFolder folder;
-    const ResultsReader results = run_of(synthetic::tower(Kinematics::spatial_rigid), folder.path);
+    const ResultsReader results = run_of(synthetic::tower(Kinematics::spatial_rigid), folder.path());
     SnapshotOptions options;
     options.count = 4;
     EXPECT_EQ(choose_frames(results, options), (std::vector<std::size_t>{5, 10, 15, 20}));
@@ -189,7 +189,7 @@ TEST(JointFaces, AFloorIsNotOutlinedUnderAPillar)
 TEST(Scene, MarksJointsBeyondTheThresholdOnly)
 {
     const TemporaryFolder folder;
-    const ResultsReader results = run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path);
+    const ResultsReader results = run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path());
     SceneOptions options;  // 0.1 mm; at 1 s two joints of ten are open by 2 mm and two have slid 2 mm
     const RecordedFrame first = results.frame(0), frame = results.frame(10);
     const Scene scene = make_scene(results.model, first, frame, options);
@@ -203,7 +203,7 @@ TEST(Scene, MarksJointsBeyondTheThresholdOnly)
 TEST(Scene, AJointThatIsGoneIsOpen)
 {
     const TemporaryFolder folder;
-    const ResultsReader results = run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path);
+    const ResultsReader results = run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path());
     RecordedFrame apart = results.frame(0);
     apart.joints.pop_back();
     EXPECT_EQ(make_scene(results.model, results.frame(0), apart, {}).opened_joints, 1);
@@ -213,7 +213,7 @@ TEST(Scene, IsSeenFromTheGround)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::tower(Kinematics::spatial_rigid);
-    const ResultsReader results = run_of(the_case, folder.path);
+    const ResultsReader results = run_of(the_case, folder.path());
     SceneOptions options;
     options.deformation_scale = 10;
     const Scene scene = make_scene(results.model, results.frame(0), results.frame(20), options);
@@ -256,7 +256,7 @@ TEST(Extrusion, APlanarSceneIsMarkedAsTheSpatialOne)
 {
     const auto marks = [](Kinematics kinematics) {
         const TemporaryFolder folder;
-        const ResultsReader results = run_of(synthetic::arch(kinematics, 9), folder.path);
+        const ResultsReader results = run_of(synthetic::arch(kinematics, 9), folder.path());
         return make_scene(in_space(results.model), results.frame(0), results.frame(10), {});
     };
     const Scene plane = marks(Kinematics::planar_rigid), space = marks(Kinematics::spatial_rigid);

@@ -8,13 +8,12 @@
 #include "app/results/results_reader.h"
 #include "app/results/results_writer.h"
 #include "tests/app_results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir
 {
 namespace
 {
-
-using synthetic::TemporaryFolder;
 
 std::filesystem::path write_run(const Case& the_case, const std::filesystem::path& folder, int frames = 3)
 {
@@ -58,7 +57,7 @@ TEST_P(AllKinematics, FramesComeBackBitForBit)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::arch(GetParam());
-    const ResultsReader reader(write_run(the_case, folder.path));
+    const ResultsReader reader(write_run(the_case, folder.path()));
     ASSERT_EQ(reader.times, (std::vector<double>{0, 0.5, 1}));
     for (std::size_t i = 0; i < 3; ++i) {
         const State state = synthetic::swaying(the_case, reader.times[i]);
@@ -75,7 +74,7 @@ TEST_P(AllKinematics, JointsComeBackBitForBit)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::arch(GetParam());
-    const ResultsReader reader(write_run(the_case, folder.path));
+    const ResultsReader reader(write_run(the_case, folder.path()));
     const auto expected = joint_resultants(the_case.model, synthetic::swaying(the_case, 1));
     const auto found = reader.frame(2).joints;
     ASSERT_EQ(found.size(), expected.size());
@@ -96,7 +95,7 @@ TEST_P(AllKinematics, TheMeshIsThatOfTheModel)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::arch(GetParam());
-    const ResultsReader reader(write_run(the_case, folder.path));
+    const ResultsReader reader(write_run(the_case, folder.path()));
     const SurfaceMesh mesh = surface_mesh_of(the_case.model);
     EXPECT_EQ(reader.model.mesh.levers, mesh.levers);
     EXPECT_EQ(reader.model.mesh.face_vertices, mesh.face_vertices);
@@ -111,7 +110,7 @@ TEST_P(AllKinematics, PositionsAreThoseOfTheVertices)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::arch(GetParam());
-    const Hdf5File file = Hdf5File::open(write_run(the_case, folder.path));
+    const Hdf5File file = Hdf5File::open(write_run(the_case, folder.path()));
     const State state = synthetic::swaying(the_case, 1);
     const std::vector<float> positions = file.read_rows<float>("/frames/positions", 2, 1);
     std::size_t row = 0;
@@ -129,8 +128,8 @@ TEST_P(AllKinematics, TwoRunsGiveTheSameBytes)
 {
     const TemporaryFolder first, second;
     const Case the_case = synthetic::arch(GetParam());
-    const std::string bytes = bytes_of(write_run(the_case, first.path));
-    EXPECT_TRUE(bytes == bytes_of(write_run(the_case, second.path)));
+    const std::string bytes = bytes_of(write_run(the_case, first.path()));
+    EXPECT_TRUE(bytes == bytes_of(write_run(the_case, second.path())));
     EXPECT_GT(bytes.size(), 10000U);
 }
 
@@ -142,7 +141,7 @@ TEST(Results, StressIsTheBlocksCauchyStress)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::tower(Kinematics::spatial_deformable);
-    const ResultsReader reader(write_run(the_case, folder.path));
+    const ResultsReader reader(write_run(the_case, folder.path()));
     const Eigen::Matrix3d stress = stress_of(the_case.model, synthetic::swaying(the_case, 1), 3);
     const Eigen::Matrix3d found = reader.frame(2).stresses.at(3);
     for (int i = 0; i < 3; ++i)
@@ -153,7 +152,7 @@ TEST(Results, StressIsTheBlocksCauchyStress)
 TEST(Results, ARigidSceneHasNoStressOrStrain)
 {
     const TemporaryFolder folder;
-    const std::filesystem::path path = write_run(synthetic::tower(Kinematics::spatial_rigid), folder.path);
+    const std::filesystem::path path = write_run(synthetic::tower(Kinematics::spatial_rigid), folder.path());
     const Hdf5File file = Hdf5File::open(path);
     EXPECT_TRUE(file.has("/frames/coordinates"));
     EXPECT_EQ(file.extents("/frames/coordinates"), (Extents{3, 9, 7}));
@@ -171,12 +170,12 @@ TEST(Results, MotionsAreThereOnlyWithAMotion)
 {
     const TemporaryFolder still, shaken;
     Case the_case = synthetic::tower(Kinematics::spatial_rigid);
-    EXPECT_FALSE(Hdf5File::open(write_run(the_case, still.path)).has("/motions"));
+    EXPECT_FALSE(Hdf5File::open(write_run(the_case, still.path())).has("/motions"));
 
     const auto sine = std::make_shared<GroundMotion>(GroundMotion::sine_acceleration(4.9, 2.5, 0, 0.4));
     the_case.stages[1].motions = {{0, 0, sine}, {0, 1, sine}};
     the_case.motions = {{"foundation x: sine", sine->residual_velocity(), sine->residual_displacement(), 4.9}};
-    const Hdf5File file = Hdf5File::open(write_run(the_case, shaken.path));
+    const Hdf5File file = Hdf5File::open(write_run(the_case, shaken.path()));
     EXPECT_EQ(file.read_texts("/motions/motion_1/followers"), (std::vector<std::string>{"ground x", "ground y"}));
     EXPECT_FALSE(file.has("/motions/motion_2")) << "one motion is stored once, however many follow it";
     const Extents size = file.extents("/motions/motion_1/samples");
@@ -189,7 +188,7 @@ TEST(Results, MotionsAreThereOnlyWithAMotion)
 TEST(Results, EveryEnergyTermIsANamedColumn)
 {
     const TemporaryFolder folder;
-    const Hdf5File file = Hdf5File::open(write_run(synthetic::tower(Kinematics::spatial_rigid), folder.path));
+    const Hdf5File file = Hdf5File::open(write_run(synthetic::tower(Kinematics::spatial_rigid), folder.path()));
     const std::vector<std::string> names = file.texts_attribute("/frames/energy", "columns");
     const std::vector<double> last = file.read_rows<double>("/frames/energy", 2, 1);
     ASSERT_EQ(names.size(), last.size());
@@ -206,7 +205,7 @@ TEST(Results, TheCaseItselfIsInTheFile)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::arch(Kinematics::spatial_deformable);
-    const Hdf5File file = Hdf5File::open(write_run(the_case, folder.path));
+    const Hdf5File file = Hdf5File::open(write_run(the_case, folder.path()));
     EXPECT_EQ(file.read_text("/case/text"), the_case.text);
     EXPECT_EQ(file.read_texts("/case/overrides"), the_case.overrides);
     EXPECT_EQ(file.read_texts("/case/defaults"), the_case.defaults);

@@ -9,6 +9,7 @@
 
 #include "libdda/errors.h"
 #include "tests/app_results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir
 {
@@ -36,15 +37,15 @@ class StateFile : public testing::TestWithParam<Kinematics>
 
 TEST_P(StateFile, EveryBitComesBack)
 {
-    const synthetic::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const State state = odd_state(GetParam());
-    save_state(state, folder.path / "state");
-    const State loaded = load_state(folder.path / "state");
+    save_state(state, folder.path() / "state");
+    const State loaded = load_state(folder.path() / "state");
     EXPECT_EQ(hash_of(loaded), hash_of(state));
     EXPECT_EQ(loaded.coordinates, state.coordinates);
     EXPECT_EQ(loaded.contacts.points.size(), state.contacts.points.size());
     EXPECT_TRUE(loaded.contacts.patches[2].intact);
-    EXPECT_FALSE(std::filesystem::exists(folder.path / "state.part"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "state.part"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinematics, StateFile,
@@ -52,8 +53,8 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, StateFile,
 
 TEST(StateFile, DamageIsRefused)
 {
-    const synthetic::TemporaryFolder folder;
-    const std::filesystem::path path = folder.path / "state";
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "state";
     save_state(odd_state(Kinematics::spatial_rigid), path);
     std::ifstream stream(path, std::ios::binary);
     const std::string good((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
@@ -73,7 +74,7 @@ TEST(StateFile, DamageIsRefused)
         bad[at] = static_cast<char>(bad[at] ^ 0x40);
         EXPECT_TRUE(refused(bad)) << at;
     }
-    EXPECT_THROW(load_state(folder.path / "none"), InputError);
+    EXPECT_THROW(load_state(folder.path() / "none"), InputError);
 }
 
 TEST(StateFile, AnUnwritableFolderIsOneSentence)

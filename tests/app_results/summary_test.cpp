@@ -8,13 +8,12 @@
 
 #include "app/results/results_writer.h"
 #include "tests/app_results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir
 {
 namespace
 {
-
-using synthetic::TemporaryFolder;
 
 nlohmann::json summary_in(const std::filesystem::path& folder)
 {
@@ -33,10 +32,10 @@ TEST(Summary, HasEveryKeyOfTheDesign)
     report.energy.friction = 60;
     report.energy.kinetic = 39;
     report.seconds[static_cast<int>(Part::linear_solve)] = 1.5;
-    ResultsWriter writer(the_case, folder.path);
+    ResultsWriter writer(the_case, folder.path());
     writer.frame(state, report);
     writer.finish(state, report, 2, 3);
-    const nlohmann::json json = summary_in(folder.path);
+    const nlohmann::json json = summary_in(folder.path());
     for (const char* key : {"case",
                             "outcome",
                             "blocks",
@@ -73,7 +72,7 @@ TEST(Summary, HasEveryKeyOfTheDesign)
     EXPECT_EQ(json["energy"]["friction_J"], 60);
     EXPECT_EQ(json["integrator"][1]["stage"], "earthquake");
     for (const auto& file : json["files"]) {
-        EXPECT_TRUE(std::filesystem::exists(folder.path / file.get<std::string>())) << file;
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / file.get<std::string>())) << file;
     }
 }
 
@@ -81,10 +80,10 @@ TEST(Summary, ARigidStateTakesFewerBytes)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::arch(Kinematics::spatial_rigid);
-    ResultsWriter writer(the_case, folder.path);
+    ResultsWriter writer(the_case, folder.path());
     writer.finish(synthetic::swaying(the_case, 0), {}, 0, 0);
-    EXPECT_EQ(summary_in(folder.path)["state_bytes_per_block"], (7 + 6) * 8);
-    EXPECT_EQ(summary_in(folder.path)["unknowns_per_block"], 6);
+    EXPECT_EQ(summary_in(folder.path())["state_bytes_per_block"], (7 + 6) * 8);
+    EXPECT_EQ(summary_in(folder.path())["unknowns_per_block"], 6);
 }
 
 std::vector<std::string> split(const std::string& line)
@@ -108,12 +107,12 @@ TEST(Histories, APointOffTheCentroidMovesWithItsBlock)
     x[3] = std::cos(angle / 2);
     x[5] = std::sin(angle / 2);
     state.velocities[6 + 4] = omega;
-    ResultsWriter writer(the_case, folder.path);
+    ResultsWriter writer(the_case, folder.path());
     writer.history(state, {}, {});
-    std::ifstream unread(folder.path / "histories.csv");
+    std::ifstream unread(folder.path() / "histories.csv");
     writer.frame(state, {});  // a frame flushes the lines
     std::string header, line;
-    std::ifstream stream(folder.path / "histories.csv");
+    std::ifstream stream(folder.path() / "histories.csv");
     std::getline(stream, header);
     std::getline(stream, line);
     EXPECT_EQ(header,
@@ -135,10 +134,10 @@ TEST(Histories, NoPointNoFile)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::tower(Kinematics::spatial_rigid);
-    ResultsWriter writer(the_case, folder.path);
+    ResultsWriter writer(the_case, folder.path());
     writer.history(initial_state(the_case.model), {}, {});
     writer.finish(initial_state(the_case.model), {}, 0, 0);
-    EXPECT_FALSE(std::filesystem::exists(folder.path / "histories.csv"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "histories.csv"));
 }
 
 }  // namespace

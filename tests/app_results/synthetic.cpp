@@ -170,16 +170,4 @@ State swaying(const Case& the_case, double time)
     return state;
 }
 
-TemporaryFolder::TemporaryFolder()
-{
-    std::string pattern = (std::filesystem::temp_directory_path() / "voussoir_test_XXXXXX").string();
-    path = mkdtemp(pattern.data());
-}
-
-TemporaryFolder::~TemporaryFolder()
-{
-    std::error_code none;
-    std::filesystem::remove_all(path, none);
-}
-
 }  // namespace voussoir::synthetic

@@ -19,13 +19,4 @@ Case tower(Kinematics kinematics, int boxes = 8);
 /// A state that sways, strains (deformable) and opens and slides some joints, more so with time [s].
 State swaying(const Case& the_case, double time);
 
-/// An empty folder of its own, removed at the end.
-struct TemporaryFolder {
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    std::filesystem::path path;
-};
-
 }  // namespace voussoir::synthetic

@@ -11,13 +11,12 @@
 #include "app/results/results_writer.h"
 #include "app/results/xdmf.h"
 #include "tests/app_results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir
 {
 namespace
 {
-
-using synthetic::TemporaryFolder;
 
 std::string text_of(const std::filesystem::path& path)
 {
@@ -102,10 +101,10 @@ class Xdmf : public testing::TestWithParam<Kinematics>
     {
         Case the_case = synthetic::arch(GetParam(), 9);
         the_case.title = "An <arch> & its \"keystone\"";
-        ResultsWriter writer(the_case, folder.path);
+        ResultsWriter writer(the_case, folder.path());
         for (const double time : {0.0, 0.5, 1.0, 1.5}) writer.frame(synthetic::swaying(the_case, time), {});
         writer.finish(synthetic::swaying(the_case, 1.5), {}, 0, 0);
-        root = parse(text_of(folder.path / "results.xdmf"));
+        root = parse(text_of(folder.path() / "results.xdmf"));
     }
     TemporaryFolder folder;
     Element root;
@@ -123,7 +122,7 @@ TEST_P(Xdmf, OneGridForEachFrameWithItsTime)
 
 TEST_P(Xdmf, EveryDimensionIsThatOfTheFile)
 {
-    const Hdf5File file = Hdf5File::open(folder.path / "results.h5");
+    const Hdf5File file = Hdf5File::open(folder.path() / "results.h5");
     std::size_t datasets = 0;
     for (const Element& item : all_named(root, "DataItem")) {
         const auto format = item.attributes.find("Format");
@@ -136,7 +135,7 @@ TEST_P(Xdmf, EveryDimensionIsThatOfTheFile)
 
 TEST_P(Xdmf, EveryHyperslabLiesInsideItsDataset)
 {
-    const Hdf5File file = Hdf5File::open(folder.path / "results.h5");
+    const Hdf5File file = Hdf5File::open(folder.path() / "results.h5");
     for (const Element& slab : all_named(root, "DataItem")) {
         if (!slab.attributes.count("ItemType")) continue;
         ASSERT_EQ(slab.children.size(), 2U);
@@ -158,7 +157,7 @@ TEST_P(Xdmf, EveryHyperslabLiesInsideItsDataset)
 
 TEST_P(Xdmf, TheTopologyHoldsAllFacesAndOnlyTheirVertices)
 {
-    const Hdf5File file = Hdf5File::open(folder.path / "results.h5");
+    const Hdf5File file = Hdf5File::open(folder.path() / "results.h5");
     const std::vector<std::int32_t> cells = file.read<std::int32_t>("/model/mesh/xdmf_topology");
     const Element topology = all_named(root, "Topology").at(0);
     const std::uint64_t vertices = file.extents("/frames/positions")[1];
@@ -177,9 +176,9 @@ TEST_P(Xdmf, TheTopologyHoldsAllFacesAndOnlyTheirVertices)
 
 TEST_P(Xdmf, CanBeMadeAgainFromTheResultsAlone)
 {
-    const std::string first = text_of(folder.path / "results.xdmf");
-    write_xdmf(folder.path / "results.h5", folder.path / "again.xdmf");
-    EXPECT_EQ(text_of(folder.path / "again.xdmf"), first);
+    const std::string first = text_of(folder.path() / "results.xdmf");
+    write_xdmf(folder.path() / "results.h5", folder.path() / "again.xdmf");
+    EXPECT_EQ(text_of(folder.path() / "again.xdmf"), first);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinematics, Xdmf,

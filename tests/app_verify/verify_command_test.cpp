@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/temporary_folder.h"
+
 namespace voussoir
 {
 namespace
@@ -19,20 +21,14 @@ namespace fs = std::filesystem;
 class VerifyCommand : public ::testing::Test
 {
  protected:
-    VerifyCommand()
-    {
-        std::string pattern = (fs::temp_directory_path() / "voussoir_verify_XXXXXX").string();
-        folder_ = mkdtemp(pattern.data());
-    }
-    ~VerifyCommand() override { fs::remove_all(folder_); }
-
     /// @returns the exit code; output and errors are in `output_`
     int verify(const std::string& arguments)
     {
-        const std::string command = "cd '" + folder_.string() + "' && '" VOUSSOIR_PROGRAM "' verify " + arguments +
-                                    " > '" + folder_.string() + ".out' 2>&1";
+        const std::string home = folder_.path().string();
+        const std::string command =
+            "cd '" + home + "' && '" VOUSSOIR_PROGRAM "' verify " + arguments + " > '" + home + ".out' 2>&1";
         const int status = std::system(command.c_str());
-        const fs::path file = folder_.string() + ".out";
+        const fs::path file = home + ".out";
         output_ = contents(file);
         fs::remove(file);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -44,7 +40,7 @@ class VerifyCommand : public ::testing::Test
         return text.str();
     }
 
-    fs::path folder_;
+    TemporaryFolder folder_;
     std::string output_;
 };
 
@@ -52,7 +48,7 @@ TEST_F(VerifyCommand, lists_without_running)
 {
     EXPECT_EQ(verify("--list"), 0);
     EXPECT_NE(output_.find("incline-gravity-3d"), std::string::npos);
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
 TEST_F(VerifyCommand, every_benchmark_is_on_the_page_that_ships)
@@ -80,7 +76,7 @@ TEST_F(VerifyCommand, with_json_alone_writes_nothing_else)
     EXPECT_TRUE(list[0]["pass"]);
     EXPECT_LT(list[0]["error"].get<double>(), 1e-5);
     fs::remove(folder_ / "out.json");
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
 TEST_F(VerifyCommand, places_that_cannot_be_written_are_refused_before_the_runs)

@@ -132,7 +132,7 @@ TEST_P(CaseMeshes, AreCertifiedWithoutRepairOrOverlap)
 /// The first line of each mesh is the command that made it.
 TEST_P(CaseMeshes, AreMadeAgainByTheCommandTheyName)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string committed = read(std::filesystem::path(VOUSSOIR_CASE_MESHES) / GetParam());
     ASSERT_TRUE(committed.starts_with("# voussoir-generate arch-bridge "));
     const std::string command = "cd '" + folder.path().string() + "' && '" + VOUSSOIR_BINARIES + "'/" +

@@ -32,7 +32,7 @@ std::vector<PolygonSurface> bricks()
 
 ImportedMesh import(const std::vector<PolygonSurface>& stones, double close)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     return import_meshes({{.file = folder.write("stones.obj", to_obj(stones, {})), .close_joints = close}})
         .meshes[0];
 }

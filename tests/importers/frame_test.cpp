@@ -39,7 +39,7 @@ Eigen::Vector3d extent(const Stone& stone)
 
 TEST(Frame, UnitAndAxisComeFromTheFileUnlessTheUserSaysOtherwise)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto file = folder.write("box.dae", collada());
     const ImportedMesh own = import_meshes({{.file = file}}).meshes[0];
     ASSERT_TRUE(own.accepted) << own.reason;
@@ -69,7 +69,7 @@ TEST(Frame, WhatBecomesAStoneIsChosen)
         for (int& v : face) v += 8;
         two.faces.push_back(face);
     }
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto file = folder.write("two.obj", to_obj({two}, {}));
     EXPECT_EQ(import_meshes({{.file = file}}).meshes[0].stones.size(), 2U);
     EXPECT_EQ(import_meshes({{.file = file, .stones = StoneLevel::component}}).meshes[0].stones.size(), 2U);

@@ -41,7 +41,7 @@ class Helper : public testing::Test
         return geometry.meshes[0].reason;
     }
 
-    ScratchFolder folder_;
+    TemporaryFolder folder_;
 };
 
 TEST_F(Helper, AnswersWhatTheSameWorkInThisProcessGivesToTheLastBit)

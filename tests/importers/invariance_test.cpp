@@ -141,7 +141,7 @@ TEST(Invariance, OrderOfTheStones)
 
 TEST(Invariance, WrittenToObjAtTheNationalGridAndReadBack)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::vector<PolygonSurface> far = moved(structure(), 0.3, national_grid);
     const auto file = folder.write("far.obj", to_obj(far, {}));
     const MeshFile read = read_mesh(file);

@@ -74,7 +74,7 @@ KnownSolid known_voussoir()
 /// @param tolerance relative to the solid's own size
 void expect_known(const KnownSolid& solid, const Matrix3d& rotation, const Vector3d& offset, double tolerance)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     PolygonSurface moved = solid.surface;
     for (Vector3d& x : moved.vertices) x = rotation * x + offset;
     const auto file = folder.write("solid.obj", to_obj({moved}, {"a known solid"}));
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Each, KnownSolids,
 
 TEST(ImportMeshes, ChoosesAnOriginOnlyForLargeCoordinates)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto near = folder.write("near.obj", to_obj({box({0, 0, 0}, {9000, 1, 1})}, {}));
     EXPECT_EQ(import_meshes({{.file = near}}).origin, Vector3d::Zero());
     const auto far = folder.write("far.obj", to_obj({box({5e5, 4.6e6, 800}, {5e5 + 2, 4.6e6 + 2, 802})}, {}));
@@ -124,7 +124,7 @@ TEST(ImportMeshes, ChoosesAnOriginOnlyForLargeCoordinates)
 
 TEST(ImportMeshes, AppliesUnitAndUpAxisWithoutMirroring)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto file = folder.write("mm.obj", to_obj({box({0, 0, 0}, {1000, 2000, 3000})}, {}));
     const Stone y_up = import_meshes({{file, 0.001, 'y'}}).meshes[0].stones[0];
     EXPECT_NEAR((y_up.moments.centroid - Vector3d(0.5, -1.5, 1)).norm(), 0, 1e-15);
@@ -139,7 +139,7 @@ TEST(ImportMeshes, AppliesUnitAndUpAxisWithoutMirroring)
 
 TEST(ImportMeshes, KeepsAStoneFarFromTheOrigin)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::string text = "OFF\n8 6 0\n";
     for (const Vector3d& x : unit_cube().vertices)
         text += std::to_string(x.x() + 4.6e6) + " " + std::to_string(x.y()) + " " + std::to_string(x.z()) + "\n";

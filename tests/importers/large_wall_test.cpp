@@ -30,7 +30,7 @@ TEST(LargeWall, IsGeneratedCertifiedAndItsContactGraphBuiltWithinAMinute)
     for (const MasonryBlock& block : wall(pattern)) surfaces.push_back(to_surface(block));
     const int blocks = courses / 2 * whole + courses / 2 * (whole + 1);
     ASSERT_EQ(static_cast<int>(surfaces.size()), blocks);
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Geometry geometry = import_geometry({{.file = folder.write("wall.obj", to_obj(surfaces, {}))}}, {});
     const ImportedMesh& mesh = geometry.meshes.at(0);
     ASSERT_TRUE(mesh.accepted) << mesh.reason;

@@ -28,7 +28,7 @@ bool refused_in_words(const std::filesystem::path& file, const std::string& what
     return true;
 }
 
-void damage(const std::string& name, const std::string& bytes, const ScratchFolder& folder)
+void damage(const std::string& name, const std::string& bytes, const TemporaryFolder& folder)
 {
     std::mt19937 random(12345);
     for (std::size_t i = 0; i < 20; ++i)
@@ -46,7 +46,7 @@ void damage(const std::string& name, const std::string& bytes, const ScratchFold
 
 TEST(ReadDamaged, OwnFilesOfTheDoubleFormats)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const PolygonSurface cube = triangulated(unit_cube());
     damage("a.obj", to_obj({cube}, {}), folder);
     damage("a.off", to_off(cube), folder);
@@ -58,7 +58,7 @@ TEST(ReadDamaged, OwnFilesOfTheDoubleFormats)
 
 TEST(ReadDamaged, CutFilesWhoseLengthIsAnnouncedAreRefused)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const PolygonSurface cube = triangulated(unit_cube());
     for (const auto& [name, bytes] :
          std::vector<std::pair<std::string, std::string>>{{"a.off", to_off(cube)},
@@ -73,7 +73,7 @@ TEST(ReadDamaged, CutFilesWhoseLengthIsAnnouncedAreRefused)
 
 TEST(ReadDamaged, DeepNestingIsNoCrash)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::string open, close, xml, end;
     for (int i = 0; i < 200000; ++i) {
         open += "[";
@@ -101,7 +101,7 @@ TEST(ReadDamaged, RealFilesOfEveryFormat)
     const char* variable = std::getenv("VOUSSOIR_DATA");
     const std::filesystem::path data = variable != nullptr ? variable : VOUSSOIR_DEFAULT_DATA;
     if (!std::filesystem::exists(data / "meshes")) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(data / "meshes")) {
         const std::string name = entry.path().filename();
         if (!entry.is_regular_file() || entry.path().extension() == ".ifc") continue;

@@ -20,7 +20,7 @@ std::string step(const std::string& data)
 
 TEST(ReadIfc, RefusesWhatIsNotWholeWithTheLine)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto said = [&](const std::string& text) { return refusal(folder.write("a.ifc", text)); };
     EXPECT_NE(said(step("#1=IFCWALL(#2,'it''s; (');\n/* #9 */ #2=IFCTEXT($);\n")).find("no solids"),
               std::string::npos)
@@ -43,7 +43,7 @@ TEST(ReadIfc, EveryCutOffFileIsRefusedInWords)
     std::ifstream stream(data / "meshes/building/wall-with-opening-and-window.ifc", std::ios::binary);
     if (!stream) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
     const std::string whole{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     for (std::size_t i = 1; i < 20; ++i)
         EXPECT_NE(refusal(folder.write("cut.ifc", whole.substr(0, whole.size() * i / 20))), "") << i;
     const MeshFile read = read_mesh(folder.write("whole.ifc", whole));

@@ -11,7 +11,7 @@ namespace
 
 TEST(ReadMesh, KeepsEveryDigitOfAnObjFileAtNationalGridCoordinates)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     PolygonSurface cube = unit_cube();
     for (Eigen::Vector3d& x : cube.vertices) x += Eigen::Vector3d(500000.123456789, 4600000.987654321, 1. / 3);
     const MeshFile read = read_mesh(folder.write("far.obj", to_obj({cube}, {})));
@@ -25,7 +25,7 @@ TEST(ReadMesh, KeepsEveryDigitOfAnObjFileAtNationalGridCoordinates)
 
 TEST(ReadMesh, KeepsObjectNamesWithSpacesAndRenamesEqualOnes)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::vector<PolygonSurface> cubes(4, unit_cube());
     cubes[0].name = "Mesh 0";
     cubes[1].name = "Mesh 1";
@@ -42,7 +42,7 @@ TEST(ReadMesh, KeepsObjectNamesWithSpacesAndRenamesEqualOnes)
 
 TEST(ReadMesh, TakesGroupsForStonesWhenThereAreNoObjects)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string text =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng a\nf 1 2 3\ng b\nf 1 2 4\ng a\nusemtl red\nf 2 3 4\n";
     const MeshFile read = read_mesh(folder.write("groups.obj", text));
@@ -53,7 +53,7 @@ TEST(ReadMesh, TakesGroupsForStonesWhenThereAreNoObjects)
 
 TEST(ReadMesh, ReadsContinuedLinesTexturesAndRelativeIndices)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string text =
         "\xEF\xBB\xBFv 0 0 0\r\nv +1 0 0 # a corner\r\nv 0 1e0 \\\r\n 0\r\nv 0 0 1\r\nvt 0 0\r\nf -4/1 2/1 "
         "-2/1\r\nf 1// 2// 4//\r\n";
@@ -66,7 +66,7 @@ TEST(ReadMesh, ReadsContinuedLinesTexturesAndRelativeIndices)
 
 TEST(ReadMesh, RefusesWhatIsNoMeshWithASentence)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::string noise;
     for (unsigned i = 0, x = 12345; i < 20000; ++i)
         noise.push_back(static_cast<char>((x = x * 1664525U + 1013904223U) >> 24));
@@ -81,7 +81,7 @@ TEST(ReadMesh, RefusesWhatIsNoMeshWithASentence)
 
 TEST(ReadMesh, ListsAllFaultsOfAnObjFileWithTheirLines)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto file =
         folder.write("bad.obj", "v 0 0 0\nv 1 nan 0\nv 0 1\nv 0 0 1\nf 1 2\nf 1 2 0\nf 1 2 9\nf 1 2 -7\n");
     try {

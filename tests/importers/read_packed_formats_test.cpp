@@ -33,7 +33,7 @@ std::string to_3mf(const std::string& unit, const std::string& objects, const st
 
 TEST(Read3mf, AppliesBuildTransformsAndComponents)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const MeshFile read = read_mesh(folder.write(
         "plate.3mf",
         to_3mf("inch",
@@ -58,7 +58,7 @@ TEST(Read3mf, AppliesBuildTransformsAndComponents)
 
 TEST(Read3mf, RefusesCirclesMissingObjectsAndDamage)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string circle = "<object id=\"1\"><components><component objectid=\"1\"/></components></object>";
     EXPECT_NE(refusal(folder.write("circle.3mf", to_3mf("meter", circle, "<item objectid=\"1\"/>")))
                   .find("a part of itself"),
@@ -77,7 +77,7 @@ TEST(Read3mf, RefusesCirclesMissingObjectsAndDamage)
 
 TEST(ReadAmf, ReadsUnitsVolumesNamesAndConstellations)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string text =
         "<?xml version=\"1.0\"?>\n<amf unit=\"inch\"><object id=\"0\"><metadata type=\"name\">clé</metadata><mesh>"
         "<vertices><vertex><coordinates><x>0</x><y>0</y><z>0</z></coordinates></vertex><vertex><coordinates><x>1"

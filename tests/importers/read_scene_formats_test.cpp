@@ -42,7 +42,7 @@ std::string to_glb(const std::string& nodes, const std::string& roots)
 
 TEST(ReadGltf, AppliesNestedTransformsAndMakesEveryInstanceAStone)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string nodes =
         R"([{"translation":[4600000.5,0,0],"rotation":[0,0,0.7071067811865476,0.7071067811865476],"children":[1,2]},)"
         R"({"name":"clé","mesh":0,"scale":[2,3,4]},{"name":"clé","mesh":0,"translation":[10,0,0]}])";
@@ -59,7 +59,7 @@ TEST(ReadGltf, AppliesNestedTransformsAndMakesEveryInstanceAStone)
 
 TEST(ReadGltf, TurnsTheFacesOfMirroredNodes)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const MeshFile read = read_mesh(
         folder.write("mirror.glb", to_glb(R"([{"mesh":0,"matrix":[-2,0,0,0,0,1,0,0,0,0,1,0,5,0,0,1]}])", "[0]")));
     EXPECT_NEAR(volume_of(read.surfaces.at(0)), 2, 1e-12);
@@ -69,7 +69,7 @@ TEST(ReadGltf, TurnsTheFacesOfMirroredNodes)
 
 TEST(ReadGltf, RefusesCirclesAndNumbersBeyondTheBuffer)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto circle = to_glb(R"([{"children":[1]},{"mesh":0,"children":[0]}])", "[0]");
     EXPECT_NE(refusal(folder.write("circle.glb", circle)).find("its own ancestor"), std::string::npos);
     EXPECT_NE(refusal(folder.write("none.glb", to_glb(R"([{"mesh":7}])", "[0]"))).find("entry 7"),
@@ -81,7 +81,7 @@ TEST(ReadGltf, RefusesCirclesAndNumbersBeyondTheBuffer)
 
 TEST(ReadGltf, TakesBuffersFromBase64AndFromFilesBesideIt)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::string points;
     for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) points += bytes_of(x);
     folder.write("a point.bin", points);
@@ -117,7 +117,7 @@ std::string collada(const std::string& asset, const std::string& scene)
 
 TEST(ReadCollada, KeepsDigitsMaterialsOfOneStoneTogetherAndInstancesApart)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string scene =
         "<library_nodes><node id=\"pair\"><instance_geometry url=\"#g\"/></node></library_nodes>"
         "<library_visual_scenes><visual_scene id=\"s\"><node name=\"日本\"><instance_geometry url=\"#g\"/></node>"
@@ -140,7 +140,7 @@ TEST(ReadCollada, KeepsDigitsMaterialsOfOneStoneTogetherAndInstancesApart)
 
 TEST(ReadCollada, RefusesCirclesWrongIndicesAndMissingParts)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string begin = "<library_visual_scenes><visual_scene id=\"s\">",
                       end = "</visual_scene></library_visual_scenes>";
     const std::string circle = begin + "<node id=\"n\"><instance_node url=\"#n\"/></node>" + end;
@@ -183,7 +183,7 @@ std::string polyface(const std::string& layer)
 
 TEST(ReadDxf, ReadsPolyfaceMeshesBlocksFacesByLayerAndTheUnit)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string face =
         "0 3DFACE\n8 wall\n10 0\n20 0\n30 0\n11 1\n21 0\n31 0\n12 1\n22 1\n32 0\n13 0\n23 1\n33 0\n";
     const MeshFile read =
@@ -208,7 +208,7 @@ TEST(ReadDxf, ReadsPolyfaceMeshesBlocksFacesByLayerAndTheUnit)
 
 TEST(ReadDxf, ReadsMeshesAndGrids)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::string mesh = "0 MESH\n8 m\n71 2\n72 0\n91 0\n92 4\n";
     std::string grid = "0 POLYLINE\n8 g\n70 49\n71 3\n72 3\n";
     for (const char* x : {"10 0\n20 0\n30 0\n", "10 1\n20 0\n30 0\n", "10 0\n20 1\n30 0\n", "10 0\n20 0\n30 1\n"})
@@ -228,7 +228,7 @@ TEST(ReadDxf, ReadsMeshesAndGrids)
 
 TEST(ReadDxf, RefusesCirclesCutFilesAndBinary)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string circle =
         dxf("0 SECTION\n2 BLOCKS\n0 BLOCK\n2 a\n0 INSERT\n2 a\n0 ENDBLK\n0 ENDSEC\n"
             "0 SECTION\n2 ENTITIES\n0 INSERT\n2 a\n0 ENDSEC\n0 EOF\n");
@@ -246,7 +246,7 @@ std::string chunk_3ds(int kind, const std::string& content)
 
 TEST(Read3ds, ReadsEveryObject)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const PolygonSurface cube = triangulated(unit_cube());
     std::string points = bytes_of(std::uint16_t{8}), faces = bytes_of(std::uint16_t{12});
     for (const Eigen::Vector3d& x : cube.vertices)
@@ -286,7 +286,7 @@ std::string compas_mesh(const std::string& type)
 
 TEST(ReadCompas, ReadsEveryDialect)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string mesh = compas_mesh("compas.datastructures/Mesh");
     const std::vector<std::pair<std::string, std::vector<std::string>>> dialects{
         {R"({"dtype":"compas_assembly.datastructures/Assembly","data":{"attributes":{"name":"Assembly"},"graph":)"
@@ -319,7 +319,7 @@ TEST(ReadCompas, ReadsEveryDialect)
 
 TEST(ReadCompas, SaysWhatIsMissing)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     EXPECT_NE(refusal(folder.write("a.json", R"({"type":"FeatureCollection"})")).find("\"vertex\" and \"face\""),
               std::string::npos);
     EXPECT_NE(refusal(folder.write("b.json", "{\n\"vertex\": {\n")).find("b.json:3"), std::string::npos);

@@ -29,7 +29,7 @@ class FarAway : public testing::Test
                           cube_.vertices[cube_.faces[f][i]]);
     }
     PolygonSurface cube_;
-    ScratchFolder folder_;
+    TemporaryFolder folder_;
 };
 
 TEST_F(FarAway, ObjKeepsEveryBit)
@@ -55,7 +55,7 @@ TEST_F(FarAway, PlyKeepsEveryBitInAllItsEncodings)
 
 TEST(ReadStl, BinaryWhoseHeaderBeginsWithSolidIsBinary)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const PolygonSurface cube = triangulated(unit_cube());
     const MeshFile read = read_mesh(folder.write("liar.stl", to_binary_stl(cube, "solid facet normal liar")));
     ASSERT_EQ(read.surfaces.size(), 1U);
@@ -68,7 +68,7 @@ TEST(ReadStl, BinaryWhoseHeaderBeginsWithSolidIsBinary)
 
 TEST(ReadStl, EverySolidIsAStone)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const PolygonSurface cube = triangulated(unit_cube());
     const MeshFile read = read_mesh(folder.write(
         "two.stl", to_ascii_stl(cube, "left stone") + to_ascii_stl(cube, "right stone") + to_ascii_stl(cube, "")));
@@ -83,7 +83,7 @@ TEST(ReadStl, EverySolidIsAStone)
 
 TEST(ReadStl, FaultsNameTheirLine)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string head = "solid a\n facet normal nan nan nan\n  outer loop\n";
     EXPECT_NE(refusal(folder.write("a.stl", head + "vertex 0 0 inf\n")).find("a.stl:4"), std::string::npos);
     EXPECT_NE(refusal(folder.write("b.stl", head + "vertex 0 0 1\nendloop\n")).find("1 corners"),
@@ -93,7 +93,7 @@ TEST(ReadStl, FaultsNameTheirLine)
 
 TEST(ReadPly, TakesTriangleStripsAndPassesOverOtherElements)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const MeshFile read = read_mesh(folder.write(
         "strip.ply",
         "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty double x\nproperty list uchar "
@@ -108,7 +108,7 @@ TEST(ReadPly, TakesTriangleStripsAndPassesOverOtherElements)
 
 TEST(ReadPly, RefusesCountsThatTheFileCannotHold)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
         const std::string text = std::string("ply\nformat ") + format +
                                  " 1.0\nelement vertex 350000000000\nproperty float x\nproperty float y\n"
@@ -123,7 +123,7 @@ TEST(ReadPly, RefusesCountsThatTheFileCannotHold)
 
 TEST(ReadPly, FaultsNameTheirLine)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string good = to_ply(triangulated(unit_cube()), "ascii");
     std::string bad = good;
     bad.replace(bad.find("3 0"), 3, "3 x");
@@ -136,7 +136,7 @@ TEST(ReadPly, FaultsNameTheirLine)
 
 TEST(ReadOff, TakesEveryHeader)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string faces = "3 0 1 2\n3 0 1 3 255 0 0\n3 0 2 3 0.5 0 0 1\n3 1 2 3\n";
     for (const std::string& text :
          {"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + faces, "OFF 4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + faces,
@@ -162,7 +162,7 @@ TEST(ReadOff, TakesEveryHeader)
 
 TEST(ReadObj, IsReadByObjectOrGroupAsAsked)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto file = folder.write("levels.obj",
                                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no left\ng low\nf 1 2 3\ng high\nf 1 2 4\n"
                                    "o right\ng low\nf -4 -3 \\\n -1\nl 1 2\n");
@@ -179,7 +179,7 @@ TEST(ReadObj, IsReadByObjectOrGroupAsAsked)
 
 TEST(ReadMesh, JudgesByContentNotByName)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const PolygonSurface cube = triangulated(unit_cube());
     for (const auto& [name, content] :
          std::vector<std::pair<std::string, std::string>>{{"a.ply", to_ascii_stl(cube, "a")},
@@ -195,7 +195,7 @@ TEST(ReadMesh, JudgesByContentNotByName)
 
 TEST(ReadMesh, ReadsUtf16WithAndWithoutAMark)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     PolygonSurface cube = unit_cube();
     cube.name = "clé 日本 😀";
     const std::string text = to_obj({cube}, {});
@@ -218,7 +218,7 @@ TEST(ReadMesh, ReadsUtf16WithAndWithoutAMark)
 
 TEST(ReadMesh, NamesThatAreNotUtf8AreTakenForLatin1)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const MeshFile read = read_mesh(folder.write("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no cl\xE9\nf 1 2 3\n"));
     EXPECT_EQ(read.surfaces[0].name, "clé");
     EXPECT_NE(refusal(folder.write("m.obj", "v 0 0 0\nf 1 2 \xE9\n")).find("é"), std::string::npos);
@@ -226,7 +226,7 @@ TEST(ReadMesh, NamesThatAreNotUtf8AreTakenForLatin1)
 
 TEST(ReadMesh, RefusesCompressedFilesByTheirContent)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     EXPECT_NE(refusal(folder.write("a.obj", "\x1F\x8B\x08 and more")).find("gzip"), std::string::npos);
     EXPECT_NE(refusal(folder.write("a.bin", std::string(100, '\x01'))).find("no mesh file"), std::string::npos);
 }

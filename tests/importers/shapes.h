@@ -10,37 +10,10 @@
 #include <vector>
 
 #include "importers/mesh/polygon_surface.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir
 {
-
-/// A folder that goes away with the test.
-class ScratchFolder
-{
- public:
-    ScratchFolder()
-    {
-        std::string pattern = (std::filesystem::temp_directory_path() / "voussoir_XXXXXX").string();
-        path_ = mkdtemp(pattern.data());
-    }
-    ~ScratchFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    std::filesystem::path write(const std::string& name, const std::string& text) const
-    {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path_ / name;
-    }
-    const std::filesystem::path& path() const { return path_; }
-
- private:
-    std::filesystem::path path_;
-};
 
 /// A vertical prism. @param outline (n,2) counter-clockwise seen from above
 inline PolygonSurface prism(const std::vector<Eigen::Vector2d>& outline, double bottom, double top)

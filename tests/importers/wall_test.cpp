@@ -196,7 +196,7 @@ TEST(Wall, OfTenThousandBlocksIsMadeAndCertified)
 
 TEST(Wall, IsCertifiedFromItsObjWithoutRepair)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     Wall asked = pierced_wall();
     asked.placement = {{5, 6, 7}, 0.4};
     std::vector<PolygonSurface> surfaces;
@@ -224,8 +224,8 @@ std::string contents(const std::filesystem::path& file)
 /// The first line of a generated mesh is the command that makes it again.
 TEST(Generate, WritesWallsAndHousesWithTheCommandThatMakesThemAgain)
 {
-    const ScratchFolder first, second;
-    const auto run = [](const ScratchFolder& folder, const std::string& arguments) {
+    const TemporaryFolder first, second;
+    const auto run = [](const TemporaryFolder& folder, const std::string& arguments) {
         const std::string command =
             "cd '" + folder.path().string() + "' && '" + VOUSSOIR_BINARIES + "'/" + arguments;
         return std::system(command.c_str());

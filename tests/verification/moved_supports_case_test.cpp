@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "tests/temporary_folder.h"
 #include "tests/verification/program_run.h"
 #include "tests/verification/three_hinged_arch.h"
 
@@ -54,17 +55,13 @@ void write_record(const std::filesystem::path& file, double end)
 /// Runs the case with supports that end up moved by `left` and `right` [m].
 ProgramRun run_with_supports(double left, double right)
 {
-    std::string pattern = (std::filesystem::temp_directory_path() / "voussoir_supports_XXXXXX").string();
-    const std::filesystem::path folder = mkdtemp(pattern.data());
+    const TemporaryFolder folder;
     write_record(folder / "left.txt", left);
     write_record(folder / "right.txt", right);
     std::string text = case_text;
     const std::string hinge = std::to_string(ThreeHingedArch{}.hinge_height(right > left));
     for (std::size_t at; (at = text.find("HINGE")) != std::string::npos;) text.replace(at, 5, hinge);
-    std::ofstream(folder / "arch.yaml") << text;
-    ProgramRun ran = run_case(folder / "arch.yaml", {});
-    std::filesystem::remove_all(folder);
-    return ran;
+    return run_case(folder.write("arch.yaml", text), {});
 }
 
 }  // namespace

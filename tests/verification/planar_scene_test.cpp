@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/temporary_folder.h"
 #include "tests/verification/program_run.h"
 
 namespace voussoir::verification
@@ -97,14 +98,12 @@ TEST(PlanarScene, arch_stands_below_its_limit_and_falls_above_it)
 
 TEST(PlanarScene, a_case_without_meshes_and_pictures_starts_no_helper)
 {
-    std::string pattern = (std::filesystem::temp_directory_path() / "voussoir_alone_XXXXXX").string();
-    const std::filesystem::path alone = mkdtemp(pattern.data());
+    const TemporaryFolder alone;
     copy_file(VOUSSOIR_PROGRAM, alone / "voussoir");  // its helpers would stand beside it
     const ProgramRun ran = run_case(cases / "arch_planar.yaml",
                                     {"output.snapshots=null", "stages[1].duration=0.1 s"}, alone / "voussoir");
     EXPECT_EQ(ran.status, 0);
     EXPECT_EQ(ran.word("outcome"), "completed");
-    std::filesystem::remove_all(alone);
 }
 
 // Mosca's bridge, its stones being prisms along y, shaken along and up and down.

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/temporary_folder.h"
+
 namespace voussoir::verification
 {
 
@@ -66,16 +68,14 @@ double ProgramRun::last(const std::string& name) const
 ProgramRun run_case(const std::filesystem::path& case_file, const std::vector<std::string>& settings,
                     const std::filesystem::path& program)
 {
-    std::string pattern = (std::filesystem::temp_directory_path() / "voussoir_run_XXXXXX").string();
-    const std::filesystem::path folder = mkdtemp(pattern.data());
-    std::string command = program.string() + " run " + case_file.string() + " -q -o " + folder.string();
+    const TemporaryFolder folder;
+    std::string command = program.string() + " run " + case_file.string() + " -q -o " + folder.path().string();
     for (const std::string& setting : settings) command += " --set '" + setting + "'";
     ProgramRun ran;
     ran.status = std::system(command.c_str());
     ran.summary = bytes_of(folder / "summary.json");
     read_histories(folder / "histories.csv", ran);
     ran.bytes = bytes_of(folder / "results.h5");
-    std::filesystem::remove_all(folder);
     return ran;
 }
 
