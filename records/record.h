@@ -1,6 +1,7 @@
 // Accelerograms as they come from a network: what a file holds, in SI units.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +14,9 @@ namespace voussoir
 
 enum class Quantity { acceleration, velocity, displacement };
 
+/// Of a sample: UTC.
+using Instant = std::chrono::sys_time<std::chrono::microseconds>;
+
 struct Channel {
     std::string component;  // as the file names it; empty if it does not
     Quantity quantity = Quantity::acceleration;
@@ -22,8 +26,9 @@ struct Channel {
     std::vector<double> times;    // s, of the samples, when they are unevenly spaced; else empty
     std::string unit_in_file;     // "g", "cm/s2", "counts x 2000(gal)/8388608", ...; empty: not known
     std::optional<double>
-        azimuth;               // deg clockwise from north, of positive samples; nothing: not known or vertical
-    bool is_vertical = false;  // positive upwards
+        azimuth;                   // deg clockwise from north, of positive samples; nothing: not known or vertical
+    bool is_vertical = false;      // positive upwards
+    std::optional<Instant> start;  // of the first sample; nothing: the file does not say it
 };
 
 struct Record {

@@ -178,7 +178,7 @@ std::optional<std::vector<Channel>> process_as_written(YamlCursor& map, std::vec
     if (list) steps = read_processing_steps(*list);
     if (channels.empty() || map.fault_count() > faults) return std::nullopt;
     steps.insert(steps.end(), afterwards.begin(), afterwards.end());
-    if (steps.empty()) return channels;
+    if (steps.empty() && channels.size() == 1) return channels;
     try {
         ProcessedRecord processed = process(channels, steps);
         for (const std::string& sentence : processed.sentences) description += "; " + sentence;

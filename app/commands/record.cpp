@@ -10,6 +10,7 @@
 #include "app/commands/outputs.h"
 #include "app/commands/record_set.h"
 #include "libdda/errors.h"
+#include "records/start_time.h"
 
 namespace voussoir
 {
@@ -80,6 +81,9 @@ RecordSet read_together(const RecordArguments& arguments, const ReadOptions& opt
             for (const std::string& remark : record.remarks) set.remarks.push_back(file.string() + ": " + remark);
             channels.insert(channels.end(), record.channels.begin(), record.channels.end());
         }
+        const bool is_even = std::all_of(channels.begin(), channels.end(),
+                                         [](const Channel& channel) { return channel.times.empty(); });
+        if (steps.empty() && is_even) set.processing = bring_into_step(channels);  // else process() does it
         finish(std::move(channels), steps, set);
     } catch (const InputError& error) {
         set.channels.clear();

@@ -1,6 +1,7 @@
 // Measures of a set of channels, in words and as JSON.
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +17,14 @@ using nlohmann::json;
 constexpr double shortest_period = 0.02, longest_period = 10;  // s
 constexpr std::size_t period_count = 100;
 
-/// Two horizontal channels at right angles and of one length, for RotD; nothing when there are none or more.
+bool begin_together(const Channel& a, const Channel& b)
+{
+    if (!a.start || !b.start) return true;  // as far as anyone knows
+    return std::chrono::abs(*a.start - *b.start) < std::chrono::duration<double>(a.time_step / 2);
+}
+
+/// Two horizontal channels at right angles, of one beginning and one length, for RotD; nothing when there are none
+/// or more.
 std::optional<std::pair<const Channel*, const Channel*>> horizontal_pair(const RecordSet& set)
 {
     std::vector<const Channel*> horizontal;
@@ -25,7 +33,8 @@ std::optional<std::pair<const Channel*, const Channel*>> horizontal_pair(const R
     if (horizontal.size() != 2) return std::nullopt;
     const double apart = std::remainder(*horizontal[1]->azimuth - *horizontal[0]->azimuth, 180);
     const bool alike = horizontal[0]->samples.size() == horizontal[1]->samples.size() &&
-                       horizontal[0]->time_step == horizontal[1]->time_step && horizontal[0]->time_step > 0;
+                       horizontal[0]->time_step == horizontal[1]->time_step && horizontal[0]->time_step > 0 &&
+                       begin_together(*horizontal[0], *horizontal[1]);
     if (!alike || std::abs(std::abs(apart) - 90) > 1e-6) return std::nullopt;
     return std::pair(horizontal[0], horizontal[1]);
 }

@@ -16,6 +16,7 @@
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 #include "records/numbers.h"
+#include "records/start_time.h"
 
 namespace voussoir
 {
@@ -108,6 +109,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
     const HeaderLine* stream = header.find("STREAM");
     const HeaderLine* component = stream != nullptr ? stream : header.find("COMPONENT");
     Channel channel = make_channel(text_of(component), unit, time_step, std::move(samples));
+    channel.start = parse_instant(text_of(header.find("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS")));
     orient_by_short_name(channel, channel.component);
     faults.throw_if_any(file.name);
     Record record{file.name, format_name, {}, station_of(header), event_of(header)};

@@ -13,11 +13,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 #include "records/numbers.h"
+#include "records/start_time.h"
 
 namespace voussoir
 {
@@ -120,6 +122,14 @@ void add_remarks(Record& record, const KeyedHeader& header)
         "The samples keep the recorder's offset; the header's Max. Acc. is without it: remove the mean.");
 }
 
+/// Record Time is that of Japan, 9 h ahead of UTC.
+std::optional<Instant> start_of(const KeyedHeader& header)
+{
+    std::optional<Instant> start = parse_instant(text_of(header.find("Record Time")));
+    if (start) *start -= std::chrono::hours(9) + std::chrono::seconds(15);
+    return start;
+}
+
 std::string event_of(const KeyedHeader& header)
 {
     const std::string time = text_of(header.find("Origin Time")), magnitude = text_of(header.find("Mag."));
@@ -151,6 +161,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
     faults.throw_if_any(file.name);
     const std::string direction = text_of(header.find("Dir."));
     Channel channel = make_channel(direction, unit, time_step, std::move(samples));
+    channel.start = start_of(header);
     orient(channel, direction, record);
     record.channels.push_back(std::move(channel));
     add_remarks(record, header);

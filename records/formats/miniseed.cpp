@@ -217,6 +217,7 @@ void add_channel(Record& record, const SourceFile& file, Trace& trace, const Rea
     std::vector<double> samples = join(file, trace, faults);
     if (samples.size() < 2) faults.add(place, "1 sample", "a record holds at least 2 samples");
     Channel channel = make_channel(to_text(trace.code), unit, time_step, std::move(samples));
+    channel.start = Instant(std::chrono::microseconds(trace.pieces.front().start));
     orient_by_short_name(channel, trace.code.channel);
     faults.throw_if_any(file.name);
     if (!options.response.empty())

@@ -13,6 +13,7 @@
 #include "records/formats/sac_header.h"
 #include "records/formats/station_xml.h"
 #include "records/numbers.h"
+#include "records/start_time.h"
 
 namespace voussoir
 {
@@ -37,30 +38,23 @@ void check_type(const SourceFile& file, const SacHeader& header)
                      "a SAC file of type ITIME or IXY (iftype 1 or 4), not " + std::to_string(type));
 }
 
-/// UTC of the first sample, to the second; empty when the header has no date.
-std::string start_of(const SacHeader& header)
+/// Nothing when the header has no date.
+std::optional<Instant> start_of(const SacHeader& header)
 {
+    using namespace std::chrono;
     const auto number = [&](sac::Integer at) { return header.integers[at]; };
     const bool is_date =
         number(sac::year) > 1800 && number(sac::year) < 3000 && number(sac::day) >= 1 && number(sac::day) <= 366;
-    if (!is_date) return "";
-    using namespace std::chrono;
+    if (!is_date) return std::nullopt;
     const sys_days new_year = year(static_cast<int>(number(sac::year))) / January / 1;
-    const auto clock = [&](sac::Integer at) { return number(at) >= 0 && number(at) < 100 ? number(at) : 0; };
+    const auto clock = [&](sac::Integer at, int limit) {
+        return number(at) >= 0 && number(at) < limit ? number(at) : 0;
+    };
     const float begin = header.reals[sac::begin];
     const bool has_begin = std::abs(begin) < 1e8F && begin != static_cast<float>(sac::undefined);
-    const sys_seconds time = new_year + days(number(sac::day) - 1) + hours(clock(sac::hour)) +
-                             minutes(clock(sac::minute)) + seconds(clock(sac::second)) +
-                             seconds(has_begin ? static_cast<std::int64_t>(std::floor(begin)) : 0);
-    const auto day = floor<days>(time);
-    const year_month_day date(day);
-    const hh_mm_ss<seconds> of_day(time - day);
-    char text[40];
-    std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02d", static_cast<int>(date.year()),
-                  static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
-                  static_cast<int>(of_day.hours().count()), static_cast<int>(of_day.minutes().count()),
-                  static_cast<int>(of_day.seconds().count()));
-    return text;
+    return new_year + days(number(sac::day) - 1) + hours(clock(sac::hour, 24)) + minutes(clock(sac::minute, 60)) +
+           seconds(clock(sac::second, 61)) + milliseconds(clock(sac::millisecond, 1000)) +
+           round<microseconds>(duration<double>(has_begin ? begin : 0));
 }
 
 /// Inclination is from up: 0 up, 90 horizontal, 180 down.
@@ -139,9 +133,11 @@ Record read(const SourceFile& file, const ReadOptions& options)
     Record record{file.name, format_name, {}, code.network + (code.network.empty() ? "" : ".") + code.station};
     if (!channel.times.empty())
         record.remarks.push_back("The samples are unevenly spaced in time; for a motion they are resampled.");
+    channel.start = start_of(header);
     orient(channel, header, record.remarks);
     if (!options.response.empty())
-        apply_response(options.response, code, start_of(header), channel, record.remarks);
+        apply_response(options.response, code, channel.start ? to_text(*channel.start) : "", channel,
+                       record.remarks);
     remark_on_quantity(header, channel, record.remarks);
     record.channels.push_back(std::move(channel));
     return record;

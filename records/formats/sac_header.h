@@ -29,6 +29,7 @@ enum Integer : std::size_t {
     hour = 2,
     minute = 3,
     second = 4,
+    millisecond = 5,
     version = 6,
     count = 9,
     file_type = 15,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "records/processing/steps.h"
+#include "records/start_time.h"
 #include "records/units.h"
 
 namespace voussoir
@@ -69,6 +70,7 @@ ProcessedRecord process(const std::vector<Channel>& channels, const Processing& 
     check_channels(channels);
     ProcessedRecord record{channels, {}, 0};
     make_even(record);
+    for (const std::string& sentence : bring_into_step(record.channels)) record.sentences.push_back(sentence);
     for (std::size_t i = 0; i < steps.size(); ++i) {
         std::visit([&](const auto& step) { apply(step, place_of(i), record); }, steps[i]);
         require_finite(record.channels, place_of(i));

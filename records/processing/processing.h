@@ -116,10 +116,11 @@ using Processing = std::vector<ProcessingStep>;
 struct ProcessedRecord {
     std::vector<Channel> channels;
     std::vector<std::string> sentences;  // what was done: at least one per step, in order
-    double start = 0;                    // s, when the first sample now was, from the first sample read
+    double start = 0;                    // s, when the first sample now was, from the first that all channels have
 };
 
-/// Runs the steps in their order, and nothing else; but uneven channels are first resampled_evenly, which is said.
+/// Runs the steps in their order, and nothing else; but uneven channels are first resampled_evenly and channels
+/// that begin at different moments brought into step, which is said.
 /// @param channels of one record, with units
 /// @throws InputError (place "processing[2]", from 0): first every parameter out of range, before anything runs;
 /// then what a step finds wrong with the channels it gets

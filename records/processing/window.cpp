@@ -1,6 +1,7 @@
 // Windows in time and by Arias intensity.
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "records/measures/measures.h"
@@ -24,6 +25,9 @@ void keep(Channel& channel, std::size_t first, std::size_t last, const std::stri
                          "a window within the record and longer than its time step");
     const auto begin = channel.samples.begin();
     channel.samples = {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last) + 1};
+    if (channel.start)
+        *channel.start += std::chrono::round<std::chrono::microseconds>(
+            std::chrono::duration<double>(static_cast<double>(first) * channel.time_step));
 }
 
 std::size_t nearest_sample(double time, const Channel& channel)
@@ -32,16 +36,24 @@ std::size_t nearest_sample(double time, const Channel& channel)
     return static_cast<std::size_t>(steps);
 }
 
-/// Cuts all channels at samples of the first and says from when to when.
+/// Cuts all channels at samples of the first and says from when to when, and which of them end before that.
 std::string cut(double start, double end, const std::string& place, ProcessedRecord& record)
 {
     const Channel& first = record.channels.front();
     const double kept_from = static_cast<double>(nearest_sample(start, first)) * first.time_step;
-    for (Channel& channel : record.channels)
+    double kept_to = 0;
+    for (Channel& channel : record.channels) {
         keep(channel, nearest_sample(kept_from, channel), nearest_sample(end, channel), place);
-    const double length = duration_of(record.channels.front());
+        kept_to = std::max(kept_to, kept_from + duration_of(channel));
+    }
     record.start += kept_from;
-    return "window " + figure(kept_from) + " to " + figure(kept_from + length) + " s: ";
+    std::string early;
+    for (const Channel& channel : record.channels) {
+        const double ends = kept_from + duration_of(channel);
+        if (ends < kept_to - channel.time_step / 2)
+            early += "component \"" + channel.component + "\" ends at " + figure(ends) + " s; ";
+    }
+    return "window " + figure(kept_from) + " to " + figure(kept_to) + " s: " + early;
 }
 
 double longest_duration(const std::vector<Channel>& channels)
