@@ -150,6 +150,8 @@ std::vector<BlockMaterial> read_materials(YamlCursor& top)
         material.density = read_density(map);
         material.young = map.quantity("young", dimension::pressure, Range::positive());
         material.poisson = map.quantity("poisson", dimension::number, {-1, 0.5, false, false});
+        material.compressive_strength =
+            map.find_quantity("compressive_strength", dimension::pressure, Range::positive()).value_or(0);
         map.reject_unknown_keys();
         materials.push_back(material);
     }

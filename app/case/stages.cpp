@@ -38,6 +38,16 @@ void read_damping(YamlCursor& map, Damping& damping)
     damping.factor_per_step = factor.value_or(1);
 }
 
+/// When fallen blocks end the stage's run.
+int read_collapse(YamlCursor& map)
+{
+    if (!map.expect_map("collapse {stop_after: 1}")) return 0;
+    const int blocks = map.find("stop_after") ? map.integer_or("stop_after", 1, 1'000'000'000, 1) : 0;
+    if (blocks == 0) map.require("stop_after", "how many fallen blocks end the run, such as 1");
+    map.reject_unknown_keys();
+    return blocks;
+}
+
 void read_dynamic(YamlCursor& map, StageEntry& entry)
 {
     for (const char* key : {"unbalanced_tolerance", "max_static_steps", "gravity_increments"})
@@ -46,6 +56,8 @@ void read_dynamic(YamlCursor& map, StageEntry& entry)
     entry.motion = map.find("motion");
     entry.body_acceleration = map.find("body_acceleration");
     entry.expects_motion = entry.motion || entry.body_acceleration;
+    if (std::optional<YamlCursor> collapse = map.find("collapse"))
+        entry.stage.stop_after_fallen = read_collapse(*collapse);
     if (std::optional<YamlCursor> damping = map.find("damping"))
         read_damping(*damping, entry.stage.damping);
     else
@@ -55,7 +67,7 @@ void read_dynamic(YamlCursor& map, StageEntry& entry)
 void read_static(YamlCursor& map, Stage& stage)
 {
     map.forbid("duration", "a static stage ends at equilibrium");
-    for (const char* key : {"motion", "body_acceleration", "damping", "integrator", "dissipation"})
+    for (const char* key : {"motion", "body_acceleration", "damping", "collapse", "integrator", "dissipation"})
         map.forbid(key, "it belongs to dynamic stages");
     stage.unbalanced_tolerance = map.quantity_or("unbalanced_tolerance", dimension::number, {0, 1, false, false},
                                                  stage.unbalanced_tolerance);

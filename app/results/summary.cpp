@@ -5,6 +5,7 @@
 #include "app/results/energy_terms.h"
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
+#include "libdda/analysis/crushing.h"
 
 namespace voussoir
 {
@@ -19,6 +20,27 @@ Json energy(const EnergyLedger& ledger)
     Json json;
     for (const auto& [name, value] : energy_terms(ledger)) json[name] = value;
     json["residual"] = ledger.relative_residual();
+    return json;
+}
+
+Json fallen_blocks(const Model& model, const std::vector<FallenBlock>& fallen)
+{
+    Json json = Json::array();
+    for (const FallenBlock& block : fallen)
+        json.push_back({{"block", model.blocks[block.block].name}, {"time_s", block.time}, {"left", block.left}});
+    return json;
+}
+
+Json crushed_joints(const Model& model, const std::vector<CrushedJoint>& crushed)
+{
+    Json json = Json::array();
+    for (const CrushedJoint& joint : crushed) {
+        json.push_back({{"blocks", {model.blocks[joint.block_a].name, model.blocks[joint.block_b].name}},
+                        {"compressive_strength_Pa", joint.strength},
+                        {"first_time_s", joint.first_time},
+                        {"worst_time_s", joint.worst_time},
+                        {"worst_edge_stress_Pa", joint.worst_stress}});
+    }
     return json;
 }
 
@@ -103,6 +125,8 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
     json["max_penetration_m"] = report.max_penetration;
     json["static_unbalanced"] = report.static_unbalanced;
     json["energy"] = energy(report.energy);
+    json["fallen_blocks"] = fallen_blocks(model, report.fallen);
+    if (has_compressive_strength(model)) json["crushed_joints"] = crushed_joints(model, report.crushed);
     json["motions"] = motions(the_case.motions);
     json["overrides"] = the_case.overrides;
     json["defaults"] = the_case.defaults;

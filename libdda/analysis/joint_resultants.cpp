@@ -1,11 +1,16 @@
 #include "libdda/analysis/joint_resultants.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace voussoir
 {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 namespace
@@ -17,6 +22,31 @@ struct JointPoint {
     double area, slip, normal_force, gap;
     bool open;
 };
+
+/// The joint's area times (1 - 2 e / extent) along both principal axes of its corners.
+double effective_area(const JointResultant& joint, const std::vector<JointPoint>& points)
+{
+    Matrix3d spread = Matrix3d::Zero();
+    for (const JointPoint& p : points) {
+        const Vector3d lever = p.position - joint.centre;
+        spread += lever * lever.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(spread);
+    double area = joint.area;
+    for (int k = 1; k < 3; ++k) {  // the least spread is across the joint
+        const Vector3d axis = axes.eigenvectors().col(k);
+        double low = 0, high = 0;
+        for (const JointPoint& p : points) {
+            low = std::min(low, axis.dot(p.position - joint.centre));
+            high = std::max(high, axis.dot(p.position - joint.centre));
+        }
+        if (!(high - low > 1e-9 * std::sqrt(joint.area))) continue;  // planar scenes have no extent across
+        const double eccentricity = axis.dot(joint.pressure_centre - joint.centre);
+        const double to_edge = eccentricity > 0 ? high - eccentricity : eccentricity - low;
+        area *= std::clamp(2 * to_edge / (high - low), 0.0, 1.0);
+    }
+    return area;
+}
 
 using PointsOfJoints = std::map<std::pair<int, int>, std::vector<JointPoint>>;
 
@@ -45,6 +75,7 @@ JointResultant resultant(int block_a, int block_b, const std::vector<JointPoint>
     }
     joint.pressure_centre =
         joint.normal_force > 0 ? Vector3d(joint.pressure_centre / joint.normal_force) : joint.centre;
+    joint.effective_area = effective_area(joint, points);
     return joint;
 }
 
@@ -66,6 +97,13 @@ void collect(const ContactSetIn<D>& contacts, PointsOfJoints& joints)
 }
 
 }  // namespace
+
+double edge_stress(const JointResultant& joint)
+{
+    if (!(joint.normal_force > 0)) return 0;
+    return joint.effective_area > 0 ? joint.normal_force / joint.effective_area
+                                    : std::numeric_limits<double>::infinity();
+}
 
 std::vector<JointResultant> joint_resultants(const Model& model, const State& state)
 {

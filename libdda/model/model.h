@@ -20,9 +20,10 @@ namespace voussoir
 
 struct BlockMaterial {
     std::string name;
-    double density = 0;  // kg/m3
-    double young = 0;    // Pa; a rigid scene uses it for the default contact stiffness only
-    double poisson = 0;  // -
+    double density = 0;               // kg/m3
+    double young = 0;                 // Pa; a rigid scene uses it for the default contact stiffness only
+    double poisson = 0;               // -
+    double compressive_strength = 0;  // Pa, by which joints are judged; 0: not given. No block ever breaks
 };
 
 /// How stiff a contact is, in the two spellings that are used.
@@ -215,6 +216,8 @@ struct Stage {
     // consecutive steps without change of contact state.
     double unbalanced_tolerance = 1e-8;
     int max_static_steps = 2000;
+    // Dynamic only: the run ends, collapsed, when this many blocks have fallen; 0: when all have left.
+    int stop_after_fallen = 0;
     // Static only: gravity is raised to its value in this many equal increments, for friction remembers its path.
     int gravity_increments = 1;
 };

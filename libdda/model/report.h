@@ -29,6 +29,8 @@ struct EnergyLedger {
     double algorithmic_rotation = 0;  // of the finite rotation and shape update
     double redetection = 0;           // spring energy that changed when contacts were found anew
     double start_kinetic = 0, start_strain = 0, start_contact = 0;
+    double peak_stored =
+        0;  // largest kinetic + strain + contact so far: the scale when all has come to rest again
 
     double input() const { return gravity_work + foundation_work + boundary_work + load_work; }
     double dissipated() const
@@ -45,7 +47,19 @@ struct EnergyLedger {
     double relative_residual() const;
 };
 
+/// EnergyLedger::relative_residual of which a run warns, and at which it stops: energy has appeared or been lost.
+constexpr double residual_worth_a_warning = 0.01, residual_worth_stopping = 0.1;
+
 enum class StepOutcome { converged, gave_up };
+
+/// What kept the last attempt at a step from converging.
+enum class Trouble {
+    none,
+    inverted_block,       // the iterate turned a block inside out
+    singular_system,      // the linear system could not be solved
+    inaccurate_solution,  // its solution does not lead downhill: rounding ate it
+    chatter,              // contacts kept switching until the iterations were used up
+};
 
 /// `open_close` is the whole iteration; `linear_solve` and the matrix part of `assembly` lie inside it.
 enum class Part { contact_search, assembly, open_close, linear_solve, update, output, count };
@@ -60,8 +74,9 @@ struct StepReport {
     int factorisations = 0;
     int linear_iterations = 0;
     std::int64_t factor_entries = 0;
+    Trouble trouble = Trouble::none;     // of the last attempt that failed
     double unbalanced = 0;               // largest block residual / block load at acceptance
-    int worst_block = -1;                // the block of `unbalanced`
+    int worst_block = -1;                // the block of `unbalanced`, or the one that inverted
     double max_penetration = 0;          // m
     double max_displacement = 0;         // m, of a block centroid in this step
     double inertia_ratio = 0;            // static: largest unbalanced force / load of a block
@@ -72,6 +87,21 @@ struct StepReport {
 
 enum class Outcome { completed, collapsed, gave_up, interrupted };
 std::string_view name_of(Outcome outcome);
+
+/// A block that has lost all support and fallen by more than its own size, or left the domain.
+struct FallenBlock {
+    int block = 0;
+    double time = 0;    // s since the run's start
+    bool left = false;  // the domain, by now
+};
+
+/// A joint whose edge stress exceeded the compressive strength of its stones.
+struct CrushedJoint {
+    int block_a = 0, block_b = 0;             // a < b
+    double strength = 0;                      // Pa, the smaller of the two
+    double first_time = 0;                    // s since the run's start
+    double worst_time = 0, worst_stress = 0;  // s, Pa
+};
 
 struct RunReport {
     Outcome outcome = Outcome::completed;
@@ -84,6 +114,8 @@ struct RunReport {
     double max_penetration = 0;       // m
     double static_unbalanced = 0;     // of the last static stage
     EnergyLedger energy;
+    std::vector<FallenBlock> fallen;    // in the order in which they fell
+    std::vector<CrushedJoint> crushed;  // in the order in which they were first crushed
     std::array<double, static_cast<int>(Part::count)> seconds{};
     std::vector<std::string> warnings;
 };

@@ -100,6 +100,20 @@ double line_search(double slope_0, FrictionBound bound, bool strict, int threads
     return low > 0 ? low : high;
 }
 
+bool fail(Trouble trouble, StepReport& report)
+{
+    report.trouble = trouble;
+    return false;
+}
+
+template <class K>
+bool fail_inverted(const StepSystem<K>& system, StepReport& report)
+{
+    for (std::size_t row = 0; row < system.internal.size(); ++row)
+        if (!system.internal[row].admissible) report.worst_block = system.block_of_row[row];
+    return fail(Trouble::inverted_block, report);
+}
+
 /// First guess: the solution of the linear problem in which every contact keeps the state it had at the end of the
 /// last step. Right when no state changes; kept only if it leaves less unbalanced force than the free flight D =
 /// 0.
@@ -107,11 +121,11 @@ template <class K>
 bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report)
 {
     evaluate_published(system.d, system.contacts);
-    if (!evaluate_residual(system.d, system)) return false;
-    if (!solve_direction(control, true, system, report)) return false;
+    if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
+    if (!solve_direction(control, true, system, report)) return fail(Trouble::singular_system, report);
     ++report.open_close_iterations;
     evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
-    if (!evaluate_residual(system.d, system)) return false;
+    if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
     const double flight = unbalance(system, control.force_tolerance).worst;
     system.trial = system.direction;
     evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
@@ -130,10 +144,12 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
     double last = std::numeric_limits<double>::infinity();
     double last_slope = -std::numeric_limits<double>::infinity();
     int stalled = 0, rises = 0;
+    report.trouble = Trouble::none;
     if (!system.contacts.patches.empty() && !guess(control, system, report)) return false;
     for (int iteration = 0;; ++iteration) {
         evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
-        if (!evaluate_residual(system.d, system) || !system.residual.allFinite()) return false;
+        if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
+        if (!system.residual.allFinite()) return fail(Trouble::inaccurate_solution, report);
         const Unbalance now = unbalance(system, control.force_tolerance);
         report.unbalanced = now.ratio;
         report.worst_block = now.block;
@@ -144,14 +160,14 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
             last = std::numeric_limits<double>::infinity();
             continue;
         }
-        if (iteration >= control.max_open_close) return false;
+        if (iteration >= control.max_open_close) return fail(Trouble::chatter, report);
         stalled = now.worst > 0.7 * last ? stalled + 1 : 0;
         last = now.worst;
 
-        if (!solve_direction(control, false, system, report)) return false;
+        if (!solve_direction(control, false, system, report)) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;
         const double slope = system.residual.dot(system.direction);
-        if (!(slope < 0)) return false;
+        if (!(slope < 0)) return fail(Trouble::inaccurate_solution, report);
         // Down a fixed potential the slope only flattens; where it keeps growing, the bound moves as fast as d.
         rises += slope < last_slope;
         last_slope = slope;

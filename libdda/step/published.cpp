@@ -30,6 +30,7 @@ bool iterate_published(const Stage& stage, StepSystem<K>& system, StepReport& re
             return true;
         }
     }
+    report.trouble = Trouble::chatter;
     return false;
 }
 

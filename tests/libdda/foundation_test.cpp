@@ -78,6 +78,7 @@ TEST_P(Foundations, free_component_follows_its_body_acceleration)
         stage.body_accelerations = {{box, 0, sine(amplitude, frequency)}};
         State state = initial_state(model);
         const RunReport report = run_quietly(model, {stage}, state);
+        EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
         const Vector3d moved = centroid(model, state, box) - model.blocks[box].moments.centroid;
         errors[i] = std::abs(moved.x() - exact) / exact;
         EXPECT_EQ(moved.y(), 0);

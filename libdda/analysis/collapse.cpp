@@ -1,0 +1,111 @@
+#include "libdda/analysis/collapse.h"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+namespace voussoir
+{
+
+namespace
+{
+
+using Eigen::Vector3d;
+
+constexpr double domain = 3;  // times the scene's extent
+
+bool is_held(const Model& model, int block)
+{
+    return std::any_of(model.foundations.begin(), model.foundations.end(),
+                       [&](const Foundation& foundation) { return foundation.block == block; });
+}
+
+int root_of(int block, std::vector<int>& parent)
+{
+    while (parent[block] != block) block = parent[block] = parent[parent[block]];
+    return block;
+}
+
+template <int D>
+void join(const ContactSetIn<D>& contacts, std::vector<int>& parent)
+{
+    for (const ContactPatchIn<D>& patch : contacts.patches)
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
+            if (contacts.points[i].status != ContactStatus::open)
+                parent[root_of(patch.block_a, parent)] = root_of(patch.block_b, parent);
+}
+
+/// Whether a chain of closed contacts joins each block to one that the ground holds.
+std::vector<bool> supported(const Model& model, const State& state)
+{
+    std::vector<int> parent(model.blocks.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    join(state.contacts, parent);
+    join(state.planar_contacts, parent);
+    std::vector<bool> holds(parent.size(), false), result(parent.size());
+    for (const Foundation& foundation : model.foundations) holds[root_of(foundation.block, parent)] = true;
+    for (std::size_t b = 0; b < parent.size(); ++b) result[b] = holds[root_of(static_cast<int>(b), parent)];
+    return result;
+}
+
+Vector3d centroid(const Model& model, const State& state, int block)
+{
+    return pose_of(model.kinematics, state, block).centroid;
+}
+
+}  // namespace
+
+CollapseWatch::CollapseWatch(const Model& model, const State& state)
+{
+    const int count = static_cast<int>(model.blocks.size());
+    for (int b = 0; b < count; ++b) start.push_back(centroid(model, state, b));
+    for (const Vector3d& place : start) middle += place / count;
+    for (int b = 0; b < count; ++b) extent = std::max(extent, (start[b] - middle).norm() + size_of(model, b));
+}
+
+void note_fallen(const Model& model, const CollapseWatch& watch, const Vector3d& gravity, const State& state,
+                 RunReport& report)
+{
+    if (model.foundations.empty()) return;
+    const Vector3d down = gravity.norm() > 0 ? Vector3d(gravity.normalized()) : Vector3d::Zero();
+    std::vector<FallenBlock*> known(model.blocks.size(), nullptr);
+    for (FallenBlock& fallen : report.fallen) known[fallen.block] = &fallen;
+    std::vector<bool> is_supported;
+    std::vector<FallenBlock> more;
+    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
+        if (is_held(model, b)) continue;
+        const Vector3d now = centroid(model, state, b);
+        const bool left = (now - watch.middle).norm() > domain * watch.extent;
+        if (known[b] != nullptr) {
+            known[b]->left = known[b]->left || left;
+            continue;
+        }
+        if (!left && !(down.dot(now - watch.start[b]) > size_of(model, b))) continue;
+        if (is_supported.empty()) is_supported = supported(model, state);
+        if (left || !is_supported[b]) more.push_back({b, state.time, left});
+    }
+    report.fallen.insert(report.fallen.end(), more.begin(), more.end());
+}
+
+bool all_have_left(const Model& model, const RunReport& report)
+{
+    std::size_t gone = 0;
+    for (const FallenBlock& fallen : report.fallen) gone += fallen.left;
+    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) gone += is_held(model, b);
+    return !report.fallen.empty() && gone == model.blocks.size();
+}
+
+std::string fallen_in_words(const Model& model, const RunReport& report)
+{
+    constexpr std::size_t most = 5;
+    if (report.fallen.empty()) return {};
+    std::ostringstream words;
+    words << report.fallen.size() << " of " << model.blocks.size() << " blocks have fallen: ";
+    for (std::size_t i = 0; i < std::min(most, report.fallen.size()); ++i)
+        words << (i > 0 ? ", " : "") << "'" << model.blocks[report.fallen[i].block].name << "' at "
+              << report.fallen[i].time << " s";
+    if (report.fallen.size() > most) words << ", ...";
+    return words.str();
+}
+
+}  // namespace voussoir

@@ -1,0 +1,36 @@
+// Collapse is a result: which blocks have fallen, and when.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libdda/model/model.h"
+#include "libdda/model/report.h"
+#include "libdda/model/state.h"
+
+namespace voussoir
+{
+
+/// Where everything stood at the start of the run, by which falling is judged.
+struct CollapseWatch {
+    CollapseWatch(const Model& model, const State& start);
+
+    std::vector<Eigen::Vector3d> start;                // m, centroids
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // m, of the scene
+    double extent = 0;                                 // m, largest distance of a block from the middle
+};
+
+/// Adds the blocks that have fallen since the last call to report.fallen: those that no chain of closed contacts
+/// joins to a block held by the ground, and that are lower than at the start by more than their own size, against
+/// the direction of `gravity`; and those farther from the middle than three times the scene's extent. Nothing
+/// falls in a scene without foundations. A block that has fallen and then leaves is not told twice, but marked.
+void note_fallen(const Model& model, const CollapseWatch& watch, const Eigen::Vector3d& gravity,
+                 const State& state, RunReport& report);
+
+/// Whether every block that could fall has left the domain: nothing more can happen.
+bool all_have_left(const Model& model, const RunReport& report);
+
+/// "12 of 30 blocks have fallen: 'cap' at 1.2 s, ...": the first ones by name. @returns empty when none has
+std::string fallen_in_words(const Model& model, const RunReport& report);
+
+}  // namespace voussoir

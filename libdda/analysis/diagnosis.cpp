@@ -1,0 +1,207 @@
+#include "libdda/analysis/diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace voussoir
+{
+
+namespace
+{
+
+using Eigen::Vector3d;
+
+// Contacts are found from faces that overlap a little; deeper than this share of a block's width the nearest face
+// may be the wrong one, and the block goes out on the other side.
+constexpr double deepest_share = 0.1;
+
+std::string name_of(const Model& model, int block)
+{
+    return "'" + model.blocks[block].name + "'";
+}
+
+/// Extent of the vertices along the normal of the face or edge through the first points given.
+template <class Vector>
+double width_along(const Vector& normal, const std::vector<Vector>& vertices)
+{
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vector& x : vertices) {
+        low = std::min(low, normal.dot(x));
+        high = std::max(high, normal.dot(x));
+    }
+    return high - low;
+}
+
+double least_width_of(const ConvexPolyhedron& part)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<int>& face : part.faces) {
+        Vector3d twice_area = Vector3d::Zero();
+        for (std::size_t i = 0; i < face.size(); ++i)
+            twice_area += part.vertices[face[i]].cross(part.vertices[face[(i + 1) % face.size()]]);
+        if (twice_area.norm() > 0)
+            least = std::min(least, width_along(Vector3d(twice_area.normalized()), part.vertices));
+    }
+    return least;
+}
+
+double least_width_of(const ConvexPolygon& outline)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < outline.vertices.size(); ++i) {
+        const Eigen::Vector2d side = outline.vertices[(i + 1) % outline.vertices.size()] - outline.vertices[i];
+        if (side.norm() > 0)
+            least = std::min(
+                least, width_along(Eigen::Vector2d(-side.y(), side.x()).normalized().eval(), outline.vertices));
+    }
+    return least;
+}
+
+/// Deepest overlap of two blocks as a share of the thinner one's width.
+struct Overlap {
+    double depth = 0, share = 0;  // m, -
+    int block_a = -1, block_b = -1;
+};
+
+template <int D>
+void look_for_overlap(const ContactSetIn<D>& contacts, const std::vector<double>& widths, Overlap& deepest)
+{
+    for (const ContactPatchIn<D>& patch : contacts.patches) {
+        const double width = std::min(widths[patch.block_a], widths[patch.block_b]);
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+            const double depth = -contacts.points[i].gap;
+            if (depth > deepest.share * width) deepest = {depth, depth / width, patch.block_a, patch.block_b};
+        }
+    }
+}
+
+int fastest_block(const Model& model, const State& state)
+{
+    int fastest = 0;
+    double most = -1;
+    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
+        const double speed = velocity_of(model.kinematics, state, b).norm();
+        if (speed > most) {
+            most = speed;
+            fastest = b;
+        }
+    }
+    return fastest;
+}
+
+std::string overlap_in_words(const Model& model, const Overlap& overlap)
+{
+    std::ostringstream words;
+    words << "blocks " << name_of(model, overlap.block_a) << " and " << name_of(model, overlap.block_b)
+          << " overlap by " << overlap.depth << " m, " << 100 * overlap.share
+          << " % of the thinner one's width: the contact is too soft for its load or its impact; give the joint a "
+             "contact_stiffness "
+          << std::ceil(overlap.share / (0.1 * deepest_share)) << " times as large";
+    return words.str();
+}
+
+/// Residual against all that moved, was stored, put in or lost.
+double unaccounted_share(const EnergyLedger& energy)
+{
+    const double start = energy.start_kinetic + energy.start_strain + energy.start_contact;
+    const double scale = std::max({std::abs(energy.input()), energy.dissipated(), energy.peak_stored, start});
+    return scale > 0 ? energy.residual() / scale : 0;
+}
+
+std::string energy_in_words(const Model& model, const State& state, double share)
+{
+    const int block = fastest_block(model, state);
+    std::ostringstream words;
+    words << 100 * std::abs(share) << " % of the energy has " << (share < 0 ? "appeared from nowhere" : "vanished")
+          << "; the fastest block is " << name_of(model, block) << " with "
+          << velocity_of(model.kinematics, state, block).norm()
+          << " m/s: the forces are not solved well enough for the step; try a smaller time_step or a smaller "
+             "force_tolerance";
+    return words.str();
+}
+
+bool all_finite(const std::vector<double>& numbers)
+{
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+std::string cause_of(Trouble trouble)
+{
+    switch (trouble) {
+        case Trouble::inverted_block:
+            return "would be turned inside out: its stone is too soft for its load, or the step too long for the "
+                   "blow it gets; try a smaller time_step, a higher modulus or a rigid scene";
+        case Trouble::singular_system:
+            return "is in a system of equations that cannot be solved: stiffnesses or masses differ by too many "
+                   "orders of magnitude; look at the contact_stiffness and the size of that block's neighbours";
+        case Trouble::inaccurate_solution:
+            return "has forces that rounding drowns: its contacts or its stone are too stiff for its mass and the "
+                   "step, or the coordinates too large; try a lower contact_stiffness or a larger time_step, and "
+                   "coordinates near the origin";
+        case Trouble::chatter:
+            return "has contacts that keep switching between open, sticking and sliding; try a larger "
+                   "force_tolerance, a smaller time_step or a dashpot in its joints, and look for overlapping or "
+                   "extremely stiff neighbours";
+        case Trouble::none:
+            break;
+    }
+    return "keeps an unbalanced force; try a smaller time_step or a larger force_tolerance";
+}
+
+}  // namespace
+
+std::vector<double> least_widths(const Model& model)
+{
+    std::vector<double> widths;
+    for (const Block& block : model.blocks) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const ConvexPolyhedron& part : block.parts) least = std::min(least, least_width_of(part));
+        for (const ConvexPolygon& outline : block.outlines) least = std::min(least, least_width_of(outline));
+        widths.push_back(least);
+    }
+    return widths;
+}
+
+std::optional<std::string> diagnose(const Model& model, const std::vector<double>& widths, const State& state,
+                                    const RunReport& report)
+{
+    if (!all_finite(state.coordinates) || !all_finite(state.velocities))
+        return "block " + name_of(model, fastest_block(model, state)) +
+               " has a place or velocity that is no number; look at its mass, its joints and its motion";
+    Overlap deepest;
+    deepest.share = deepest_share;
+    look_for_overlap(state.contacts, widths, deepest);
+    look_for_overlap(state.planar_contacts, widths, deepest);
+    if (deepest.block_a >= 0) return overlap_in_words(model, deepest);
+    const double share = unaccounted_share(report.energy);
+    if (std::abs(share) > residual_worth_stopping) return energy_in_words(model, state, share);
+    return std::nullopt;
+}
+
+std::optional<std::string> energy_warning(const EnergyLedger& energy)
+{
+    const double share = std::abs(unaccounted_share(energy));
+    if (!(share > residual_worth_a_warning)) return std::nullopt;
+    std::ostringstream words;
+    words << 100 * share
+          << " % of the energy is unaccounted for: do not trust this run; try a smaller time_step or "
+          << "force_tolerance";
+    return words.str();
+}
+
+std::string explain(const Model& model, const Stage& stage, const State& state, const StepReport& step)
+{
+    std::ostringstream message;
+    message << "stage '" << stage.name << "' gave up at t = " << state.time << " s: the time step was cut "
+            << step.cuts << " times to below " << stage.control.min_time_step << " s";
+    if (step.worst_block < 0) return message.str() + "; try a smaller time_step";
+    message << "; block " << name_of(model, step.worst_block);
+    if (step.trouble != Trouble::inverted_block)
+        message << " keeps an unbalanced force of " << step.unbalanced << " of its load and";
+    message << " " << cause_of(step.trouble);
+    return message.str();
+}
+
+}  // namespace voussoir

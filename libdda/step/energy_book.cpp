@@ -1,0 +1,135 @@
+#include "libdda/step/energy_book.h"
+
+#include <algorithm>
+
+namespace voussoir
+{
+
+namespace
+{
+
+/// Work of the ground on the structure: held blocks move against their contact forces, held components of other
+/// blocks against all forces on them [J].
+template <class K>
+double foundation_work(const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts)
+{
+    constexpr int dimension = K::dimension;
+    using Vector = typename K::Vector;
+    const auto moved = [&](int block) {
+        const BlockStep<K>& b = system.blocks[block];
+        return Vector(b.predicted.centroid - b.start.centroid);
+    };
+    double work = 0;
+    for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
+        const PatchStep<K>& patch = system.contacts.patches[k];
+        const auto& found = contacts.patches[k];
+        if (patch.row_b < 0) work -= patch.force_b.template head<dimension>().dot(moved(found.block_b));
+        if (patch.row_a < 0) work -= patch.force_a.template head<dimension>().dot(moved(found.block_a));
+    }
+    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+        const Vector force =
+            block.body_force + system.contact_force.template segment<dimension>(K::unknowns * row);
+        for (int k = 0; k < dimension; ++k)
+            if (block.held[k]) work -= force[k] * moved(system.block_of_row[row])[k];
+    }
+    return work;
+}
+
+/// What carrying the angular momentum exactly adds to the kinetic energy of the linear update v^ + 2 D / h [J].
+/// From momentum and shape alone and not from the velocities of the state, so that an update which loses momentum
+/// shows in the residual instead of passing for a loss of the method.
+template <class K>
+double momentum_gain(const BlockStep<K>& block, const typename K::Unknowns& d, const typename K::Spin& moment,
+                     double h)
+{
+    using Matrix = typename K::Matrix;
+    using Spin = typename K::Spin;
+    if (block.rotation_held()) return 0;
+    const Spin momentum = block.momentum + h * moment;
+    const typename K::Unknowns linear = block.velocity + 2 / h * d;
+    if constexpr (K::deformable) {
+        const Matrix rate = K::gradient(linear) * block.predicted.map;
+        const Matrix map = block.predicted.map + K::gradient(d) * block.predicted.map;
+        const Spin missing = momentum - axial(Matrix(rate * block.density_second * map.transpose()));
+        const Matrix spread = map * block.density_second * map.transpose();
+        return spin_of<K::dimension>(spread, missing).dot(momentum - 0.5 * missing);
+    } else {
+        const Spin spin = linear.template tail<K::spins>();
+        const Matrix turn = rotation_by(Spin(d.template tail<K::spins>()));
+        const Spin turned = spin_of<K::dimension>(Matrix(turn * block.spread * turn.transpose()), momentum);
+        return 0.5 * momentum.dot(turned) - 0.5 * spin.dot(inertia_tensor(block.spread) * spin);
+    }
+}
+
+/// What the finite rotation adds to the kinetic energy: the momentum balance measures displacement by h v^ + D,
+/// the forces work on the true one. Each force times the difference of the two, plus the steps of the kinetic
+/// energy from the start to the prediction and from the linear to the exact update [J].
+template <class K>
+double rotation_gain(const BlockStep<K>& block, const InternalForce<K>& internal, const typename K::Unknowns& d,
+                     const typename K::Spin& moment, double h)
+{
+    double gain = block.predicted_kinetic - block.start_kinetic + momentum_gain(block, d, moment, h);
+    if constexpr (K::deformable) {
+        constexpr int strains = K::unknowns - K::dimension;
+        if (block.rotation_held()) return gain;
+        const typename K::Unknowns path = h * block.velocity + d;
+        gain += (block.steady - internal.force).template tail<strains>().dot(path.template tail<strains>());
+        gain += internal.energy - block.elasticity.energy(block.start_strain) + internal.loss;
+    }
+    return gain;
+}
+
+/// Strain energy of a block as the state has it [J].
+template <class K>
+double strain_energy_of(const BlockStep<K>& block, const State& state, int b)
+{
+    if (!K::deformable || block.rotation_held()) return 0;
+    return block.elasticity.energy(green_strain_of(pose_in<K::dimension>(K::kinematics, state, b).map));
+}
+
+}  // namespace
+
+template <class K>
+void book_step(const State& state, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
+               EnergyLedger& energy)
+{
+    constexpr int n = K::unknowns;
+    using Vector = typename K::Vector;
+    const ContactEnergies contact = contact_energies(system.contacts);
+    energy.contact = contact.stored;
+    energy.friction += contact.friction;
+    energy.damping_contact += contact.dashpot;
+    energy.algorithmic += contact.loss;
+    energy.fracture += system.fracture;
+    energy.foundation_work += foundation_work(system, contacts);
+    energy.kinetic = energy.strain = 0;
+    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+        const int b = system.block_of_row[row];
+        const BlockStep<K>& block = system.blocks[b];
+        const InternalForce<K>& internal = system.internal[row];
+        const typename K::Unknowns d = system.d.template segment<n>(n * row);
+        const typename K::Spin moment = K::moment_of(system.contact_force.template segment<n>(n * row));
+        const Vector moved = pose_in<K::dimension>(K::kinematics, state, b).centroid - block.start.centroid;
+        energy.gravity_work += block.gravity.dot(moved);
+        energy.load_work += (block.body_force - block.gravity).dot(moved);
+        energy.algorithmic += internal.loss;
+        energy.algorithmic_rotation -= rotation_gain(block, internal, d, moment, system.h);
+        energy.strain += strain_energy_of(block, state, b);
+        energy.kinetic += kinetic_energy_of(block, state, b);
+    }
+    for (const PatchStep<K>& patch : system.contacts.patches)
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            const PointStep<K::dimension>& p = system.contacts.points[i];
+            const Vector force = p.normal * patch.normal - p.shear;
+            energy.algorithmic_rotation -= force.dot(p.ballistic_a - p.ballistic_b);
+        }
+    energy.peak_stored = std::max(energy.peak_stored, energy.kinetic + energy.strain + energy.contact);
+}
+
+#define VOUSSOIR_INSTANTIATE(K) \
+    template void book_step(const State&, const StepSystem<K>&, const ContactSetIn<K::dimension>&, EnergyLedger&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir

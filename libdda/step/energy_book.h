@@ -1,0 +1,18 @@
+// The energy audit of a step.
+#pragma once
+
+#include "libdda/contact/find_contacts.h"
+#include "libdda/model/report.h"
+#include "libdda/model/state.h"
+#include "libdda/step/step_system.h"
+
+namespace voussoir
+{
+
+/// Adds work and losses of an accepted step, each from its own forces and displacements: see EnergyLedger. The
+/// blocks of `state` are already where the step left them, its velocities not yet damped.
+template <class K>
+void book_step(const State& state, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
+               EnergyLedger& energy);
+
+}  // namespace voussoir

@@ -1,0 +1,127 @@
+#include "libdda/step/update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace voussoir
+{
+
+using Eigen::Vector3d;
+
+namespace
+{
+
+/// The velocity that complete kinetic damping would leave: that of the ground; where supports move differently,
+/// the mean of their motions.
+Vector3d ground_velocity(const Stage& stage, double time)
+{
+    Vector3d velocity = Vector3d::Zero();
+    for (int component = 0; component < 3; ++component) {
+        std::vector<const GroundMotion*> different;  // a motion shared by many foundations counts once
+        for (const FoundationMotion& motion : stage.motions)
+            if (motion.component == component &&
+                std::find(different.begin(), different.end(), motion.motion.get()) == different.end())
+                different.push_back(motion.motion.get());
+        for (const GroundMotion* motion : different)
+            velocity[component] += motion->velocity(time) / static_cast<double>(different.size());
+    }
+    return velocity;
+}
+
+}  // namespace
+
+template <class K>
+void update_blocks(const StepSystem<K>& system, State& state)
+{
+    constexpr int n = K::unknowns;
+    for (std::size_t b = 0; b < system.blocks.size(); ++b) {
+        const BlockStep<K>& block = system.blocks[b];
+        typename K::Unknowns d = K::Unknowns::Zero();
+        typename K::Spin moment = K::Spin::Zero();
+        if (block.row >= 0) {
+            d = system.d.template segment<n>(n * block.row);
+            moment = K::moment_of(system.contact_force.template segment<n>(n * block.row));
+        }
+        update_block(block, d, moment, system.h, static_cast<int>(b), state);
+    }
+}
+
+template <class K>
+void update_contacts(const Stage& stage, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
+                     State& state, StepReport& report)
+{
+    constexpr int n = K::unknowns, dimension = K::dimension;
+    using Vector = typename K::Vector;
+    ContactSetIn<dimension>& stored = contacts_in<dimension>(state);
+    stored = contacts;
+    for (std::size_t k = 0; k < stored.patches.size(); ++k) {
+        ContactPatchIn<dimension>& kept = stored.patches[k];
+        const PatchStep<K>& patch = system.contacts.patches[k];
+        const BlockStep<K>& reference = system.blocks[kept.block_b];
+        const BlockStep<K>& incident = system.blocks[kept.block_a];
+        typename K::Unknowns d_a = K::Unknowns::Zero(), d_b = K::Unknowns::Zero();
+        if (patch.row_a >= 0) d_a = system.d.template segment<n>(n * patch.row_a);
+        if (patch.row_b >= 0) d_b = system.d.template segment<n>(n * patch.row_b);
+        const typename K::Matrix turn = rotation_of_step(reference, d_b);
+        // A point that carries next to nothing flickers by rounding, and so does one that has come to rest at its
+        // friction bound, between sticking and sliding; neither is a change of the structure.
+        const double load = std::max(patch.row_a >= 0 ? system.load[patch.row_a] : 0,
+                                     patch.row_b >= 0 ? system.load[patch.row_b] : 0);
+        const double enough = stage.unbalanced_tolerance * load;
+        kept.intact = patch.intact;
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            const PointStep<dimension>& p = system.contacts.points[i];
+            ContactPointIn<dimension>& point = stored.points[i];
+            const Vector slip = slip_at_end<dimension>(p, patch.normal);
+            const Vector sliding =
+                p.displacement - patch.normal.dot(p.displacement) * patch.normal - (slip - p.slip_start);
+            if (p.status != ContactStatus::open) point.plastic_slip += sliding;
+            point.plastic_slip = turn * point.plastic_slip;
+            point.elastic_slip = turn * slip;
+            const double carried = std::max(p.normal, -p.normal_stiffness * p.gap_start);
+            const bool stays_closed = p.status != ContactStatus::open && point.status != ContactStatus::open;
+            const bool at_bound = stays_closed && std::abs(p.trial.norm() - p.bound) <= enough;
+            report.contact_state_changed =
+                report.contact_state_changed || (point.status != p.status && carried > enough && !at_bound);
+            point.status = p.status;
+            point.gap = p.gap;
+            point.normal_force = p.normal;
+            point.shear_force = p.shear;
+            point.position = incident.predicted.centroid + p.lever_a + K::displacement(d_a, p.lever_a);
+            report.max_penetration = std::max(report.max_penetration, -p.gap);
+            report.closed_points += p.status != ContactStatus::open;
+        }
+    }
+}
+
+template <class K>
+void damp_velocities(const Stage& stage, const StepSystem<K>& system, State& state, EnergyLedger& energy)
+{
+    const bool is_static = stage.type == StageType::static_equilibrium;
+    const double factor = is_static ? 0 : stage.damping.factor_per_step * std::exp(-stage.damping.rate * system.h);
+    if (factor == 1) return;
+    const Vector3d ground = is_static ? Vector3d::Zero() : ground_velocity(stage, state.stage_time);
+    double kinetic = 0;
+    for (std::size_t b = 0; b < system.blocks.size(); ++b) {
+        const BlockStep<K>& block = system.blocks[b];
+        double* v = state.velocities.data() + b * K::unknowns;
+        for (int k = 0; k < K::unknowns; ++k) {
+            const double base = k < K::dimension ? ground[axis_in_space<K::dimension>(k)] : 0;
+            if (is_static || !block.held[k]) v[k] = base + factor * (v[k] - base);
+        }
+        if (block.row >= 0) kinetic += kinetic_energy_of(block, state, static_cast<int>(b));
+    }
+    (is_static ? energy.damping_static : energy.damping_kinetic) += energy.kinetic - kinetic;
+    energy.kinetic = kinetic;
+}
+
+#define VOUSSOIR_INSTANTIATE(K)                                                                                  \
+    template void update_blocks(const StepSystem<K>&, State&);                                                   \
+    template void update_contacts(const Stage&, const StepSystem<K>&, const ContactSetIn<K::dimension>&, State&, \
+                                  StepReport&);                                                                  \
+    template void damp_velocities(const Stage&, const StepSystem<K>&, State&, EnergyLedger&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir

@@ -1,0 +1,88 @@
+// Edge stresses of joints against the strength of their stones.
+#include "libdda/analysis/crushing.h"
+
+#include <gtest/gtest.h>
+
+#include "libdda/analysis/joint_resultants.h"
+#include "tests/libdda/whole_scenes.h"
+
+namespace voussoir::testing
+{
+
+namespace
+{
+
+class Crushing : public ::testing::TestWithParam<Kinematics>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Kinematics, Crushing, every_kinematics(), test_name);
+
+constexpr double width = 1, height = 2;
+
+/// A pillar 1 m wide and 2 m high on a held base, all of one stone.
+Model pillar(Kinematics kinematics, double strength)
+{
+    BlockMaterial material = stone();
+    material.compressive_strength = strength;
+    Model model = make_model(kinematics, material, dry(40));
+    hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+    add_box(model, "pillar", {-width / 2, -width / 2, 0}, {width / 2, width / 2, height});
+    return model;
+}
+
+/// Gravity of the same weight that leans sideways by `slope`: the resultant meets the base at slope x height / 2.
+Eigen::Vector3d leaning(double slope)
+{
+    return {gravity * slope, 0, -gravity};
+}
+
+}  // namespace
+
+// N over the part of the joint that it acts in the middle of: N / (b - 2 e).
+TEST_P(Crushing, edge_stress_is_the_resultant_over_the_effective_area)
+{
+    for (const double slope : {0.0, 0.1, 0.2, 0.35}) {
+        const Model model = pillar(GetParam(), 0);
+        State state = initial_state(model);
+        const RunReport report = run_quietly(model, {static_stage(0.1, leaning(slope))}, state);
+        ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+        const std::vector<JointResultant> joints = joint_resultants(model, state);
+        ASSERT_EQ(joints.size(), 1);
+        const double eccentricity = slope * height / 2;
+        const double area = model.mass(1) * gravity / joints[0].normal_force * width;  // a strip if planar
+        const double exact = model.mass(1) * gravity / (joints[0].area * (1 - 2 * eccentricity / width));
+        EXPECT_NEAR(edge_stress(joints[0]), exact, 0.02 * exact) << slope << " " << area;
+    }
+}
+
+TEST_P(Crushing, is_told_per_joint_with_its_time)
+{
+    const double weight_stress = stone().density * gravity * height;
+    for (const double share : {0.9, 1.1}) {
+        const Model model = pillar(GetParam(), share * weight_stress / (1 - 2 * 0.2));
+        State state = initial_state(model);
+        const RunReport report = run_quietly(model, {static_stage(0.1, leaning(0.2))}, state);
+        ASSERT_EQ(report.crushed.size(), share < 1 ? 1 : 0) << report.message;
+        if (share > 1) continue;
+        EXPECT_EQ(report.crushed[0].block_b, 1);
+        EXPECT_NEAR(report.crushed[0].worst_stress, report.crushed[0].strength / share, 0.05 * weight_stress);
+        ASSERT_EQ(report.warnings.size(), 1);
+        EXPECT_NE(report.warnings[0].find("'base' on 'pillar'"), std::string::npos) << report.warnings[0];
+    }
+}
+
+TEST_P(Crushing, is_judged_by_the_weaker_stone_and_only_if_asked)
+{
+    Model model = pillar(GetParam(), 0);
+    EXPECT_FALSE(has_compressive_strength(model));
+    model.materials.push_back(stone());
+    model.materials.back().compressive_strength = 1;
+    model.blocks[1].material = 1;
+    EXPECT_TRUE(has_compressive_strength(model));
+    State state = initial_state(model);
+    const RunReport report = run_quietly(model, {static_stage(0.1)}, state);
+    ASSERT_EQ(report.crushed.size(), 1);
+    EXPECT_EQ(report.crushed[0].strength, 1);
+}
+
+}  // namespace voussoir::testing

@@ -1,0 +1,117 @@
+// A run that goes wrong stops, names the blocks, and keeps the state before.
+#include "libdda/analysis/diagnosis.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/libdda/whole_scenes.h"
+
+namespace voussoir::testing
+{
+
+namespace
+{
+
+class Diagnosis : public ::testing::TestWithParam<Kinematics>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Kinematics, Diagnosis, every_kinematics(), test_name);
+
+void expect_in(const std::string& text, const std::string& part)
+{
+    EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in \"" << text << "\"";
+}
+
+}  // namespace
+
+TEST_P(Diagnosis, widths_are_those_of_the_thinnest_direction)
+{
+    Model model = make_model(GetParam(), stone(), dry(30));
+    add_box(model, "slab", {-5, -4, 0}, {5, 4, 0.1});
+    add_box(model, "column", {0, 0, 0}, {0.3, 7, 9});
+    const std::vector<double> widths = least_widths(model);
+    EXPECT_NEAR(widths[0], 0.1, 1e-12);
+    EXPECT_NEAR(widths[1], 0.3, 1e-12);
+}
+
+// A contact so soft that the stone would sink into its base: said, and not computed on.
+TEST_P(Diagnosis, of_a_contact_too_soft_for_its_load)
+{
+    JointMaterial joint = dry(30);
+    joint.stiffness = {ContactStiffness::Kind::per_area, 1e5};  // sinks in by 2500 g 0.3 / 1e5 = 74 mm
+    Model model = make_model(GetParam(), stone(), joint);
+    hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+    add_box(model, "stone", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
+    State state = initial_state(model);
+    const RunReport report = run_quietly(model, {static_stage(0.01)}, state);
+    EXPECT_EQ(report.outcome, Outcome::gave_up);
+    expect_in(report.message, "'stone'");
+    expect_in(report.message, "'base'");
+    expect_in(report.message, "too soft");
+    // The state before the trouble: not yet deeper than the limit.
+    EXPECT_GT(pose_of(model.kinematics, state, 1).centroid.z(), 0.15 - 0.03);
+
+    // The remedy it names is one.
+    joint.stiffness.value *= 10;
+    model.joints[0] = joint;
+    state = initial_state(model);
+    EXPECT_EQ(run_quietly(model, {static_stage(0.01)}, state).outcome, Outcome::completed);
+}
+
+TEST_P(Diagnosis, of_energy_that_nothing_accounts_for)
+{
+    Model model = make_model(GetParam(), stone(), dry(30));
+    add_box(model, "comet", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
+    State state = initial_state(model);
+    set_velocity(model, state, 0, {3, 0, 0});
+    RunReport report;
+    report.energy.kinetic = 100;
+    report.energy.start_kinetic = report.energy.peak_stored = 90;
+    report.energy.gravity_work = 10;
+    const std::vector<double> widths = least_widths(model);
+    EXPECT_FALSE(diagnose(model, widths, state, report));
+    EXPECT_FALSE(energy_warning(report.energy));
+    report.energy.kinetic = 105;  // 5 of 90 from nowhere
+    EXPECT_FALSE(diagnose(model, widths, state, report));
+    expect_in(energy_warning(report.energy).value(), "unaccounted");
+    report.energy.kinetic = 150;
+    expect_in(diagnose(model, widths, state, report).value(),
+              "appeared from nowhere; the fastest block is 'comet'");
+    report.energy.kinetic = 50;
+    expect_in(diagnose(model, widths, state, report).value(), "vanished");
+}
+
+TEST_P(Diagnosis, of_places_that_are_no_numbers)
+{
+    Model model = make_model(GetParam(), stone(), dry(30));
+    add_box(model, "stone", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
+    State state = initial_state(model);
+    const std::vector<double> widths = least_widths(model);
+    EXPECT_FALSE(diagnose(model, widths, state, {}));
+    state.velocities[0] = std::numeric_limits<double>::quiet_NaN();
+    expect_in(diagnose(model, widths, state, {}).value(), "no number");
+}
+
+// Each cause has its own sentence, with the block and a remedy.
+TEST(DiagnosisOfASteps, failure_names_cause_block_and_remedy)
+{
+    Model model = make_model(Kinematics::spatial_rigid, stone(), dry(30));
+    add_box(model, "keystone", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
+    StepReport step;
+    step.worst_block = 0;
+    const Stage stage = dynamic_stage(1, 1e-3);
+    const std::pair<Trouble, const char*> cases[] = {{Trouble::inverted_block, "inside out"},
+                                                     {Trouble::singular_system, "cannot be solved"},
+                                                     {Trouble::inaccurate_solution, "rounding"},
+                                                     {Trouble::chatter, "keep switching"}};
+    for (const auto& [trouble, words] : cases) {
+        step.trouble = trouble;
+        const std::string message = explain(model, stage, initial_state(model), step);
+        expect_in(message, "'keystone'");
+        expect_in(message, words);
+        EXPECT_TRUE(message.find("try") != std::string::npos || message.find("look at") != std::string::npos);
+    }
+}
+
+}  // namespace voussoir::testing
