@@ -214,8 +214,10 @@ int run_command(const RunArguments& arguments)
     try {
         return run_from(the_case, folder, restart, stopwatch, arguments.quiet);
     } catch (const RunBroken& broken) {
-        fmt::print(stderr, "{}\n{}: what was written before is whole, and --resume goes on from there\n",
-                   broken.what(), folder.string());
+        fmt::print(stderr, "{}\n", broken.what());
+        if (std::filesystem::exists(restart_file_in(folder)))
+            fmt::print(stderr, "{}: what was written before is whole, and --resume goes on from there\n",
+                       folder.string());
         return exit_failure;
     }
 }

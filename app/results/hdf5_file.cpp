@@ -172,7 +172,8 @@ Hdf5Series Hdf5File::make_series(const std::string& name, ElementType type, cons
     const Hdf5Id space(H5Screate_simple(static_cast<int>(size.size()), size.data(), max_size.data()));
     const Hdf5Id create = timeless(H5P_DATASET_CREATE);
     H5Pset_chunk(create.get(), static_cast<int>(chunk_size.size()), chunk_size.data());
-    const Hdf5Id access(H5Pcreate(H5P_DATASET_ACCESS));  // rows go straight to the file, not chunks again and again
+    const Hdf5Id access(
+        H5Pcreate(H5P_DATASET_ACCESS));  // rows go straight to the file, not chunks again and again
     H5Pset_chunk_cache(access.get(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 0, H5D_CHUNK_CACHE_W0_DEFAULT);
     Hdf5Series series{name, {}, type, extents};
     series.dataset = Hdf5Id(check(

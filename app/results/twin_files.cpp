@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -23,6 +24,14 @@ fs::path with_suffix(fs::path path, const char* suffix)
     return path;
 }
 
+/// HDF5 does not survive a failed allocation, so it is called only where there is room for what it needs.
+/// @throws std::bad_alloc
+void require_memory()
+{
+    constexpr std::size_t enough = std::size_t{40} << 20;
+    ::operator delete(::operator new(enough));
+}
+
 void rename_file(const fs::path& from, const fs::path& to)
 {
     if (std::rename(from.c_str(), to.c_str()) != 0) refuse_writing(to, errno);
@@ -36,6 +45,7 @@ TwinFiles::TwinFiles(const fs::path& results_file, const Case& the_case, const S
       next_(with_suffix(results_file, ".next")),
       former_(with_suffix(results_file, ".last"))
 {
+    require_memory();
     remove_twin();  // a killed run's; it may be a second name of results.h5, so it must not be written into
     const auto make = [&](const fs::path& path) {
         auto file = std::make_unique<GrowingFile>(path, the_case, mesh, datasets);
@@ -81,6 +91,7 @@ void TwinFiles::add(std::vector<Rows> rows)
 
 void TwinFiles::catch_up()
 {
+    require_memory();
     for (const auto* batches : {&last_, &added_})
         for (const std::vector<Rows>& rows : *batches) back_->append(rows);
 }
