@@ -17,6 +17,7 @@ class Progress
 {
  public:
     Progress(const std::vector<Stage>& stages, bool quiet);
+    ~Progress() { done(); }  // what is said when a run breaks begins on a line of its own
 
     void step(const State& state, const StepReport& step, const RunReport& report);
     void done();  // ends the bar's line

@@ -68,7 +68,7 @@ std::vector<std::string> files_in(const fs::path& folder)
     std::vector<std::string> files = {"results.h5", "results.xdmf"};
     if (fs::exists(folder / "histories.csv")) files.emplace_back("histories.csv");
     files.emplace_back("summary.json");
-    files.push_back(restart_file_in({}));
+    if (fs::exists(restart_file_in(folder))) files.push_back(restart_file_in({}));
     const std::vector<std::string> pictures = pictures_in(folder);
     files.insert(files.end(), pictures.begin(), pictures.end());
     return files;

@@ -49,7 +49,7 @@ foundation: {blocks: foundation, motion: {x: {sine: {acceleration: 0.7 g, freque
 stages:
   - {name: self-weight, type: static}
   - {name: earthquake, type: dynamic, duration: 0.6 s, time_step: 2 ms}
-output: {every: 3 ms, histories: {beam: {block: beam}}}
+output: {every: 6 ms, histories: {beam: {block: beam}}}
 )";
 
 namespace

@@ -62,9 +62,9 @@ void stop_again_and_again(const std::string& case_text, int steps)
     killed_runs::expect_equal_results(folder / "stopped", folder / "reference");
 }
 
-TEST(Resume, ATowerStoppedAfterEverySevenSteps)
+TEST(Resume, ATowerStoppedAfterEveryElevenSteps)
 {
-    stop_again_and_again(killed_runs::shaken_tower, 7);
+    stop_again_and_again(killed_runs::shaken_tower, 11);
 }
 
 TEST(Resume, AFrameStoppedAfterEveryThirteenSteps)

@@ -68,24 +68,38 @@ TEST(Scarcity, AFullDiskInTheMiddleOfARun)
     EXPECT_GT(resumed, 0);
 }
 
-TEST(Scarcity, TooLittleMemory)
+TEST(Scarcity, TooLittleMemoryToBeginWith)
 {
     const TemporaryFolder folder;
-    const killed_runs::Reference reference = killed_runs::run_through(folder.path(), killed_runs::shaken_tower);
+    const fs::path file = folder.write("case.yaml", killed_runs::shaken_tower);
     int without = 0;
-    for (rlim_t megabytes = 300; megabytes >= 20; megabytes -= 10) {
-        const fs::path results = folder / ("memory_" + std::to_string(megabytes));
-        const Ended ended =
-            run_within(RLIMIT_AS, megabytes << 20, folder,
-                       {"run", reference.case_file.string(), "-q", "-o", results.string(), "--threads", "1"});
+    for (rlim_t megabytes = 120; megabytes >= 20; megabytes -= 10) {
+        const Ended ended = run_within(RLIMIT_AS, megabytes << 20, folder,
+                                       {"run", file.string(), "-q", "-o", (folder / "results").string()});
         if (ended.errors.find("loading shared libraries") != std::string::npos) break;  // not ours to say
         if (ended.exit_code == 0) continue;
         ++without;
         EXPECT_EQ(ended.exit_code, 1) << megabytes << " MiB: " << ended.errors;
         EXPECT_NE(ended.errors.find("out of memory"), std::string::npos) << megabytes << " MiB: " << ended.errors;
-        if (fs::exists(restart_file_in(results))) expect_nothing_lost(folder, reference, results);
     }
     EXPECT_GT(without, 0);
+}
+
+TEST(Scarcity, MemoryThatRunsOutDuringTheRun)
+{
+    const TemporaryFolder folder;
+    const killed_runs::Reference reference = killed_runs::run_through(folder.path(), killed_runs::shaken_tower);
+    const fs::path results = folder / "results";
+    const pid_t child = start(folder, {"run", reference.case_file.string(), "-q", "-o", results.string()});
+    for (int i = 0; i < 2000 && !fs::exists(restart_file_in(results)); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const rlimit none{1 << 20, 1 << 20};  // less than it has: nothing more is given
+    ASSERT_EQ(prlimit(child, RLIMIT_AS, &none, nullptr), 0);
+    const Ended ended = finish(folder, child);
+    EXPECT_EQ(ended.exit_code, 1) << ended.errors;
+    EXPECT_NE(ended.errors.find("out of memory"), std::string::npos) << ended.errors;
+    EXPECT_NE(ended.errors.find("--resume goes on from there"), std::string::npos) << ended.errors;
+    expect_nothing_lost(folder, reference, results);
 }
 
 TEST(Scarcity, AFolderThatMayNotBeWritten)
