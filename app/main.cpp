@@ -51,6 +51,8 @@ void add_run(CLI::App& app, std::function<int()>& chosen)
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
     command->add_option("-o,--output", arguments->folder, "Folder for the results (results/<case name>)")
         ->type_name("DIR");
+    command->add_flag("--resume", arguments->resume,
+                      "Go on with the run of this case that was interrupted or killed in the folder");
     add_overrides(*command, arguments->overrides);
     command->add_option("--threads", arguments->threads, "Threads; the results do not depend on it")
         ->check(CLI::Range(1, 1024))

@@ -18,6 +18,7 @@ struct RunArguments {
     std::filesystem::path folder;  // empty: results/<case name>
     std::vector<std::string> overrides;
     int threads = 1;
+    bool resume = false;  // go on with the run that was interrupted in the folder
     bool quiet = false;
 };
 

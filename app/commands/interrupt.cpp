@@ -24,6 +24,11 @@ void catch_interrupts()
     action.sa_flags = SA_RESETHAND | SA_RESTART;  // the second one is not caught
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    struct sigaction before = {};
+    sigaction(SIGHUP, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup ignores it
+    std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of writing, which is told
+    std::signal(SIGPIPE, SIG_IGN);  // a run outlives the reader of its messages
 }
 
 bool interrupted()

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "app/commands/stopwatch.h"
@@ -24,7 +25,7 @@ std::string where(const Stage& stage, const State& state, const StepReport& step
 }  // namespace
 
 Progress::Progress(const std::vector<Stage>& stages, bool quiet)
-    : stages_(stages), quiet_(quiet), on_terminal_(isatty(STDOUT_FILENO) == 1), drawn_(Clock::now())
+    : stages_(stages), quiet_(quiet), on_terminal_(isatty(STDOUT_FILENO) == 1), told_(Clock::now())
 {
     for (const Stage& stage : stages) simulated_time_ += stage.type == StageType::dynamic ? stage.duration : 0;
 }
@@ -41,42 +42,52 @@ double Progress::share_done(const State& state) const
 void Progress::step(const State& state, const StepReport& step, const RunReport& report)
 {
     if (quiet_ || state.stage >= static_cast<int>(stages_.size())) return;
-    if (on_terminal_)
-        draw_bar(state, step, report);
-    else
-        print_line(state, step, report);
-}
-
-void Progress::draw_bar(const State& state, const StepReport& step, const RunReport& report)
-{
     const Clock::time_point now = Clock::now();
-    if (state.stage != stage_) {  // static stages tell nothing about the pace of dynamic ones
+    const bool new_stage = state.stage != stage_;
+    if (new_stage) {  // static stages tell nothing about the pace of dynamic ones
         stage_ = state.stage;
         moving_since_ = now;
         share_when_moving_ = share_done(state);
-    } else if (now - drawn_ < std::chrono::milliseconds(100)) {
-        return;
     }
-    drawn_ = now;
-    constexpr int width = 30;
-    const double share = share_done(state), moved = share - share_when_moving_;
+    if (on_terminal_)
+        draw_bar(state, step, report, now, new_stage);
+    else
+        print_line(state, step, report, now, new_stage);
+}
+
+std::string Progress::time_left(double share, Clock::time_point now) const
+{
+    const double moved = share - share_when_moving_;
+    if (moved <= 0.01 || share >= 1) return "";
     const double elapsed = std::chrono::duration<double>(now - moving_since_).count();
+    return ", " + duration_in_words(elapsed * (1 - share) / moved) + " left";
+}
+
+void Progress::draw_bar(const State& state, const StepReport& step, const RunReport& report, Clock::time_point now,
+                        bool new_stage)
+{
+    if (!new_stage && now - told_ < std::chrono::milliseconds(100)) return;
+    told_ = now;
+    constexpr int width = 30;
+    const double share = share_done(state);
     const int filled = static_cast<int>(share * width);
-    const std::string left = moved > 0.01 ? ", " + duration_in_words(elapsed * (1 - share) / moved) + " left" : "";
     fmt::print("\r\033[K[{}{}] {:3.0f} %  {}, step {}{}", std::string(filled, '#'),
                std::string(width - filled, '.'), 100 * share, where(stages_[state.stage], state, step),
-               report.steps, left);
+               report.steps, time_left(share, now));
     std::fflush(stdout);
     line_open_ = true;
 }
 
-void Progress::print_line(const State& state, const StepReport& step, const RunReport& report)
+void Progress::print_line(const State& state, const StepReport& step, const RunReport& report,
+                          Clock::time_point now, bool new_stage)
 {
-    const int tenths = static_cast<int>(10 * share_done(state));
-    if (state.stage == stage_ && tenths == tenths_) return;
-    stage_ = state.stage;
+    const double share = share_done(state);
+    const int tenths = static_cast<int>(10 * share);
+    if (!new_stage && tenths == tenths_ && now - told_ < std::chrono::minutes(5)) return;
     tenths_ = tenths;
-    fmt::print("{:3} %  {}, step {}\n", 10 * tenths, where(stages_[state.stage], state, step), report.steps);
+    told_ = now;
+    fmt::print("{:3.0f} %  {}, step {}{}\n", std::floor(100 * share), where(stages_[state.stage], state, step),
+               report.steps, time_left(share, now));
     std::fflush(stdout);
 }
 

@@ -2,16 +2,25 @@
 
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cstdio>
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stdexcept>
 
 #include "app/case/case_file.h"
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
+#include "app/commands/resume.h"
 #include "app/commands/stopwatch.h"
 #include "app/render/snapshots.h"
 #include "app/results/results_writer.h"
+#include "app/results/run_lock.h"
+#include "libdda/analysis/energies.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -19,20 +28,78 @@ namespace voussoir
 namespace
 {
 
-RunReport run_and_write(const Case& the_case, State& state, ResultsWriter& writer, bool quiet)
+constexpr auto between_static_saves = std::chrono::seconds(2);  // time does not pass in static stages
+
+/// Where to go on from, or the beginning.
+struct Start {
+    State state;
+    RunPosition position;
+    CommandTimes times;  // of the commands before this one
+};
+
+/// The state of a run is saved with every frame, at its end, and now and then in a static stage.
+class Saver
+{
+ public:
+    Saver(ResultsWriter& writer, const Start& start, const Stopwatch& stopwatch)
+        : writer_(writer), before_(start.times), stopwatch_(stopwatch), frames_(start.position.frames)
+    {
+    }
+    void operator()(const State& state, const RunPosition& position)
+    {
+        const auto now = std::chrono::steady_clock::now();
+        const bool ends = position.report.outcome != Outcome::completed;
+        if (position.frames == frames_ && !ends && now - saved_ < between_static_saves) return;
+        writer_.save(state, position, times());
+        frames_ = position.frames;
+        saved_ = now;
+    }
+    CommandTimes times() const
+    {
+        return {before_.wall + stopwatch_.wall_time(), before_.cpu + Stopwatch::cpu_time()};
+    }
+
+ private:
+    ResultsWriter& writer_;
+    CommandTimes before_;
+    const Stopwatch& stopwatch_;
+    std::int64_t frames_ = 0;
+    std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
+};
+
+/// Runs to the end, or as far as it goes, and closes the files. @param start its state becomes the last one
+RunReport run_and_write(const Case& the_case, Start& start, ResultsWriter& writer, Saver& saver, bool quiet)
 {
     Progress progress(the_case.stages, quiet);
     RunObserver observer;
     observer.every = the_case.output.every;
     observer.frame = [&](const State& now, const RunReport& report) { writer.frame(now, report); };
+    observer.save = std::ref(saver);
     observer.step = [&](const State& now, const StepReport& step, const RunReport& report) {
         writer.history(now, step, report);
         progress.step(now, step, report);
     };
     observer.stop = interrupted;
-    RunReport report = run(the_case.model, the_case.stages, state, observer);
+    RunReport report = run(the_case.model, the_case.stages, start.state, observer, start.position);
     progress.done();
+    writer.finish(start.state, report, saver.times());
     return report;
+}
+
+/// Neither the input's fault nor that of the numerics: the disk is full, or the memory.
+struct RunBroken : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+RunReport run_unbroken(const Case& the_case, Start& start, ResultsWriter& writer, Saver& saver, bool quiet)
+{
+    try {
+        return run_and_write(the_case, start, writer, saver, quiet);
+    } catch (const InputError& error) {
+        throw RunBroken(error.what());
+    } catch (const std::bad_alloc&) {
+        throw RunBroken("out of memory");
+    }
 }
 
 void print_report(const RunReport& report, double wall_time)
@@ -81,35 +148,78 @@ int exit_code_of(Outcome outcome)
     return outcome == Outcome::interrupted ? exit_interrupted : exit_done;
 }
 
+/// "gave_up: stage 'earthquake' gave up at ..."
+std::string in_words(const RunReport& report)
+{
+    return std::string(name_of(report.outcome)) + (report.message.empty() ? "" : ": " + report.message);
+}
+
+/// Runs, writes and draws. @returns the exit code
+int run_from(const Case& the_case, const std::filesystem::path& folder, const std::optional<Restart>& restart,
+             const Stopwatch& stopwatch, bool quiet)
+{
+    Start start;
+    if (restart) {
+        start = {restart->state, restart->position, {restart->wall_time, restart->cpu_time}};
+        if (!quiet) fmt::print("goes on from {}\n", place_of(the_case, *restart));
+    } else {
+        start.state = initial_state(the_case.model);
+        start.position.report.energy = open_ledger(the_case.model, start.state);
+    }
+    std::unique_ptr<ResultsWriter> writer = restart ? std::make_unique<ResultsWriter>(the_case, folder, *restart)
+                                                    : std::make_unique<ResultsWriter>(the_case, folder);
+    Saver saver(*writer, start, stopwatch);
+    const RunReport report = run_unbroken(the_case, start, *writer, saver, quiet);
+
+    std::vector<std::filesystem::path> pictures;
+    const bool goes_on = report.outcome == Outcome::interrupted;
+    const bool drawn = goes_on || draw(the_case, writer->results_file(), folder, pictures);
+    if (!goes_on) writer->end(report);
+    if (!quiet) {
+        print_report(report, saver.times().wall);
+        print_files(folder, pictures);
+    }
+    if (!report.message.empty())
+        fmt::print(stderr, "{}{}\n", in_words(report), goes_on ? "; the same command with --resume goes on" : "");
+    const int code = exit_code_of(report.outcome);
+    return code == exit_done && !drawn ? exit_failure : code;
+}
+
 }  // namespace
 
 int run_command(const RunArguments& arguments)
 {
     const Stopwatch stopwatch;
     catch_interrupts();
-    Case the_case = read_case(arguments.case_file, arguments.overrides);
-    for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
     const std::filesystem::path folder = arguments.folder.empty()
                                              ? std::filesystem::path("results") / arguments.case_file.stem()
                                              : arguments.folder;
+    if (arguments.resume) refuse_without_restart(folder);
+    Case the_case = read_case(arguments.case_file, arguments.overrides);
+    for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
     if (!arguments.quiet) print_case(the_case);
     if (interrupted()) return exit_interrupted;
 
-    State state = initial_state(the_case.model);
-    ResultsWriter writer(the_case, folder);
-    const RunReport report = run_and_write(the_case, state, writer, arguments.quiet);
-    writer.finish(state, report, stopwatch.wall_time(), Stopwatch::cpu_time());
-
-    std::vector<std::filesystem::path> pictures;
-    const bool drawn =
-        report.outcome == Outcome::interrupted || draw(the_case, writer.results_file(), folder, pictures);
-    if (!arguments.quiet) {
-        print_report(report, stopwatch.wall_time());
-        print_files(folder, pictures);
+    const RunLock lock(folder);
+    std::optional<Restart> restart;
+    if (arguments.resume)
+        restart = restart_of(the_case, folder);
+    else
+        tell_what_is_replaced(folder, arguments.quiet);
+    if (restart && restart->ended) {
+        fmt::print("{}: there is nothing to resume, the run has ended: {}\n", folder.string(),
+                   in_words(restart->position.report));
+        return exit_code_of(restart->position.report.outcome);
     }
-    if (!report.message.empty()) fmt::print(stderr, "{}: {}\n", name_of(report.outcome), report.message);
-    const int code = exit_code_of(report.outcome);
-    return code == exit_done && !drawn ? exit_failure : code;
+    try {
+        return run_from(the_case, folder, restart, stopwatch, arguments.quiet);
+    } catch (const RunBroken& broken) {
+        fmt::print(stderr, "{}\n", broken.what());
+        if (std::filesystem::exists(restart_file_in(folder)))
+            fmt::print(stderr, "{}: what was written before is whole, and --resume goes on from there\n",
+                       folder.string());
+        return exit_failure;
+    }
 }
 
 }  // namespace voussoir

@@ -62,6 +62,15 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
     sync_folder(path.parent_path());
 }
 
+void sync_file(const std::filesystem::path& path)
+{
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor < 0) refuse_writing(path, errno);
+    const int error = ::fdatasync(descriptor) != 0 ? errno : 0;
+    ::close(descriptor);
+    if (error != 0) refuse_writing(path, error);
+}
+
 std::string read_whole_file(const std::filesystem::path& path)
 {
     std::ifstream stream(path, std::ios::binary);

@@ -12,6 +12,9 @@ namespace voussoir
 /// @throws InputError with the system's reason; the temporary file is removed and an older `path` untouched
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// What was written into a file by others is on the disk when this returns. @throws InputError
+void sync_file(const std::filesystem::path& path);
+
 /// @throws InputError when the file cannot be read
 std::string read_whole_file(const std::filesystem::path& path);
 

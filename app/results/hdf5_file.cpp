@@ -27,12 +27,7 @@ Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept
 namespace
 {
 
-// A flush writes metadata in the order of addresses, so that a process killed in the middle of one could leave a
-// pointer to what was not written yet. Therefore: every chunk and tree exists before anything refers to it
-// (allocated early, trees with one node of up to 2 x chunk_tree_half entries), and rows go straight to the file.
-constexpr unsigned chunk_tree_half = 256;
-
-/// Chunks of about 256 kB, for few of them must do; at least 8 rows unless these are huge.
+/// Chunks of about 256 kB; at least 8 rows unless these are huge.
 std::uint64_t rows_per_chunk(std::uint64_t row_bytes)
 {
     const std::uint64_t usual = std::clamp<std::uint64_t>((1U << 18) / row_bytes, 8, 1024);
@@ -52,7 +47,7 @@ Hdf5Id timeless(hid_t kind)
     return properties;
 }
 
-/// Fixed-length strings, all as long as the longest: no heap that a killed run could leave half-written.
+/// Fixed-length strings, all as long as the longest: they need no heap.
 struct PackedTexts {
     Hdf5Id type;
     std::string bytes;
@@ -83,9 +78,8 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path)
     Hdf5File result;
     result.path_ = path;
     result.writing_ = true;
-    const Hdf5Id access = access_properties(), layout(H5Pcreate(H5P_FILE_CREATE));
-    H5Pset_istore_k(layout.get(), chunk_tree_half);
-    result.file_ = Hdf5Id(result.check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, layout.get(), access.get()),
+    const Hdf5Id access = access_properties();
+    result.file_ = Hdf5Id(result.check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
                                        "no file can be made there"));
     return result;
 }
@@ -178,12 +172,12 @@ Hdf5Series Hdf5File::make_series(const std::string& name, ElementType type, cons
     const Hdf5Id space(H5Screate_simple(static_cast<int>(size.size()), size.data(), max_size.data()));
     const Hdf5Id create = timeless(H5P_DATASET_CREATE);
     H5Pset_chunk(create.get(), static_cast<int>(chunk_size.size()), chunk_size.data());
-    H5Pset_alloc_time(create.get(), H5D_ALLOC_TIME_EARLY);
-    const Hdf5Id access(H5Pcreate(H5P_DATASET_ACCESS));
+    const Hdf5Id access(
+        H5Pcreate(H5P_DATASET_ACCESS));  // rows go straight to the file, not chunks again and again
     H5Pset_chunk_cache(access.get(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 0, H5D_CHUNK_CACHE_W0_DEFAULT);
     Hdf5Series series{name, {}, type, extents};
     series.dataset = Hdf5Id(check(
-        H5Dcreate2(file_.get(), name.c_str(), native(type), space.get(), H5P_DEFAULT, create.get(), H5P_DEFAULT),
+        H5Dcreate2(file_.get(), name.c_str(), native(type), space.get(), H5P_DEFAULT, create.get(), access.get()),
         name));
     return series;
 }

@@ -61,8 +61,8 @@ struct Hdf5Series {
     Extents extents;  // extents[0]: rows so far
 };
 
-/// A file in the oldest HDF5 format, which opens after its writer was killed. No file is locked: a run may be
-/// looked at while it writes. Every function throws InputError with the file's name and the system's reason.
+/// A file in the oldest HDF5 format, which every reader opens. No file is locked: a run may be looked at while it
+/// writes. Every function throws InputError with the file's name and the system's reason.
 class Hdf5File
 {
  public:

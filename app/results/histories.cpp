@@ -40,6 +40,14 @@ std::string csv_safe(std::string name)
     return name;
 }
 
+std::string lines_of(const std::vector<double>& rows, std::size_t columns)
+{
+    std::string text;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        fmt::format_to(std::back_inserter(text), "{}{}", rows[i], (i + 1) % columns == 0 ? '\n' : ',');
+    return text;
+}
+
 }  // namespace
 
 MaterialPoint material_point(const Model& model, const HistoryPoint& history)
@@ -49,7 +57,7 @@ MaterialPoint material_point(const Model& model, const HistoryPoint& history)
     return {block, *history.point - model.origin - model.blocks[block].moments.centroid};
 }
 
-Histories::Histories(const Case& the_case, const std::filesystem::path& path) : model_(the_case.model), path_(path)
+Histories::Histories(const Case& the_case) : model_(the_case.model)
 {
     if (the_case.output.histories.empty()) return;
     columns = {"time [s]"};
@@ -63,9 +71,15 @@ Histories::Histories(const Case& the_case, const std::filesystem::path& path) : 
     if (!model_.foundations.empty()) {
         for (const std::string& axis : axes) columns.push_back(fmt::format("ground u{} [m]", axis));
     }
-    stream_.open(path_, std::ios::trunc);
+}
+
+void Histories::create(const std::filesystem::path& path, const std::vector<double>& rows)
+{
+    if (columns.empty()) return;
+    path_ = path;
+    write_atomically(path_, fmt::format("{}\n", fmt::join(columns, ",")) + lines_of(rows, columns.size()));
+    stream_.open(path_, std::ios::app);
     if (!stream_) refuse_writing(path_, errno);
-    stream_ << fmt::format("{}\n", fmt::join(columns, ","));
 }
 
 void Histories::line(const State& state)
@@ -83,13 +97,9 @@ void Histories::line(const State& state)
 std::vector<double> Histories::flush()
 {
     if (columns.empty()) return {};
-    std::string text;
-    for (std::size_t i = 0; i < pending_.size(); ++i) {
-        const bool last = (i + 1) % columns.size() == 0;
-        fmt::format_to(std::back_inserter(text), "{}{}", pending_[i], last ? '\n' : ',');
-    }
     errno = 0;
-    if (!(stream_ << text << std::flush)) refuse_writing(path_, errno == 0 ? EIO : errno);
+    if (!(stream_ << lines_of(pending_, columns.size()) << std::flush))
+        refuse_writing(path_, errno == 0 ? EIO : errno);
     return std::exchange(pending_, {});
 }
 

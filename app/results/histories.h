@@ -21,8 +21,12 @@ MaterialPoint material_point(const Model& model, const HistoryPoint& history);
 class Histories
 {
  public:
-    /// @throws InputError when a point names an unknown block, or the file cannot be written
-    Histories(const Case& the_case, const std::filesystem::path& path);
+    /// @throws InputError when a point names an unknown block
+    explicit Histories(const Case& the_case);
+
+    /// Makes the file with the lines that an earlier run wrote (rows x columns.size()), all or none of them.
+    /// @throws InputError when it cannot be written
+    void create(const std::filesystem::path& path, const std::vector<double>& rows);
 
     void line(const State& state);
     /// Writes the lines held so far to the file. @returns them (rows x columns.size())

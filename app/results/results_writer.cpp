@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "app/results/atomic_file.h"
-#include "app/results/frame_records.h"
+#include "app/results/frame_rows.h"
 #include "app/results/histories.h"
-#include "app/results/model_records.h"
+#include "app/results/results_reader.h"
 #include "app/results/summary.h"
+#include "app/results/twin_files.h"
 #include "app/results/xdmf.h"
+#include "libdda/errors.h"
 
 namespace voussoir
 {
@@ -32,18 +35,32 @@ std::vector<std::string> pictures_in(const fs::path& folder)
     return pictures;
 }
 
+void remove_files(const fs::path& folder, const std::vector<std::string>& names)
+{
+    for (const std::string& name : names) {
+        std::error_code error;
+        fs::remove(folder / name, error);
+        if (error) refuse_writing(folder / name, error.value());
+    }
+}
+
 /// Makes the folder and removes what an earlier run left in it, so that no file speaks of another run.
-fs::path prepare(const fs::path& folder)
+void prepare(const fs::path& folder)
 {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) refuse_writing(folder, error.value());
-    for (const char* name : {"results.h5", "results.xdmf", "histories.csv", "summary.json"}) {
-        fs::remove(folder / name, error);
-        if (error) refuse_writing(folder / name, error.value());
-    }
-    for (const std::string& picture : pictures_in(folder)) fs::remove(folder / picture, error);
-    return folder;
+    remove_files(folder, {restart_file_in({}), "results.h5", "results.xdmf", "histories.csv", "summary.json"});
+    remove_files(folder, pictures_in(folder));
+}
+
+CopiedRows rows_of(const fs::path& results, const Restart& restart)
+{
+    TwinFiles::restore_name(results);
+    const ResultsReader reader(results);
+    if (reader.times.size() < static_cast<std::size_t>(restart.position.frames))
+        throw InputError(results.string(), "fewer frames than the run had written", "start the run anew");
+    return {results, restart.position.frames, restart.history_rows};
 }
 
 std::vector<std::string> files_in(const fs::path& folder)
@@ -51,6 +68,7 @@ std::vector<std::string> files_in(const fs::path& folder)
     std::vector<std::string> files = {"results.h5", "results.xdmf"};
     if (fs::exists(folder / "histories.csv")) files.emplace_back("histories.csv");
     files.emplace_back("summary.json");
+    if (fs::exists(restart_file_in(folder))) files.push_back(restart_file_in({}));
     const std::vector<std::string> pictures = pictures_in(folder);
     files.insert(files.end(), pictures.begin(), pictures.end());
     return files;
@@ -59,48 +77,74 @@ std::vector<std::string> files_in(const fs::path& folder)
 }  // namespace
 
 struct ResultsWriter::Implementation {
-    Implementation(const Case& a_case, const fs::path& a_folder)
-        : the_case(a_case),
-          folder(prepare(a_folder)),
-          mesh(surface_mesh_of(a_case.model)),
-          histories(a_case, folder / "histories.csv"),
-          file(Hdf5File::create(folder / "results.h5"))
+    Implementation(const Case& a_case, const fs::path& a_folder, const Restart* from)
+        : the_case(a_case), folder(a_folder), mesh(surface_mesh_of(a_case.model)), histories(a_case)
     {
-        write_model_records(the_case, mesh, file);
-        frames.emplace(the_case.model, file);
-        if (!histories.columns.empty()) {
-            file.make_group("/histories");
-            history_rows = file.make_series("/histories/values", ElementType::float64, {histories.columns.size()});
-            file.attribute("/histories/values", "columns", histories.columns);
+        std::optional<CopiedRows> begin_with;
+        if (from)
+            begin_with = rows_of(results(), *from);
+        else
+            prepare(folder);
+        twins.emplace(results(), the_case, mesh, datasets(), begin_with);
+        restart.computed_from = fingerprint_of(the_case);
+        std::vector<double> lines;
+        if (from) {
+            read_back(*from, lines);
+            remove_files(folder, {"results.xdmf", "summary.json"});  // of the moment of the interruption
         }
-        file.flush();
+        histories.create(folder / "histories.csv", lines);
     }
 
+    fs::path results() const { return folder / "results.h5"; }
+
+    std::vector<GrowingDataset> datasets() const
+    {
+        std::vector<GrowingDataset> datasets = frame_datasets(the_case.model, mesh);
+        if (!histories.columns.empty())
+            datasets.push_back(
+                {"/histories/values", ElementType::float64, {histories.columns.size()}, histories.columns});
+        return datasets;
+    }
+
+    /// What is counted on from where the restart stands.
+    void read_back(const Restart& from, std::vector<double>& lines)
+    {
+        restart.history_rows = from.history_rows;
+        const Hdf5File file = Hdf5File::open(results());
+        if (from.position.frames > 0) {
+            const auto last = file.read_rows<std::int64_t>("/frames/joints/rows", from.position.frames - 1, 1);
+            joint_rows = last[0] + last[1];
+        }
+        if (!histories.columns.empty())
+            lines = file.read_rows<double>("/histories/values", 0, static_cast<std::uint64_t>(from.history_rows));
+    }
+
+    /// Lines of the csv file that were held back go there, and wait for the next store() of results.h5.
     void flush_histories()
     {
-        if (histories.columns.empty()) return;
-        const std::vector<double> values = histories.flush();
-        file.append(history_rows, values, values.size() / histories.columns.size());
-    }
-
-    void close()
-    {
-        frames.reset();  // open datasets would keep the file open
-        history_rows = {};
-        file.close();
+        std::vector<double> values = histories.flush();
+        if (values.empty()) return;
+        const std::uint64_t rows = values.size() / histories.columns.size();
+        restart.history_rows += static_cast<std::int64_t>(rows);
+        twins->add({{"/histories/values", std::move(values), rows}});
     }
 
     const Case& the_case;
     fs::path folder;
     SurfaceMesh mesh;
     Histories histories;
-    Hdf5File file;
-    std::optional<FrameRecords> frames;
-    Hdf5Series history_rows;
+    std::optional<TwinFiles> twins;
+    std::int64_t joint_rows = 0;  // in the tables of joints
+    Restart restart;              // as it was saved last
 };
 
 ResultsWriter::ResultsWriter(const Case& the_case, const fs::path& folder)
-    : implementation_(std::make_unique<Implementation>(the_case, folder))
+    : implementation_(std::make_unique<Implementation>(the_case, folder, nullptr))
+{
+}
+
+ResultsWriter::ResultsWriter(const Case& the_case, const fs::path& folder, const Restart& restart)
+    : implementation_(std::make_unique<Implementation>(the_case, folder, &restart))
 {
 }
 
@@ -110,7 +154,8 @@ void ResultsWriter::frame(const State& state, const RunReport& report)
 {
     Implementation& the = *implementation_;
     the.flush_histories();
-    the.frames->append(the.the_case.model, the.mesh, state, report, the.file);
+    the.twins->add(frame_rows(the.the_case.model, the.mesh, state, report, the.joint_rows));
+    the.twins->store();
 }
 
 void ResultsWriter::history(const State& state, const StepReport&, const RunReport&)
@@ -118,21 +163,40 @@ void ResultsWriter::history(const State& state, const StepReport&, const RunRepo
     implementation_->histories.line(state);
 }
 
-void ResultsWriter::finish(const State& state, const RunReport& report, double wall_time, double cpu_time)
+void ResultsWriter::save(const State& state, const RunPosition& position, const CommandTimes& times)
 {
     Implementation& the = *implementation_;
     the.flush_histories();
-    const std::string summary =
-        summary_json(the.the_case, state, report, {wall_time, cpu_time}, files_in(the.folder));
-    the.file.write_text("/summary", summary);
-    the.close();
+    the.twins->store();
+    the.restart.state = state;
+    the.restart.position = position;
+    the.restart.wall_time = times.wall;
+    the.restart.cpu_time = times.cpu;
+    save_restart(the.restart, restart_file_in(the.folder));
+}
+
+void ResultsWriter::finish(const State& state, const RunReport& report, const CommandTimes& times)
+{
+    Implementation& the = *implementation_;
+    the.flush_histories();
+    const std::string summary = summary_json(the.the_case, state, report, times, files_in(the.folder));
+    the.twins->finish(summary);
     write_xdmf(results_file(), the.folder / "results.xdmf");
     write_atomically(the.folder / "summary.json", summary);
 }
 
+void ResultsWriter::end(const RunReport& report)
+{
+    Restart& restart = implementation_->restart;
+    restart.ended = true;
+    restart.state = {};
+    restart.position.report = report;
+    save_restart(restart, restart_file_in(implementation_->folder));
+}
+
 fs::path ResultsWriter::results_file() const
 {
-    return implementation_->folder / "results.h5";
+    return implementation_->results();
 }
 
 }  // namespace voussoir

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/case/case_file.h"
-#include "libdda/model/report.h"
-#include "libdda/model/state.h"
+#include "app/results/restart_file.h"
+#include "app/results/summary.h"
 
 namespace voussoir
 {
@@ -16,19 +16,26 @@ namespace voussoir
 /// What a run did not need and therefore did not create ("strains", "renderer", "ground motion", ...).
 std::vector<std::string> left_out(const Case& the_case);
 
-/// Readable at any moment: frames are appended and flushed one by one, in the oldest HDF5 format, so that a killed
-/// run leaves a file that opens. Nothing is created before the case is known to be good.
+/// results.h5 is whole at every moment: see TwinFiles. Nothing is created before the case is known to be good.
 class ResultsWriter
 {
  public:
+    /// Begins anew: what an earlier run left in the folder is removed.
     /// @throws InputError when the folder cannot be written
     ResultsWriter(const Case& the_case, const std::filesystem::path& folder);
+    /// Goes on: what was written after the moment of the restart is removed.
+    /// @throws InputError also when the results in the folder are not what the restart goes on from
+    ResultsWriter(const Case& the_case, const std::filesystem::path& folder, const Restart& restart);
     ~ResultsWriter();
 
-    void frame(const State& state, const RunReport& report);  // a frame of results.h5, flushed
+    void frame(const State& state, const RunReport& report);  // a frame of results.h5, stored
     void history(const State& state, const StepReport& step, const RunReport& report);  // a line of histories.csv
-    /// Closes everything, writes results.xdmf and summary.json. @param wall, cpu times of the whole command [s]
-    void finish(const State& state, const RunReport& report, double wall_time, double cpu_time);
+    /// Writes the file that a later run can go on from. @param times of all commands so far
+    void save(const State& state, const RunPosition& position, const CommandTimes& times);
+    /// Closes everything, writes results.xdmf and summary.json. @param times of all commands
+    void finish(const State& state, const RunReport& report, const CommandTimes& times);
+    /// Nothing is left to go on with: the restart file says so from now on.
+    void end(const RunReport& report);
 
     std::filesystem::path results_file() const;
 

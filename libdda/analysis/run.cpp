@@ -28,11 +28,13 @@ struct Progress {
     const RunObserver& observer;
     State& state;
     Workspace work;
-    RunReport report;
-    CollapseWatch watch;
-    std::vector<double> widths;  // m, of the blocks
+    RunPosition position;
+    RunReport& report = position.report;
+    CollapseWatch watch = {};
+    std::vector<double> widths = {};  // m, of the blocks
     bool judges_crushing = false;
-    State before = {};  // of the step, to go back to
+    bool shown = false;  // the state as it is has its frame
+    State before = {};   // of the step, to go back to
     EnergyLedger energy_before = {};
 };
 
@@ -81,19 +83,24 @@ bool is_sound(const Stage& stage, Progress& progress)
     return give_up(message.str(), progress);
 }
 
-/// Notes crushed joints and fallen blocks; false when the run has ended by collapse.
-bool note_damage(const Stage& stage, Progress& progress)
+/// Notes crushed joints and fallen blocks.
+void note_damage(const Stage& stage, Progress& progress)
+{
+    if (progress.judges_crushing) note_crushing(progress.model, progress.state, progress.report);
+    if (stage.type == StageType::dynamic)
+        note_fallen(progress.model, progress.watch, stage.gravity, progress.state, progress.report);
+}
+
+/// Ends the run when enough has fallen; true then.
+bool has_collapsed(const Stage& stage, Progress& progress)
 {
     RunReport& report = progress.report;
-    if (progress.judges_crushing) note_crushing(progress.model, progress.state, report);
-    if (stage.type != StageType::dynamic) return true;
-    note_fallen(progress.model, progress.watch, stage.gravity, progress.state, report);
     const bool enough =
         stage.stop_after_fallen > 0 && static_cast<int>(report.fallen.size()) >= stage.stop_after_fallen;
-    if (!enough && !all_have_left(progress.model, report)) return true;
+    if (!enough && !all_have_left(progress.model, report)) return false;
     report.outcome = Outcome::collapsed;
     report.message = fallen_in_words(progress.model, report);
-    return false;
+    return true;
 }
 
 /// One step; false when it gave up.
@@ -110,58 +117,95 @@ bool step_once(const Stage& stage, double h, Progress& progress, StepReport& ste
     if (!is_sound(stage, progress)) return false;
     add_step(step, progress.report);
     if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
+    note_damage(stage, progress);
+    progress.shown = false;
     return true;
 }
 
-/// Shows the state, complete and fit to go on from, to the observer; false when asked to stop.
-bool observe(const StepReport& step, Progress& progress)
+/// A frame of the run, counted, and a place to go on from.
+void show(Progress& progress)
 {
-    if (progress.observer.step) progress.observer.step(progress.state, step, progress.report);
+    ++progress.position.frames;
+    progress.shown = true;
+    if (progress.observer.frame) progress.observer.frame(progress.state, progress.report);
+    if (progress.observer.save) progress.observer.save(progress.state, progress.position);
+}
+
+/// The last state of a run that was stopped or gave up.
+void show_end(Progress& progress)
+{
+    if (progress.observer.frame && !progress.shown) progress.observer.frame(progress.state, progress.report);
+    if (progress.observer.save) progress.observer.save(progress.state, progress.position);
+}
+
+/// Ends the run when asked to; false then. The state is complete and fit to go on from.
+bool goes_on(Progress& progress)
+{
     if (!progress.observer.stop || !progress.observer.stop()) return true;
     progress.report.outcome = Outcome::interrupted;
     progress.report.message = "stopped on request";
     return false;
 }
 
+bool give_up_resting(const Stage& stage, Progress& progress)
+{
+    std::ostringstream message;
+    message << "stage '" << stage.name << "' found no equilibrium in " << progress.position.static_steps
+            << " steps: the unbalanced force is still " << progress.report.static_unbalanced
+            << " of a block's load; the structure may be a mechanism under its own weight, or it needs a "
+               "larger time_step in this stage to come to rest";
+    ++progress.report.unconverged_steps;
+    return give_up(message.str(), progress);
+}
+
+/// One step at rest under `loaded`; false when the run ends here.
+bool step_at_rest(const Stage& stage, Stage& loaded, Progress& progress)
+{
+    RunPosition& at = progress.position;
+    State& state = progress.state;
+    // A step need only be solved as well as its own unbalanced force deserves: far from equilibrium the
+    // last digits are friction points taking turns; near it the tolerance must not hide what is left.
+    loaded.control.force_tolerance =
+        std::min(stage.control.force_tolerance,
+                 std::max(inexactness * at.step_unbalanced, 0.1 * stage.unbalanced_tolerance));
+    StepReport step;
+    const double start_time = state.time;
+    const double grown = state.next_time_step;
+    const double h = grown > 0 ? std::min(grown, stage.control.time_step) : stage.control.time_step;
+    if (!step_once(loaded, h, progress, step)) return false;
+    state.next_time_step = regrowth * step.time_step;
+    state.time = start_time;
+    progress.report.static_unbalanced = at.step_unbalanced = step.inertia_ratio;
+    const bool balanced = step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
+    at.quiet_steps = balanced ? at.quiet_steps + 1 : 0;
+    ++at.static_steps;
+    if (progress.observer.step) progress.observer.step(state, step, progress.report);
+    if (progress.observer.save) progress.observer.save(state, at);
+    return goes_on(progress);
+}
+
 /// Steps with the velocity set to zero after each, until the unbalanced force of every block is below the
 /// tolerance in two steps running without change of contact state. Time does not pass.
 bool run_static(const Stage& stage, Progress& progress)
 {
-    const double start_time = progress.state.time;
+    RunPosition& at = progress.position;
     Stage loaded = stage;
-    for (int increment = 1; increment <= stage.gravity_increments; ++increment) {
-        loaded.gravity = stage.gravity * increment / stage.gravity_increments;
-        int quiet = 0;
-        double unbalanced = 1;
-        for (int n = 0; quiet < 2; ++n) {
-            if (n == stage.max_static_steps) {
-                std::ostringstream message;
-                message
-                    << "stage '" << stage.name << "' found no equilibrium in " << n
-                    << " steps: the unbalanced force is still " << progress.report.static_unbalanced
-                    << " of a block's load; the structure may be a mechanism under its own weight, or it needs a "
-                       "larger time_step in this stage to come to rest";
-                ++progress.report.unconverged_steps;
-                return give_up(message.str(), progress);
-            }
-            // A step need only be solved as well as its own unbalanced force deserves: far from equilibrium the
-            // last digits are friction points taking turns; near it the tolerance must not hide what is left.
-            loaded.control.force_tolerance =
-                std::min(stage.control.force_tolerance,
-                         std::max(inexactness * unbalanced, 0.1 * stage.unbalanced_tolerance));
-            StepReport step;
-            const double grown = progress.state.next_time_step;
-            const double h = grown > 0 ? std::min(grown, stage.control.time_step) : stage.control.time_step;
-            if (!step_once(loaded, h, progress, step)) return false;
-            progress.state.next_time_step = regrowth * step.time_step;
-            progress.state.time = start_time;
-            progress.report.static_unbalanced = unbalanced = step.inertia_ratio;
-            if (!observe(step, progress) || !note_damage(stage, progress)) return false;
-            const bool balanced = step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
-            quiet = balanced ? quiet + 1 : 0;
+    for (; at.load_increments < stage.gravity_increments; ++at.load_increments) {
+        loaded.gravity = stage.gravity * (at.load_increments + 1) / stage.gravity_increments;
+        while (at.quiet_steps < 2) {
+            if (at.static_steps == stage.max_static_steps) return give_up_resting(stage, progress);
+            if (!step_at_rest(stage, loaded, progress)) return false;
         }
+        at.static_steps = at.quiet_steps = 0;
+        at.step_unbalanced = 1;
     }
     return true;
+}
+
+/// How many multiples of `every` lie in [0, time], 0 excluded; 0 when every step has its frame.
+std::int64_t multiples_until(double time, double every)
+{
+    return every > 0 ? static_cast<std::int64_t>(time / every + 1e-9) : 0;
 }
 
 /// Steps on the nominal grid: a cut step is followed by growing ones that end on the next grid time, so that
@@ -173,11 +217,11 @@ bool run_dynamic(const Stage& stage, Progress& progress)
     const auto grid_time = [&](std::int64_t n) {
         return n == grid_steps ? stage.duration : static_cast<double>(n) * stage.control.time_step;
     };
-    std::int64_t frames = progress.observer.every > 0
-                              ? static_cast<std::int64_t>(state.stage_time / progress.observer.every + 1e-9)
-                              : 0;
+    const double every = progress.observer.every;
+    std::int64_t& multiples = progress.position.multiples;
     int parts_of_step = 0;
     while (state.grid < grid_steps) {
+        if (has_collapsed(stage, progress)) return false;
         const double next = grid_time(state.grid + 1);
         const double left = next - state.stage_time;
         const double h = state.next_time_step > 0 ? std::min(state.next_time_step, left) : left;
@@ -193,39 +237,60 @@ bool run_dynamic(const Stage& stage, Progress& progress)
         }
         // After a division the rest of the step is done at once.
         state.next_time_step = step.divided || (step.cuts == 0 && on_grid) ? 0 : regrowth * step.time_step;
-        if (!observe(step, progress) || !note_damage(stage, progress)) return false;
-        if (!on_grid || !progress.observer.frame) continue;
-        const bool last = state.grid == grid_steps;
-        const double due = static_cast<double>(frames + 1) * progress.observer.every;
-        if (progress.observer.every > 0 && state.stage_time < due - 1e-9 * stage.control.time_step && !last)
-            continue;
-        if (progress.observer.every > 0)
-            frames = static_cast<std::int64_t>(state.stage_time / progress.observer.every + 1e-9);
-        progress.observer.frame(state, progress.report);
+        if (progress.observer.step) progress.observer.step(state, step, progress.report);
+        const double due = static_cast<double>(multiples + 1) * every;
+        const bool is_due = every == 0 || state.stage_time >= due - 1e-9 * stage.control.time_step;
+        if (on_grid && (is_due || state.grid == grid_steps)) {
+            multiples = multiples_until(state.stage_time, every);
+            show(progress);
+        }
+        if (!goes_on(progress)) return false;
     }
-    return true;
+    return !has_collapsed(stage, progress);
+}
+
+void enter_stage(int stage, Progress& progress)
+{
+    begin_stage(progress.model, stage, progress.state);
+    RunPosition fresh;
+    fresh.report = std::move(progress.report);
+    fresh.frames = progress.position.frames;
+    progress.position = std::move(fresh);
 }
 
 }  // namespace
 
 RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer)
 {
-    Progress progress{model,
-                      observer,
-                      state,
-                      Workspace(model),
-                      {},
-                      CollapseWatch(model, state),
-                      least_widths(model),
-                      has_compressive_strength(model)};
-    progress.report.energy = open_ledger(model, state);
-    if (observer.frame) observer.frame(state, progress.report);
+    RunPosition position;
+    position.report.energy = open_ledger(model, state);
+    position.multiples = multiples_until(state.stage_time, observer.every);
+    return run(model, stages, state, observer, std::move(position));
+}
+
+RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer,
+              RunPosition position)
+{
+    Progress progress{model, observer, state, Workspace(model), std::move(position)};
+    // Of a run that goes on, the start is the model's.
+    const bool is_new = progress.position.frames == 0 && progress.report.steps == 0;
+    progress.watch = CollapseWatch(model, is_new ? state : initial_state(model));
+    progress.widths = least_widths(model);
+    progress.judges_crushing = has_compressive_strength(model);
+    progress.report.outcome = Outcome::completed;
+    progress.report.message.clear();
+    if (progress.position.frames == 0) show(progress);
     for (int s = state.stage; s < static_cast<int>(stages.size()); ++s) {
-        if (s != state.stage || state.stage_time == 0) begin_stage(model, s, state);
+        if (s == state.stage && progress.position.stage_done) continue;
+        if (s != state.stage || state.stage_time == 0) enter_stage(s, progress);
         const bool is_static = stages[s].type == StageType::static_equilibrium;
         const bool done = is_static ? run_static(stages[s], progress) : run_dynamic(stages[s], progress);
-        if (observer.frame && (is_static || !done)) observer.frame(state, progress.report);
-        if (!done) break;
+        progress.position.stage_done = done;
+        if (done && is_static) show(progress);
+        if (!done) {
+            show_end(progress);
+            break;
+        }
     }
     if (const auto warning = energy_warning(progress.report.energy)) progress.report.warnings.push_back(*warning);
     const std::string crushed = crushed_in_words(model, progress.report);

@@ -11,13 +11,29 @@
 namespace voussoir
 {
 
+/// Where a run stands: with its State, all that is needed to go on as if nothing had happened.
+struct RunPosition {
+    RunReport report;         // so far
+    std::int64_t frames = 0;  // calls of RunObserver::frame so far, that of an interruption not counted
+    // Of the stage under way:
+    bool stage_done = false;
+    std::int64_t multiples = 0;  // dynamic: of RunObserver::every that had their frame
+    int load_increments = 0;     // static: complete ones
+    int static_steps = 0;        // static: of the load increment under way
+    int quiet_steps = 0;         // static: the last of these, in which nothing moved any more
+    double step_unbalanced = 1;  // static: after the last of these
+};
+
 /// What the caller may do between steps. Observers do not steer, but they may ask to stop.
 struct RunObserver {
     double every = 0;  // s of simulated time between calls of `frame` in dynamic stages; 0: every step
     /// Called with the initial state, at the end of every static stage, every `every` seconds of a dynamic stage
     /// and at its end. Steps end exactly on nominal grid times, so a frame comes at the first grid time at or
-    /// after each multiple.
+    /// after each multiple. An interrupted run, and one that gave up, ends with a frame of its last state.
     std::function<void(const State&, const RunReport&)> frame;
+    /// Called after each `frame`, and after each static step, for these have no frames: what a later run may go on
+    /// from. The last call of an interrupted run may come with one frame more than it counts.
+    std::function<void(const State&, const RunPosition&)> save;
     /// Called after each accepted step.
     std::function<void(const State&, const StepReport&, const RunReport&)> step;
     /// Asked after each step; true ends the run as `interrupted`.
@@ -27,5 +43,10 @@ struct RunObserver {
 /// Runs the stages from `state` (which names the stage and time to go on from) to the end. Never throws for
 /// numerical trouble: the report says `gave_up`, names the block and the remedy, and `state` is the last good one.
 RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer);
+
+/// Goes on from where a run stood when it called `save` with this state and position. What is observed, reported
+/// and found is bit for bit what the run would have observed, reported and found had it not been stopped.
+RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer,
+              RunPosition position);
 
 }  // namespace voussoir

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
 #include <optional>
 #include <span>
@@ -240,6 +241,25 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
     return found;
 }
 
+/// The contact of two parts, with the history that goes with it, if they are close enough.
+template <int D>
+std::optional<FoundPatch<D>> find_patch(const Model& model, const State& state,
+                                        const std::vector<PlacedPartIn<D>>& parts,
+                                        const std::vector<double>& reach, const PairKey& pair,
+                                        const History<D>& history)
+{
+    const PlacedPartIn<D>& first = parts[pair.first];
+    const PlacedPartIn<D>& second = parts[pair.second];
+    std::optional<LastContact> last;
+    if (history.patch)
+        last = LastContact{history.patch->block_b == second.block, history.patch->edge_edge,
+                           history.patch->feature_b, history.patch->feature_a};
+    const double margin = reach[first.block] + reach[second.block];
+    const std::optional<ContactPolygonIn<D>> polygon = contact_polygon(first, second, margin, last);
+    if (!polygon) return std::nullopt;
+    return attach_history(model, state, parts, first, second, *polygon, history);
+}
+
 }  // namespace
 
 template <int D>
@@ -263,19 +283,17 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
 
     const std::vector<PairKey> pairs = candidate_pairs(parts, reach, fully_held);
     std::vector<std::optional<FoundPatch<D>>> slots(pairs.size());
+    std::exception_ptr failure;  // memory may run out in any thread, and no exception may leave the loop
 #pragma omp parallel for num_threads(threads) schedule(static) if (pairs.size() > 256)
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const PlacedPartIn<D>& first = parts[pairs[i].first];
-        const PlacedPartIn<D>& second = parts[pairs[i].second];
-        const History<D> history = history_of(old, old_patches, pairs[i]);
-        std::optional<LastContact> last;
-        if (history.patch)
-            last = LastContact{history.patch->block_b == second.block, history.patch->edge_edge,
-                               history.patch->feature_b, history.patch->feature_a};
-        const double margin = reach[first.block] + reach[second.block];
-        const std::optional<ContactPolygonIn<D>> polygon = contact_polygon(first, second, margin, last);
-        if (polygon) slots[i] = attach_history(model, state, parts, first, second, *polygon, history);
+        try {
+            slots[i] = find_patch(model, state, parts, reach, pairs[i], history_of(old, old_patches, pairs[i]));
+        } catch (...) {
+#pragma omp critical
+            failure = std::current_exception();
+        }
     }
+    if (failure) std::rethrow_exception(failure);
 
     found.patches.clear();
     found.points.clear();

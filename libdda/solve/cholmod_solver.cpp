@@ -1,6 +1,7 @@
 #include <cholmod.h>
 
 #include <Eigen/Core>
+#include <new>
 
 #include "libdda/solve/linear_solver.h"
 
@@ -43,6 +44,7 @@ class CholmodSolver : public LinearSolver
         LinearReport report;
         report.factorisations = 1;
         cholmod_factorize(matrix_, factor_, &common_);
+        refuse_without_memory(factor_);
         if (common_.status != CHOLMOD_OK || factor_->minor < factor_->n) return report;
         report.factor_entries = static_cast<std::int64_t>(factor_->nzmax);
 
@@ -53,6 +55,7 @@ class CholmodSolver : public LinearSolver
         b.xtype = CHOLMOD_REAL;
         b.dtype = CHOLMOD_DOUBLE;
         cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor_, &b, &common_);
+        refuse_without_memory(factor_);
         if (!x) return report;
         solution = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(x->x), right_hand_side.size());
         cholmod_free_dense(&x, &common_);
@@ -74,6 +77,7 @@ class CholmodSolver : public LinearSolver
         std::size_t entries = 0;
         for (const int c : count) entries += c;
         matrix_ = cholmod_allocate_sparse(size, size, entries, 1, 1, -1, CHOLMOD_REAL, &common_);
+        refuse_without_memory(matrix_);
         int* start = static_cast<int*>(matrix_->p);
         int* row = static_cast<int*>(matrix_->i);
         start[0] = 0;
@@ -87,6 +91,16 @@ class CholmodSolver : public LinearSolver
             source_.push_back(position * n * n + entry);
         });
         factor_ = cholmod_analyze(matrix_, &common_);
+        refuse_without_memory(factor_);
+    }
+
+    /// Without memory is not without solution: it must not end in a cut step. @param made what was asked for
+    void refuse_without_memory(const void* made)
+    {
+        if (made && common_.status != CHOLMOD_OUT_OF_MEMORY) return;
+        columns_.clear();  // nothing analysed is kept
+        row_start_.clear();
+        throw std::bad_alloc();
     }
 
     /// Calls visitor(row, column, block position, entry in block) for every scalar of the lower triangle, rows

@@ -20,7 +20,7 @@ std::filesystem::path results_of(const Case& the_case, const std::filesystem::pa
 {
     ResultsWriter writer(the_case, folder);
     for (int i = 0; i <= 4; ++i) writer.frame(synthetic::swaying(the_case, 0.5 * i), {});
-    writer.finish(synthetic::swaying(the_case, 2), {}, 0, 0);
+    writer.finish(synthetic::swaying(the_case, 2), {}, {0, 0});
     return writer.results_file();
 }
 

@@ -25,7 +25,7 @@ std::filesystem::path write_arch(const TemporaryFolder& folder, const Case& the_
         writer.history(state, {}, {});
         writer.frame(state, {});
     }
-    writer.finish(state, {}, 0, 0);
+    writer.finish(state, {}, {0, 0});
     return writer.results_file();
 }
 

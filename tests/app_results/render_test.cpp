@@ -27,7 +27,7 @@ ResultsReader run_of(const Case& the_case, const std::filesystem::path& folder)
 {
     ResultsWriter writer(the_case, folder);
     for (int i = 0; i <= 20; ++i) writer.frame(synthetic::swaying(the_case, 0.1 * i), {});
-    writer.finish(synthetic::swaying(the_case, 2), {}, 0, 0);
+    writer.finish(synthetic::swaying(the_case, 2), {}, {0, 0});
     return ResultsReader(writer.results_file());
 }
 

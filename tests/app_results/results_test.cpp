@@ -28,7 +28,7 @@ std::filesystem::path write_run(const Case& the_case, const std::filesystem::pat
         writer.history(state, {}, report);
         writer.frame(state, report);
     }
-    writer.finish(state, report, 2.5, 4.5);
+    writer.finish(state, report, {2.5, 4.5});
     return writer.results_file();
 }
 

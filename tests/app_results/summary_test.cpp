@@ -34,7 +34,7 @@ TEST(Summary, HasEveryKeyOfTheDesign)
     report.seconds[static_cast<int>(Part::linear_solve)] = 1.5;
     ResultsWriter writer(the_case, folder.path());
     writer.frame(state, report);
-    writer.finish(state, report, 2, 3);
+    writer.finish(state, report, {2, 3});
     const nlohmann::json json = summary_in(folder.path());
     for (const char* key : {"case",
                             "outcome",
@@ -81,7 +81,7 @@ TEST(Summary, ARigidStateTakesFewerBytes)
     const TemporaryFolder folder;
     const Case the_case = synthetic::arch(Kinematics::spatial_rigid);
     ResultsWriter writer(the_case, folder.path());
-    writer.finish(synthetic::swaying(the_case, 0), {}, 0, 0);
+    writer.finish(synthetic::swaying(the_case, 0), {}, {0, 0});
     EXPECT_EQ(summary_in(folder.path())["state_bytes_per_block"], (7 + 6) * 8);
     EXPECT_EQ(summary_in(folder.path())["unknowns_per_block"], 6);
 }
@@ -136,7 +136,7 @@ TEST(Histories, NoPointNoFile)
     const Case the_case = synthetic::tower(Kinematics::spatial_rigid);
     ResultsWriter writer(the_case, folder.path());
     writer.history(initial_state(the_case.model), {}, {});
-    writer.finish(initial_state(the_case.model), {}, 0, 0);
+    writer.finish(initial_state(the_case.model), {}, {0, 0});
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "histories.csv"));
 }
 

@@ -103,7 +103,7 @@ class Xdmf : public testing::TestWithParam<Kinematics>
         the_case.title = "An <arch> & its \"keystone\"";
         ResultsWriter writer(the_case, folder.path());
         for (const double time : {0.0, 0.5, 1.0, 1.5}) writer.frame(synthetic::swaying(the_case, time), {});
-        writer.finish(synthetic::swaying(the_case, 1.5), {}, 0, 0);
+        writer.finish(synthetic::swaying(the_case, 1.5), {}, {0, 0});
         root = parse(text_of(folder.path() / "results.xdmf"));
     }
     TemporaryFolder folder;

@@ -1,0 +1,19 @@
+// What results.h5 holds once per frame.
+#pragma once
+
+#include "app/results/growing_rows.h"
+#include "app/results/surface_mesh.h"
+#include "libdda/model/report.h"
+
+namespace voussoir
+{
+
+/// The datasets under /frames.
+std::vector<GrowingDataset> frame_datasets(const Model& model, const SurfaceMesh& mesh);
+
+/// The rows of one frame. @param first_joint rows that the tables of joints have already; raised by those of this
+/// frame
+std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const State& state,
+                             const RunReport& report, std::int64_t& first_joint);
+
+}  // namespace voussoir

@@ -1,0 +1,39 @@
+// One HDF5 file of a run: what is constant, and datasets that grow.
+#pragma once
+
+#include "app/case/case_file.h"
+#include "app/results/growing_rows.h"
+#include "app/results/surface_mesh.h"
+
+namespace voussoir
+{
+
+/// The beginning of another results file, to start from.
+struct CopiedRows {
+    std::filesystem::path file;
+    std::int64_t frames = 0, history_rows = 0;
+};
+
+class GrowingFile
+{
+ public:
+    /// Makes the file with the records of the model and empty datasets. @throws InputError
+    GrowingFile(const std::filesystem::path& path, const Case& the_case, const SurfaceMesh& mesh,
+                const std::vector<GrowingDataset>& datasets);
+
+    /// Copies the rows of the first frames. @throws InputError when the file has fewer
+    void copy(const CopiedRows& rows);
+    void append(const std::vector<Rows>& rows);
+    void write_summary(const std::string& text);
+    /// What was appended reaches the operating system, and /frames/count counts it.
+    void flush();
+    void close();
+
+ private:
+    Hdf5Series& series_named(const std::string& name);
+
+    Hdf5File file_;
+    std::vector<Hdf5Series> series_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,30 @@
+// What grows in results.h5: datasets, and the rows that are added to them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/results/hdf5_file.h"
+
+namespace voussoir
+{
+
+/// A dataset that grows along its first axis.
+struct GrowingDataset {
+    std::string name;
+    ElementType type = ElementType::float64;
+    Extents row;                       // extents of one row; empty for one number per row
+    std::vector<std::string> columns;  // names of the numbers in a row, for an attribute; none if empty
+};
+
+/// Rows for one of them.
+struct Rows {
+    std::string name;
+    std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>, std::vector<std::int32_t>>
+        values;
+    std::uint64_t count = 1;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,137 @@
+// Plain values as bytes, for files of our own: little-endian, checked by a checksum, read without trust.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace voussoir
+{
+
+/// FNV-1a. @param hash of what came before
+std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 14695981039346656037ULL);
+
+/// Writes mark, payload, FNV-1a of the payload; the file is there whole or not at all. @throws InputError
+void write_packed(const std::filesystem::path& path, std::string_view mark, const std::string& payload);
+
+/// @param what the file should be: "a state file"
+/// @returns the payload. @throws InputError when the file cannot be read, has another mark, or was damaged
+std::string read_packed(const std::filesystem::path& path, std::string_view mark, const std::string& what);
+
+[[noreturn]] void refuse_damaged(const std::filesystem::path& path);
+
+class Packer
+{
+ public:
+    template <typename T>
+    void field(const T& value)
+    {
+        static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+        bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+    }
+    template <int D>
+    void field(const Eigen::Matrix<double, D, 1>& v)
+    {
+        for (int i = 0; i < D; ++i) field(v[i]);
+    }
+    void field(const std::string& text)
+    {
+        field(static_cast<std::uint64_t>(text.size()));
+        bytes += text;
+    }
+    template <typename T, std::size_t N>
+    void field(const std::array<T, N>& values)
+    {
+        for (const T& value : values) field(value);
+    }
+    template <typename T>
+    void size_of(const std::vector<T>& list)
+    {
+        field(static_cast<std::uint64_t>(list.size()));
+    }
+    template <typename T>
+    void list(const std::vector<T>& values)
+    {
+        size_of(values);
+        for (const T& value : values) field(value);
+    }
+    template <typename... T>
+    void fields(const T&... values)
+    {
+        (field(values), ...);
+    }
+    std::string bytes;
+};
+
+/// Reads what Packer wrote. Never past the end: `whole` turns false instead.
+class Unpacker
+{
+ public:
+    explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
+    template <typename T>
+    void field(T& value)
+    {
+        static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+        whole = whole && bytes_.size() >= sizeof(T);
+        if (!whole) return;
+        std::memcpy(&value, bytes_.data(), sizeof(T));
+        bytes_.remove_prefix(sizeof(T));
+    }
+    void field(bool& value)
+    {
+        char byte = 0;
+        field(byte);
+        value = byte != 0;
+    }
+    template <int D>
+    void field(Eigen::Matrix<double, D, 1>& v)
+    {
+        for (int i = 0; i < D; ++i) field(v[i]);
+    }
+    void field(std::string& text)
+    {
+        std::uint64_t size = 0;
+        field(size);
+        whole = whole && size <= bytes_.size();
+        if (!whole) return;
+        text = bytes_.substr(0, size);
+        bytes_.remove_prefix(size);
+    }
+    template <typename T, std::size_t N>
+    void field(std::array<T, N>& values)
+    {
+        for (T& value : values) field(value);
+    }
+    template <typename T>
+    void size_of(std::vector<T>& list)
+    {
+        std::uint64_t size = 0;
+        field(size);
+        whole = whole && size <= bytes_.size();  // an entry takes more than a byte: no absurd allocation
+        if (whole) list.resize(size);
+    }
+    template <typename T>
+    void list(std::vector<T>& values)
+    {
+        size_of(values);
+        for (T& value : values) field(value);
+    }
+    template <typename... T>
+    void fields(T&... values)
+    {
+        (field(values), ...);
+    }
+    bool done() const { return whole && bytes_.empty(); }
+    bool whole = true;
+
+ private:
+    std::string_view bytes_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,88 @@
+#include "app/results/restart_file.h"
+
+#include "app/results/packed.h"
+#include "app/results/state_fields.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr std::string_view mark = "voussoir restart 2\n";  // its digit rises when the layout changes
+
+// The lists of members below do not compile when a struct has got another one: then store that too.
+
+template <typename Archive, typename Ledger>
+void ledger_fields(Archive& archive, Ledger& ledger)
+{
+    auto& [kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
+           damping_static, damping_contact, fracture, algorithmic, algorithmic_rotation, redetection,
+           start_kinetic, start_strain, start_contact, peak_stored] = ledger;
+    archive.fields(kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
+                   damping_static, damping_contact, fracture, algorithmic, algorithmic_rotation, redetection,
+                   start_kinetic, start_strain, start_contact, peak_stored);
+}
+
+template <typename Archive, typename Report>
+void report_fields(Archive& archive, Report& report)
+{
+    auto& [outcome, message, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
+           factorisations, linear_iterations, factor_entries, simulated_time, max_penetration, static_unbalanced,
+           energy, fallen, crushed, seconds, warnings] = report;
+    archive.fields(outcome, message, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
+                   factorisations, linear_iterations, factor_entries, simulated_time, max_penetration,
+                   static_unbalanced, seconds);
+    ledger_fields(archive, energy);
+    archive.size_of(fallen);
+    for (auto& [block, time, left] : fallen) archive.fields(block, time, left);
+    archive.size_of(crushed);
+    for (auto& [block_a, block_b, strength, first_time, worst_time, worst_stress] : crushed)
+        archive.fields(block_a, block_b, strength, first_time, worst_time, worst_stress);
+    archive.list(warnings);
+}
+
+template <typename Archive, typename Position>
+void position_fields(Archive& archive, Position& position)
+{
+    auto& [report, frames, stage_done, multiples, load_increments, static_steps, quiet_steps, step_unbalanced] =
+        position;
+    report_fields(archive, report);
+    archive.fields(frames, stage_done, multiples, load_increments, static_steps, quiet_steps, step_unbalanced);
+}
+
+template <typename Archive, typename SomeRestart>
+void restart_fields(Archive& archive, SomeRestart& restart)
+{
+    auto& from = restart.computed_from;
+    archive.fields(from.version, from.text, from.overrides, from.blocks, from.motions);
+    archive.fields(restart.ended, restart.history_rows, restart.wall_time, restart.cpu_time);
+    position_fields(archive, restart.position);
+    state_fields(archive, restart.state);
+}
+
+}  // namespace
+
+std::filesystem::path restart_file_in(const std::filesystem::path& folder)
+{
+    return folder / "restart.bin";
+}
+
+void save_restart(const Restart& restart, const std::filesystem::path& path)
+{
+    Packer packer;
+    restart_fields(packer, restart);
+    write_packed(path, mark, packer.bytes);
+}
+
+Restart load_restart(const std::filesystem::path& path)
+{
+    const std::string payload = read_packed(path, mark, "a restart file");
+    Unpacker unpacker(payload);
+    Restart restart;
+    restart_fields(unpacker, restart);
+    if (!unpacker.done()) refuse_damaged(path);
+    return restart;
+}
+
+}  // namespace voussoir

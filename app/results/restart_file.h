@@ -1,0 +1,31 @@
+// From which a run that was stopped or killed goes on as if nothing had happened.
+#pragma once
+
+#include <filesystem>
+
+#include "app/results/fingerprint.h"
+#include "libdda/analysis/run.h"
+
+namespace voussoir
+{
+
+/// All that a run carries from one step to the next, and how much of its results was written by then.
+struct Restart {
+    Fingerprint computed_from;
+    bool ended = false;  // the run came to its end and all of it is written: nothing is left to do
+    State state;
+    RunPosition position;                // position.frames: frames of results.h5 that belong to the run
+    std::int64_t history_rows = 0;       // lines of histories.csv that do
+    double wall_time = 0, cpu_time = 0;  // s, of all commands that took part
+};
+
+/// Where a folder of results has it.
+std::filesystem::path restart_file_in(const std::filesystem::path& folder);
+
+/// Written, synced and renamed: the file is there whole or not at all. @throws InputError
+void save_restart(const Restart& restart, const std::filesystem::path& path);
+
+/// @throws InputError when the file cannot be read, is none of this version, or was damaged
+Restart load_restart(const std::filesystem::path& path);
+
+}  // namespace voussoir

@@ -1,0 +1,184 @@
+#include "tests/app_results/killed_runs.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
+
+#include "app/results/restart_file.h"
+#include "app/results/results_reader.h"
+#include "tests/app/program_start.h"
+#include "tests/app_results/every_dataset.h"
+
+namespace voussoir::killed_runs
+{
+
+namespace fs = std::filesystem;
+
+const std::string shaken_tower = R"(title: A shaken tower
+materials: {stone: {density: 2400 kg/m3, young: 1 GPa, poisson: 0.2}}
+joints: {dry: {friction: 25 deg}}
+blocks:
+  - {box: {name: floor, lower: [-1, -1, -1], upper: [1, 1, 0]}, group: foundation}
+  - {box: {name: first, lower: [-0.3, -0.3, 0], upper: [0.3, 0.3, 0.5]}}
+  - {box: {name: second, lower: [-0.25, -0.3, 0.5], upper: [0.35, 0.3, 1]}}
+  - {box: {name: third, lower: [-0.3, -0.25, 1], upper: [0.3, 0.35, 1.6]}}
+foundation: {blocks: foundation, motion: {x: {sine: {acceleration: 0.6 g, frequency: 4 Hz, duration: 0.25 s}}}}
+stages:
+  - {name: self-weight, type: static, gravity_increments: 4, time_step: 10 ms}
+  - {name: earthquake, type: dynamic, duration: 0.3 s, time_step: 1 ms, divide_up_to_blocks: 0}
+  - {name: afterwards, type: static, time_step: 20 ms, max_static_steps: 4000}
+output: {every: 6 ms, histories: {top: {block: third}}}
+)";
+
+const std::string shaken_frame = R"(title: Two columns and a beam
+kinematics: planar_rigid
+thickness: 1 m
+materials: {stone: {density: 2400 kg/m3, young: 5 GPa, poisson: 0.2}}
+joints: {dry: {friction: 30 deg}}
+blocks:
+  - {box: {name: floor, lower: [-3, 0, -1], upper: [3, 1, 0]}, group: foundation}
+  - {box: {name: left, lower: [-1.5, 0, 0], upper: [-1, 1, 2]}}
+  - {box: {name: right, lower: [1, 0, 0], upper: [1.5, 1, 2]}}
+  - {box: {name: beam, lower: [-1.6, 0, 2], upper: [1.6, 1, 2.4]}}
+foundation: {blocks: foundation, motion: {x: {sine: {acceleration: 0.7 g, frequency: 2 Hz, duration: 0.5 s}}}}
+stages:
+  - {name: self-weight, type: static}
+  - {name: earthquake, type: dynamic, duration: 0.6 s, time_step: 2 ms}
+output: {every: 6 ms, histories: {beam: {block: beam}}}
+)";
+
+namespace
+{
+
+constexpr const char* not_yet = "nothing to resume";
+
+std::vector<std::string> arguments_of(const Reference& reference, const fs::path& folder, bool resume)
+{
+    std::vector<std::string> arguments = {"run", reference.case_file.string(), "-q", "-o", folder.string()};
+    if (resume) arguments.emplace_back("--resume");
+    return arguments;
+}
+
+/// The rows of the frames that a killed run left are those of the reference.
+void expect_beginning_of(const fs::path& reference, const fs::path& results, std::int64_t frames)
+{
+    const ResultsReader killed(results), whole(reference);
+    ASSERT_LE(frames, static_cast<std::int64_t>(killed.times.size())) << "more than an output interval was lost";
+    ASSERT_LE(static_cast<std::int64_t>(killed.times.size()), frames + 1) << "frames without a restart file";
+    for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i) {
+        const RecordedFrame found = killed.frame(i), right = whole.frame(i);
+        ASSERT_EQ(found.time, right.time) << i;
+        ASSERT_EQ(found.state.coordinates, right.state.coordinates) << i;
+        ASSERT_EQ(found.state.velocities, right.state.velocities) << i;
+        ASSERT_EQ(found.joints.size(), right.joints.size()) << i;
+    }
+}
+
+/// Everything can be read, whatever the moment of the kill.
+void check_what_is_left(const Reference& reference, const fs::path& folder, Kills& kills)
+{
+    const fs::path results = folder / "results.h5", restart_file = restart_file_in(folder);
+    if (!fs::exists(restart_file)) {
+        ++kills.before_a_frame;
+        return;
+    }
+    const Restart restart = load_restart(restart_file);
+    ASSERT_NO_THROW(every_dataset(results));
+    ASSERT_NO_FATAL_FAILURE(
+        expect_beginning_of(reference.folder / "results.h5", results, restart.position.frames));
+    const bool more = ResultsReader(results).times.size() > static_cast<std::size_t>(restart.position.frames);
+    if (more || fs::exists(folder / "restart.bin.part") || fs::exists(folder / "results.h5.last"))
+        ++kills.during_output;
+}
+
+nlohmann::json summary_without_times(const fs::path& folder)
+{
+    nlohmann::json summary = nlohmann::json::parse(contents(folder / "summary.json"));
+    for (const char* key : {"wall_time_s", "cpu_time_s", "time_by_part"}) summary.erase(key);
+    return summary;
+}
+
+}  // namespace
+
+void expect_equal_results(const fs::path& folder, const fs::path& reference)
+{
+    EXPECT_EQ(every_dataset(folder / "results.h5"), every_dataset(reference / "results.h5"));
+    EXPECT_EQ(contents(folder / "histories.csv"), contents(reference / "histories.csv"));
+    EXPECT_EQ(contents(folder / "results.xdmf"), contents(reference / "results.xdmf"));
+    EXPECT_EQ(summary_without_times(folder), summary_without_times(reference));
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename();
+        EXPECT_TRUE(fs::exists(reference / name)) << name << " was left over";
+    }
+}
+
+Reference run_through(const fs::path& work, const std::string& case_text)
+{
+    Reference reference{work / "case.yaml", work / "reference", 0};
+    std::ofstream(reference.case_file) << case_text;
+    const TemporaryFolder output;
+    const auto start = std::chrono::steady_clock::now();
+    const Ended ended = voussoir(output, arguments_of(reference, reference.folder, false));
+    reference.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+    return reference;
+}
+
+Kills kill_and_resume(const Reference& reference, const fs::path& folder, int count, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> moment(0, 0.5 * reference.wall_time);
+    std::bernoulli_distribution politely(0.2);
+    const TemporaryFolder output;
+    Kills kills;
+    bool resume = false;
+    while (kills.kills + kills.interrupts < count && !testing::Test::HasFatalFailure()) {
+        const pid_t child = start(output, arguments_of(reference, folder, resume));
+        std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
+        const bool polite = politely(random);
+        kill(child, polite ? SIGINT : SIGKILL);
+        const Ended ended = finish(output, child);
+        if (ended.exit_code == 2 && ended.errors.find(not_yet) != std::string::npos) {
+            resume = false;  // the life before this one was too short
+            continue;
+        }
+        EXPECT_TRUE(ended.exit_code == -1 || ended.exit_code == 4 || ended.exit_code == 0) << ended.errors;
+        if (ended.exit_code == 0) {
+            expect_equal_results(folder, reference.folder);
+            ++kills.resumed_to_the_end;
+            resume = false;  // the next one begins anew, in the same folder
+            continue;
+        }
+        ++(ended.exit_code == 4 ? kills.interrupts : kills.kills);
+        check_what_is_left(reference, folder, kills);
+        resume = true;
+    }
+    Ended ended = voussoir(output, arguments_of(reference, folder, resume));
+    if (ended.exit_code == 2 && ended.errors.find(not_yet) != std::string::npos)
+        ended = voussoir(output, arguments_of(reference, folder, false));
+    EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+    expect_equal_results(folder, reference.folder);
+    ++kills.resumed_to_the_end;
+    return kills;
+}
+
+void kill_many(const std::string& case_text, int count, unsigned seed)
+{
+    const TemporaryFolder folder;
+    const Reference reference = run_through(folder.path(), case_text);
+    const Kills kills = kill_and_resume(reference, folder / "killed", count, seed);
+    std::printf(
+        "%d kills and %d interrupts, %d of them while something was written, %d before the first frame; %d "
+        "runs came to their end and equal the uninterrupted one of %.2f s\n",
+        kills.kills, kills.interrupts, kills.during_output, kills.before_a_frame, kills.resumed_to_the_end,
+        reference.wall_time);
+    EXPECT_GT(kills.kills, count / 2);
+    EXPECT_GT(kills.resumed_to_the_end, 0);
+}
+
+}  // namespace voussoir::killed_runs
