@@ -82,7 +82,7 @@ void note_fallen(const Model& model, const CollapseWatch& watch, const Vector3d&
         }
         if (!left && !(down.dot(now - watch.start[b]) > size_of(model, b))) continue;
         if (is_supported.empty()) is_supported = supported(model, state);
-        if (left || !is_supported[b]) more.push_back({b, state.time, left});
+        if (!is_supported[b]) more.push_back({b, state.time, left});
     }
     report.fallen.insert(report.fallen.end(), more.begin(), more.end());
 }

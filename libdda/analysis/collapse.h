@@ -22,9 +22,9 @@ struct CollapseWatch {
 };
 
 /// Adds the blocks that have fallen since the last call to report.fallen: those that no chain of closed contacts
-/// joins to a block held by the ground, and that are lower than at the start by more than their own size, against
-/// the direction of `gravity`; and those farther from the middle than three times the scene's extent. Nothing
-/// falls in a scene without foundations. A block that has fallen and then leaves is not told twice, but marked.
+/// joins to a block held by the ground, and that are lower than at the start by more than their own size, along
+/// `gravity`, or have left, being farther from the middle than three times the scene's extent. Nothing falls in a
+/// scene without foundations. A block that has fallen and then leaves is not told twice, but marked.
 void note_fallen(const Model& model, const CollapseWatch& watch, const Eigen::Vector3d& gravity,
                  const State& state, RunReport& report);
 

@@ -228,7 +228,7 @@ bool run_dynamic(const Stage& stage, Progress& progress)
         StepReport step;
         if (!step_once(stage, h, progress, step)) return false;
         const bool on_grid = step.time_step == left;
-        parts_of_step = on_grid ? 0 : parts_of_step + 1;
+        parts_of_step = on_grid ? 0 : parts_of_step + !step.divided;
         if (parts_of_step > most_parts_of_step)
             return give_up(explain_repeated_cuts(progress, stage, step), progress);
         if (on_grid) {
