@@ -16,6 +16,9 @@ using Eigen::Vector3d;
 // Contacts are found from faces that overlap a little; deeper than this share of a block's width the nearest face
 // may be the wrong one, and the block goes out on the other side.
 constexpr double deepest_share = 0.1;
+// Contacts that yield by more than this share of a block's width are part of the answer.
+constexpr double visible_share = 0.01;
+constexpr double good_share = 0.001;  // what the remedies aim at
 
 std::string name_of(const Model& model, int block)
 {
@@ -59,20 +62,16 @@ double least_width_of(const ConvexPolygon& outline)
     return least;
 }
 
-/// Deepest overlap of two blocks as a share of the thinner one's width.
-struct Overlap {
-    double depth = 0, share = 0;  // m, -
-    int block_a = -1, block_b = -1;
-};
-
 template <int D>
-void look_for_overlap(const ContactSetIn<D>& contacts, const std::vector<double>& widths, Overlap& deepest)
+void look_for_overlap(const ContactSetIn<D>& contacts, const std::vector<double>& widths, double time,
+                      DeepestOverlap& deepest)
 {
     for (const ContactPatchIn<D>& patch : contacts.patches) {
         const double width = std::min(widths[patch.block_a], widths[patch.block_b]);
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const double depth = -contacts.points[i].gap;
-            if (depth > deepest.share * width) deepest = {depth, depth / width, patch.block_a, patch.block_b};
+            if (depth > deepest.share * width)
+                deepest = {depth / width, depth, time, patch.block_a, patch.block_b};
         }
     }
 }
@@ -91,23 +90,50 @@ int fastest_block(const Model& model, const State& state)
     return fastest;
 }
 
-std::string overlap_in_words(const Model& model, const Overlap& overlap)
+/// "blocks 'a' and 'b' overlap by 0.02 m, 4 % of the thinner one's width", and how much stiffer a contact would
+/// do.
+std::string overlap_in_words(const Model& model, const DeepestOverlap& overlap, const std::string& what,
+                             const std::string& why)
 {
     std::ostringstream words;
-    words << "blocks " << name_of(model, overlap.block_a) << " and " << name_of(model, overlap.block_b)
-          << " overlap by " << overlap.depth << " m, " << 100 * overlap.share
-          << " % of the thinner one's width: the contact is too soft for its load or its impact; give the joint a "
-             "contact_stiffness "
-          << std::ceil(overlap.share / (0.1 * deepest_share)) << " times as large";
+    words << "blocks " << name_of(model, overlap.block_a) << " and " << name_of(model, overlap.block_b) << " "
+          << what << " by " << overlap.depth << " m, " << 100 * overlap.share << " % of the thinner one's width"
+          << why << "give the joint a contact_stiffness " << std::ceil(overlap.share / good_share)
+          << " times as large";
     return words.str();
 }
 
-/// Residual against all that moved, was stored, put in or lost.
-double unaccounted_share(const EnergyLedger& energy)
+/// All that moved, was stored, put in or lost [J].
+double energy_scale(const EnergyLedger& energy)
 {
     const double start = energy.start_kinetic + energy.start_strain + energy.start_contact;
-    const double scale = std::max({std::abs(energy.input()), energy.dissipated(), energy.peak_stored, start});
-    return scale > 0 ? energy.residual() / scale : 0;
+    return std::max({std::abs(energy.input()), energy.dissipated(), energy.peak_stored, start});
+}
+
+double share_of(const EnergyLedger& energy, double part)
+{
+    const double scale = energy_scale(energy);
+    return scale > 0 || !std::isfinite(part) ? part / scale : 0;
+}
+
+double unaccounted_share(const EnergyLedger& energy)
+{
+    return share_of(energy, energy.residual());
+}
+
+/// What contacts gave when they were found anew.
+double given_share(const EnergyLedger& energy)
+{
+    return share_of(energy, -energy.redetection);
+}
+
+std::string given_in_words(double share)
+{
+    std::ostringstream words;
+    words << 100 * share << " % of the energy came from contacts whose area grew, or that were found late, while "
+          << "they were pressed together: blocks were thrown harder than they should be; try a smaller time_step, "
+          << "and look for edges and corners that carry blows";
+    return words.str();
 }
 
 std::string energy_in_words(const Model& model, const State& state, double share)
@@ -164,31 +190,51 @@ std::vector<double> least_widths(const Model& model)
     return widths;
 }
 
-std::optional<std::string> diagnose(const Model& model, const std::vector<double>& widths, const State& state,
-                                    const RunReport& report)
+void note_overlap(const std::vector<double>& widths, const State& state, RunReport& report)
+{
+    look_for_overlap(state.contacts, widths, state.time, report.deepest);
+    look_for_overlap(state.planar_contacts, widths, state.time, report.deepest);
+}
+
+std::optional<std::string> diagnose(const Model& model, const State& state, const RunReport& report)
 {
     if (!all_finite(state.coordinates) || !all_finite(state.velocities))
         return "block " + name_of(model, fastest_block(model, state)) +
                " has a place or velocity that is no number; look at its mass, its joints and its motion";
-    Overlap deepest;
-    deepest.share = deepest_share;
-    look_for_overlap(state.contacts, widths, deepest);
-    look_for_overlap(state.planar_contacts, widths, deepest);
-    if (deepest.block_a >= 0) return overlap_in_words(model, deepest);
+    if (report.deepest.share > deepest_share)
+        return overlap_in_words(model, report.deepest, "overlap",
+                                ": the contact is too soft for its load or its impact; ");
     const double share = unaccounted_share(report.energy);
+    if (!std::isfinite(share))
+        return "an energy is no number; the fastest block is " + name_of(model, fastest_block(model, state)) +
+               "; look at its joints' stiffness and its motion";
     if (std::abs(share) > residual_worth_stopping) return energy_in_words(model, state, share);
+    const double given = given_share(report.energy);
+    if (given > residual_worth_stopping) return given_in_words(given);
     return std::nullopt;
 }
 
 std::optional<std::string> energy_warning(const EnergyLedger& energy)
 {
-    const double share = std::abs(unaccounted_share(energy));
-    if (!(share > residual_worth_a_warning)) return std::nullopt;
-    std::ostringstream words;
-    words << 100 * share
-          << " % of the energy is unaccounted for: do not trust this run; try a smaller time_step or "
-          << "force_tolerance";
-    return words.str();
+    const double share = std::abs(unaccounted_share(energy)), given = given_share(energy);
+    if (share > residual_worth_a_warning) {
+        std::ostringstream words;
+        words << 100 * share << " % of the energy is unaccounted for: do not trust this run; try a smaller "
+              << "time_step or force_tolerance";
+        return words.str();
+    }
+    if (given > residual_worth_a_warning) return given_in_words(given);
+    return std::nullopt;
+}
+
+std::optional<std::string> overlap_warning(const Model& model, const RunReport& report)
+{
+    if (!(report.deepest.share > visible_share)) return std::nullopt;
+    std::ostringstream when;
+    when << " at t = " << report.deepest.time
+         << " s: contacts so soft are part of the answer, and newmark damps their "
+         << "vibration; ";
+    return overlap_in_words(model, report.deepest, "overlapped", when.str());
 }
 
 std::string explain(const Model& model, const Stage& stage, const State& state, const StepReport& step)

@@ -16,14 +16,20 @@ namespace voussoir
 /// slender stone. Of glued parts the least.
 std::vector<double> least_widths(const Model& model);
 
-/// What is wrong with a step that converged, after which to go on would be nonsense: blocks deep within one
-/// another, energy that nothing accounts for, places that are no numbers. @param widths least_widths(model)
-/// @returns nothing when all is well
-std::optional<std::string> diagnose(const Model& model, const std::vector<double>& widths, const State& state,
-                                    const RunReport& report);
+/// Keeps the deepest overlap of the run in `report.deepest`. @param widths least_widths(model)
+void note_overlap(const std::vector<double>& widths, const State& state, RunReport& report);
 
-/// A warning when more than residual_worth_a_warning of all energy is unaccounted for.
+/// What is wrong with a step that converged, after which to go on would be nonsense: blocks deep within one
+/// another (as noted in the report), energy that nothing accounts for or that contacts made when they were found
+/// anew, places that are no numbers. @returns nothing when all is well
+std::optional<std::string> diagnose(const Model& model, const State& state, const RunReport& report);
+
+/// A warning when more than residual_worth_a_warning of all energy is unaccounted for, or came from contacts found
+/// anew.
 std::optional<std::string> energy_warning(const EnergyLedger& energy);
+
+/// A warning when blocks were so far within one another that the answer depends on the contacts' softness.
+std::optional<std::string> overlap_warning(const Model& model, const RunReport& report);
 
 /// Why a step that was cut to the end did not converge, and what to do. @param cuts of it
 std::string explain(const Model& model, const Stage& stage, const State& state, const StepReport& step);

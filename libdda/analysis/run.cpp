@@ -20,6 +20,7 @@ namespace
 
 constexpr double regrowth = 2;             // of a cut time step after a good one
 constexpr int most_parts_of_step = 20000;  // into which cutting may divide a nominal step before the run gives up
+constexpr int most_divisions = 8;          // of a nominal step; joints that tremble turn round without end
 constexpr double inexactness = 1e-2;       // residual a static step may keep, as a share of its unbalanced force
 
 /// What the loop over the stages carries along.
@@ -74,7 +75,8 @@ std::string explain_repeated_cuts(const Progress& progress, const Stage& stage, 
 /// Takes back a step after which to go on would be nonsense, and says why; false then.
 bool is_sound(const Stage& stage, Progress& progress)
 {
-    const auto wrong = diagnose(progress.model, progress.widths, progress.state, progress.report);
+    note_overlap(progress.widths, progress.state, progress.report);
+    const auto wrong = diagnose(progress.model, progress.state, progress.report);
     if (!wrong) return true;
     std::ostringstream message;
     message << "stage '" << stage.name << "' stopped at t = " << progress.state.time << " s: " << *wrong;
@@ -219,18 +221,21 @@ bool run_dynamic(const Stage& stage, Progress& progress)
     };
     const double every = progress.observer.every;
     std::int64_t& multiples = progress.position.multiples;
-    int parts_of_step = 0;
+    int& divisions = progress.position.divisions;
+    int& parts = progress.position.parts;
+    Stage undivided = stage;
+    undivided.control.divide_up_to_blocks = 0;
     while (state.grid < grid_steps) {
         if (has_collapsed(stage, progress)) return false;
         const double next = grid_time(state.grid + 1);
         const double left = next - state.stage_time;
         const double h = state.next_time_step > 0 ? std::min(state.next_time_step, left) : left;
         StepReport step;
-        if (!step_once(stage, h, progress, step)) return false;
+        if (!step_once(divisions < most_divisions ? stage : undivided, h, progress, step)) return false;
         const bool on_grid = step.time_step == left;
-        parts_of_step = on_grid ? 0 : parts_of_step + !step.divided;
-        if (parts_of_step > most_parts_of_step)
-            return give_up(explain_repeated_cuts(progress, stage, step), progress);
+        divisions = on_grid ? 0 : divisions + step.divided;
+        parts = on_grid ? 0 : parts + !step.divided;
+        if (parts > most_parts_of_step) return give_up(explain_repeated_cuts(progress, stage, step), progress);
         if (on_grid) {
             state.stage_time = next;
             ++state.grid;
@@ -293,6 +298,7 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
         }
     }
     if (const auto warning = energy_warning(progress.report.energy)) progress.report.warnings.push_back(*warning);
+    if (const auto warning = overlap_warning(model, progress.report)) progress.report.warnings.push_back(*warning);
     const std::string crushed = crushed_in_words(model, progress.report);
     if (!crushed.empty()) progress.report.warnings.push_back(crushed);
     const std::string fallen = fallen_in_words(model, progress.report);

@@ -149,9 +149,11 @@ History<D> history_of(const ContactSetIn<D>& old, const std::map<PairKey, int>& 
 }
 
 /// Takes over slip from the old patch; `sign` is -1 when reference and incident body have changed places.
+/// @param sheared share of the patch that the old one was: what has only now come into touch has no elastic slip,
+/// and the mean is taken, so that the shear force does not jump
 /// @param extent of the patch: the root of its area, or its length [m]
 template <int D>
-void inherit_slip(const History<D>& history, bool same_features, double sign, double extent,
+void inherit_slip(const History<D>& history, bool same_features, double sign, double sheared, double extent,
                   ContactPointIn<D>& point)
 {
     const ContactPointIn<D>* source = nullptr;
@@ -168,7 +170,7 @@ void inherit_slip(const History<D>& history, bool same_features, double sign, do
         }
     }
     if (source) {
-        point.elastic_slip = sign * source->elastic_slip;
+        point.elastic_slip = sign * sheared * source->elastic_slip;
         point.plastic_slip = sign * source->plastic_slip;
         point.status = source->status;
         return;
@@ -180,10 +182,21 @@ void inherit_slip(const History<D>& history, bool same_features, double sign, do
         point.plastic_slip += sign * old.area * old.plastic_slip;
     }
     if (area > 0) {
-        point.elastic_slip /= area;
+        point.elastic_slip *= sheared / area;
         point.plastic_slip /= area;
         point.status = history.points.front().status;
     }
+}
+
+/// Of a patch with the normal stiffness `stiffness` in all [N/m], how much the old patch had: at most 1.
+template <int D>
+double sheared_share(const History<D>& history, double stiffness)
+{
+    if (!history.patch) return 1;
+    double area = 0;
+    for (const ContactPointIn<D>& old : history.points) area += old.area;
+    const double before = history.patch->stiffness * area;
+    return before < stiffness ? before / stiffness : 1;
 }
 
 template <int D>
@@ -228,13 +241,14 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
                                  : has_strength && state.step == 0 && nearest < closed_at_start * size;
 
     const double extent = D == 3 ? std::sqrt(measure) : measure;
+    const double sheared = sheared_share(history, patch.stiffness * measure * depth_of<D>(model));
     for (const PolygonPointIn<D>& corner : polygon.points) {
         ContactPointIn<D> point;
         point.feature = corner.feature;
         point.position = corner.position;
         point.gap = corner.gap;
         point.area = corner.area * depth_of<D>(model);
-        if (history.patch) inherit_slip(history, same_features, same_sides ? 1 : -1, extent, point);
+        if (history.patch) inherit_slip(history, same_features, same_sides ? 1 : -1, sheared, extent, point);
         point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
         found.points.push_back(point);
     }

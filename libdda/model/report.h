@@ -103,6 +103,13 @@ struct CrushedJoint {
     double worst_time = 0, worst_stress = 0;  // s, Pa
 };
 
+/// Two blocks within one another, at a corner of their contact.
+struct DeepestOverlap {
+    double share = 0, depth = 0;  // -, of the thinner block's least width; m
+    double time = 0;              // s since the run's start
+    int block_a = -1, block_b = -1;
+};
+
 struct RunReport {
     Outcome outcome = Outcome::completed;
     std::string message;  // why, and the remedy, when not completed
@@ -112,6 +119,7 @@ struct RunReport {
     std::int64_t factor_entries = 0;  // of the last factorisation
     double simulated_time = 0;        // s, dynamic stages only
     double max_penetration = 0;       // m
+    DeepestOverlap deepest;           // by its share
     double static_unbalanced = 0;     // of the last static stage
     EnergyLedger energy;
     std::vector<FallenBlock> fallen;    // in the order in which they fell

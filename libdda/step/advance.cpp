@@ -130,6 +130,19 @@ double inertia_ratio(const StepSystem<K>& system)
     return worst;
 }
 
+/// Books the spring energy that changed when contacts were found anew [J]. In the first step it is that of blocks
+/// which the model has within one another; in a static stage nothing of it is left when the velocity has been
+/// taken away.
+void book_redetection(const Stage& stage, const State& state, double given, EnergyLedger& energy)
+{
+    if (state.step == 0)
+        energy.start_contact += given;
+    else if (stage.type == StageType::static_equilibrium)
+        energy.damping_static -= given;
+    else
+        energy.redetection -= given;
+}
+
 template <class K>
 StepReport advance_with(const Model& model, const Stage& stage, double time_step, State& state,
                         EnergyLedger& energy, Work<K>& work)
@@ -168,7 +181,8 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
     const Stopwatch watch(report, Part::update);
     report.time_step = h;
     report.divided = reversal.passes > 0;
-    energy.redetection += energy.contact - spring_energy(model, work.contacts);
+    const double given = spring_energy(model, work.contacts) - energy.contact;
+    book_redetection(stage, state, given, energy);
     update_blocks(system, state);
     book_step(state, system, work.contacts, energy);
     update_contacts(stage, system, work.contacts, state, report);

@@ -143,6 +143,59 @@ TEST(ContactHistory, new_points_take_the_mean_slip_of_the_patch)
     EXPECT_EQ(fresh, 2);
 }
 
+// What has only now come into touch has not been sheared: the shear force of the patch goes on as it was. Where
+// the patch shrinks, what has left takes its force along.
+TEST(ContactHistory, a_patch_that_grows_keeps_its_shear_force)
+{
+    const auto force_in = [](const ContactSet& contacts) {
+        double force = 0;
+        for (const ContactPoint& p : contacts.points)
+            force += contacts.patches[0].stiffness * p.area * p.elastic_slip.x();
+        return force;
+    };
+    Scene scene;
+    const auto force_after = [&](double from, double to) {
+        scene.put({from, 0, 1 - 1e-4});
+        scene.state.contacts = {};
+        scene.remember(scene.find());
+        for (ContactPoint& p : scene.state.contacts.points) p.elastic_slip = {1e-4, 0, 0};
+        const double before = force_in(scene.state.contacts);
+        scene.put({to, 0, 1 - 1e-4});
+        return force_in(scene.find()) / before;
+    };
+    EXPECT_NEAR(force_after(1.9, 1.7), 1, 1e-12);     // 0.6 m of the box on the floor, then 0.8 m
+    EXPECT_NEAR(force_after(1.4, 1.45), 1, 1e-12);    // all of it, as before
+    EXPECT_NEAR(force_after(1.5, 1.75), 0.75, 1e-6);  // a quarter has left the floor
+}
+
+// Corners come and go where a box passes an edge and comes back; as long as no area is gained or lost, no shear
+// force is.
+TEST(ContactHistory, new_corners_at_the_same_area_lose_no_shear_force)
+{
+    Scene scene;
+    const auto force = [&] {
+        double sum = 0;
+        for (const ContactPoint& p : scene.state.contacts.points) sum += p.area * p.elastic_slip.x();
+        return sum;
+    };
+    const double angle = 0.3, reach = 0.5 * (std::cos(angle) + std::sin(angle));  // of the foremost corner
+    const auto put_to = [&](double beyond) {
+        scene.put({2 - reach + beyond, 0, 1 - 1e-4}, turned(angle, {0, 0, 1}));
+        scene.remember(scene.find());
+    };
+    put_to(-5e-3);  // all of the box on the floor
+    for (ContactPoint& p : scene.state.contacts.points) p.elastic_slip = {1e-4, 0, 0};
+    const double before = force();
+    std::size_t fewest = 100, most = 0;
+    for (int i = 0; i < 20; ++i) {
+        put_to(i % 2 == 0 ? 5e-3 : -5e-3);
+        fewest = std::min(fewest, scene.state.contacts.points.size());
+        most = std::max(most, scene.state.contacts.points.size());
+    }
+    EXPECT_LT(fewest, most);
+    EXPECT_NEAR(force() / before, 1, 0.01) << fewest << " to " << most << " corners";
+}
+
 // A box on its edge has the floor as reference. A history in which the box was the reference holds the slip of the
 // floor over the box: the same slip with the other sign.
 TEST(ContactHistory, slip_changes_sign_when_the_bodies_change_places)

@@ -110,6 +110,25 @@ TEST_P(Energy, of_springs_under_a_weight)
     EXPECT_LT(report.energy.relative_residual(), 1e-6);
 }
 
+// Blocks that the model has within one another start with the energy of their springs, which throws them apart; no
+// contact made it.
+TEST_P(Energy, of_springs_that_are_pressed_at_the_start)
+{
+    JointMaterial joint = dry(30);
+    joint.stiffness = {ContactStiffness::Kind::per_area, 1e9};
+    Model model = make_model(GetParam(), stone(), joint);
+    hold(model, add_box(model, "base", {-1, -1, -1}, {1, 1, 0}));
+    add_box(model, "block", {-0.5, -0.5, -1e-3}, {0.5, 0.5, 1});
+    State state = initial_state(model);
+    const double depth = is_planar(model.kinematics) ? model.thickness : 1;
+    const RunReport report = run_quietly(model, {dynamic_stage(0.1, 1e-4, Vector3d::Zero())}, state);
+    EXPECT_NEAR(report.energy.start_contact, 0.5 * 1e9 * 1e-6 * depth, 1e-9 * 500);
+    EXPECT_NEAR(report.energy.redetection, 0, 1e-4 * 500);  // areas change with the strain
+    EXPECT_GT(report.energy.kinetic, 0.8 * report.energy.start_contact);
+    EXPECT_LT(report.energy.relative_residual(), 1e-6);
+    EXPECT_TRUE(report.warnings.empty()) << report.warnings.front();
+}
+
 // Blocks that rock, slide and knock, shaken: the balance of everything, and how it reacts to a falsified term.
 TEST_P(Energy, residual_is_small_and_notices_a_missing_term)
 {

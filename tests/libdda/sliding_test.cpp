@@ -1,7 +1,7 @@
 // Blocks that slide and blocks that must not.
 #include <gtest/gtest.h>
 
-#include "tests/libdda/scenes.h"
+#include "tests/libdda/whole_scenes.h"
 
 namespace voussoir::testing
 {
@@ -151,6 +151,35 @@ TEST_P(Sliding, box_stops_inside_a_step)
         EXPECT_LT(error, 1e-4);
         EXPECT_LT(speed, 1e-3);
     }
+}
+
+// A joint between blocks that tremble turns round at each of their vibrations; steps must not follow all of them.
+TEST_P(Sliding, a_tower_that_trembles_divides_a_step_only_so_often)
+{
+    Model model = make_model(GetParam(), stone(), dry(25));
+    hold(model, add_box(model, "floor", {-1, -1, -1}, {1, 1, 0}));
+    add_box(model, "first", {-0.3, -0.3, 0}, {0.3, 0.3, 0.5});
+    add_box(model, "second", {-0.25, -0.3, 0.5}, {0.35, 0.3, 1});
+    add_box(model, "third", {-0.3, -0.3, 1}, {0.3, 0.3, 1.6});
+    State state = initial_state(model);
+    ASSERT_EQ(run_quietly(model, {static_stage(0.01)}, state).outcome, Outcome::completed);
+    begin_stage(model, 0, state);
+    Stage stage = shaking(0.3, 1e-3);
+    std::int64_t grid = 0;
+    int parts = 0, most_parts = 0;
+    RunObserver observer;
+    observer.step = [&](const State& now, const StepReport& step, const RunReport&) {
+        parts += step.divided;
+        most_parts = std::max(most_parts, parts);
+        if (now.grid != grid) parts = 0;
+        grid = now.grid;
+    };
+    const RunReport report = run(model, {stage}, state, observer);
+    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_GT(report.divided_steps, 0);
+    EXPECT_LE(most_parts, 8);
+    EXPECT_LT(report.steps, 1000);
+    EXPECT_LT(report.energy.relative_residual(), 1e-4);
 }
 
 }  // namespace voussoir::testing
