@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/case/block_reading.h"
 #include "app/case/nearest_word.h"
@@ -14,23 +15,59 @@ namespace voussoir
 namespace
 {
 
-int group_index(Model& model, const std::string& name)
+// A case beyond these is a slip of the pen, and one that would fill the memory before the run begins.
+constexpr std::size_t most_groups = 1000;  // there is a joint for every pair of them
+constexpr std::size_t most_blocks = 200'000;
+
+/// A fault and the first group for one group too many.
+int group_index(const std::string& name, const std::string& place, BlockReading& reading)
 {
+    Model& model = reading.model;
     const auto at = std::find(model.groups.begin(), model.groups.end(), name);
     const auto index = at - model.groups.begin();
-    if (at == model.groups.end()) model.groups.push_back(name);
+    if (at != model.groups.end()) return static_cast<int>(index);
+    if (model.groups.size() == most_groups) {
+        reading.findings.faults.push_back({place, fmt::format("more than {} groups", most_groups),
+                                           "groups are for blocks that are treated alike"});
+        return 0;
+    }
+    model.groups.push_back(name);
     return static_cast<int>(index);
 }
 
 /// @param without_mesh number of blocks, the first ones, that came from no mesh
 void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
 {
-    const std::vector<Block>& blocks = reading.model.blocks;
-    for (const BlockOverlap& overlap : find_overlaps(blocks, without_mesh)) {
+    std::vector<Block>& blocks = reading.model.blocks;
+    const std::vector<BlockOverlap> overlaps = find_overlaps(blocks, without_mesh);
+    for (const BlockOverlap& overlap : overlaps) {
         const std::string& name_b = blocks[overlap.block_b].name;
         reading.findings.faults.push_back(
             {reading.places.at(name_b) + ": " + blocks[overlap.block_a].name + " and " + name_b,
              fmt::format("overlap by {:.3g} m", overlap.depth), "stones may touch but not overlap"});
+    }
+    if (overlaps.size() < most_overlaps) return;
+    reading.findings.faults.push_back({reading.findings.file, "more than 1000 pairs of stones overlap",
+                                       "the stones seem to be drawn in one place"});
+    blocks.clear();  // a certificate of them would have a contact for every pair
+}
+
+/// Sizes and densities that are numbers can still have a mass that is none.
+void refuse_infinite_masses(BlockReading& reading)
+{
+    if (!reading.findings.faults.empty()) return;  // a missing density would be found again in every block
+    const Model& model = reading.model;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        const Block& block = model.blocks[b];
+        const double mass = model.mass(static_cast<int>(b)), volume = block.moments.volume;
+        const bool is_number = mass > 0 && volume > 0 && std::isfinite(mass) && std::isfinite(volume) &&
+                               block.moments.centroid.allFinite() &&
+                               model.mass_second(static_cast<int>(b)).allFinite();
+        if (is_number) continue;
+        reading.findings.faults.push_back({reading.places.at(block.name) + ": " + block.name,
+                                           fmt::format("a volume of {:g} m3 and a mass of {:g} kg", volume, mass),
+                                           "check its size, its place and its density"});
+        return;
     }
 }
 
@@ -88,7 +125,8 @@ void add_block(const std::string& name, const std::string& place, const std::str
         if (!outlines.empty()) add_planar_block(name, place, group, material, std::move(outlines), reading);
     } else if (take_name(name, place, reading)) {
         const Moments own = moments != nullptr ? *moments : moments_of(parts);
-        model.blocks.push_back(make_block(name, group_index(model, group), material, std::move(parts), own));
+        model.blocks.push_back(
+            make_block(name, group_index(group, place, reading), material, std::move(parts), own));
     }
 }
 
@@ -97,8 +135,8 @@ void add_planar_block(const std::string& name, const std::string& place, const s
 {
     Model& model = reading.model;
     if (!take_name(name, place, reading)) return;
-    model.blocks.push_back(
-        make_planar_block(name, group_index(model, group), material, std::move(outlines), model.thickness));
+    model.blocks.push_back(make_planar_block(name, group_index(group, place, reading), material,
+                                             std::move(outlines), model.thickness));
 }
 
 Belonging read_belonging(YamlCursor& entry, const std::vector<BlockMaterial>& materials)
@@ -163,11 +201,18 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     std::vector<YamlCursor> entries = section->items("a list of meshes, boxes, polygons, walls and houses");
     if (entries.empty() && section->is_list())
         section->fault("no block", "give at least one mesh, box, polygon, wall or house");
-    for (YamlCursor& entry : entries) read_entry(entry, reading);
+    for (YamlCursor& entry : entries) {
+        if (model.blocks.size() > most_blocks) {
+            entry.fault(fmt::format("more than {} blocks", most_blocks), "give larger blocks or fewer walls");
+            break;
+        }
+        read_entry(entry, reading);
+    }
     const std::size_t without_mesh = model.blocks.size();
     import_meshes(reading);
     settle_thickness(top, thickness, reading);
     refuse_overlaps(reading, without_mesh);
+    refuse_infinite_masses(reading);
     std::vector<std::string> files;
     for (const MeshEntry& mesh : reading.meshes) files.push_back(mesh.name);
     return files;

@@ -54,6 +54,17 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
     foundations = read_foundations(top, model);
 }
 
+void read_everything(YamlCursor& top, Case& result, Findings& findings)
+{
+    result.title = top.find_text("title").value_or(result.file.stem().string());
+    std::vector<FoundationEntry> foundations;
+    read_model(top, result, findings, foundations);
+    MotionContext motions{result.file.parent_path(), result.model.kinematics, result.motions};
+    result.stages = read_stages(top, result.model, foundations, motions);
+    result.output = read_output(top, result.model, result.stages);
+    top.reject_unknown_keys();
+}
+
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides, CaseStones* stones)
@@ -73,14 +84,12 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     for (const std::string& setting : overrides) apply_override(setting, root, findings);
 
     YamlCursor top(root, "", findings);
-    result.title = top.find_text("title").value_or(file.stem().string());
-    std::vector<FoundationEntry> foundations;
-    read_model(top, result, findings, foundations);
-    MotionContext motions{file.parent_path(), result.model.kinematics, result.motions};
-    result.stages = read_stages(top, result.model, foundations, motions);
-    result.output = read_output(top, result.model, result.stages);
-    top.reject_unknown_keys();
-
+    try {
+        read_everything(top, result, findings);
+    } catch (const InputError&) {  // more faults than anybody reads
+        if (stones) *stones = {std::move(findings.geometry), result.model};
+        throw;
+    }
     if (stones) *stones = {std::move(findings.geometry), result.model};
     if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
     result.defaults = in_words(findings.defaults);

@@ -36,7 +36,8 @@ std::string lower_case(std::string_view word)
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known)
 {
     constexpr std::size_t longest = 64;  // nobody mistypes longer words, and the distance is quadratic
-    if (word.size() > longest) return {};
+    constexpr std::size_t most = 5000;   // nor is a list of more words searched for every slip
+    if (word.size() > longest || known.size() > most) return {};
     std::string nearest;
     // Nothing is near a word of one or two letters but the other letter case.
     int nearest_distance = word.size() <= 2 ? 1 : static_cast<int>((word.size() + 1) / 3) + 1;

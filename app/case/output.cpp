@@ -14,19 +14,20 @@ namespace
 
 constexpr double default_interval = 0.02;  // s between frames: 25 frames a period of 2 Hz
 
-HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model& model)
+constexpr double most_intervals = 1e12;  // in a stage; they are counted in 64 bits
+
+HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model& model,
+                          const std::vector<std::string>& blocks)
 {
     HistoryPoint history;
     history.name = name;
     if (!map.expect_map("a history {block: name}")) return history;
     if (const std::optional<YamlCursor> block = map.require("block", "the name of a block")) {
         history.block = block->as_text();
-        std::vector<std::string> names;
-        for (const Block& known : model.blocks) names.push_back(known.name);
-        const bool found = std::find(names.begin(), names.end(), history.block) != names.end();
+        const bool found = std::binary_search(blocks.begin(), blocks.end(), history.block);
         // Without blocks there are faults already, and a missing one is only their echo.
-        if (!found && !names.empty() && !history.block.empty())
-            block->fault("no block \"" + history.block + "\"", suggestion(history.block, names));
+        if (!found && !blocks.empty() && !history.block.empty())
+            block->fault("no block \"" + history.block + "\"", suggestion(history.block, blocks));
     }
     if (const std::optional<YamlCursor> point = map.find("point"))
         history.point = read_place(*point, model.kinematics);
@@ -43,7 +44,7 @@ void read_size(const YamlCursor& value, SnapshotOptions& snapshots)
     if (!value.is_list()) return;
     if (sides.size() != 2)
         return value.fault(fmt::format("a list of {}", sides.size()), "expected [width, height]");
-    const Range pixels{64, 8192, true, true};
+    const Range pixels{200, 8000, true, true};
     const double width = sides[0].as_quantity(dimension::number, pixels);
     const double height = sides[1].as_quantity(dimension::number, pixels);
     if (!(width > 0) || !(height > 0)) return;
@@ -91,6 +92,14 @@ SnapshotOptions read_snapshots(YamlCursor& map, const Model& model, const std::v
     return snapshots;
 }
 
+std::vector<std::string> sorted_block_names(const Model& model)
+{
+    std::vector<std::string> names;
+    for (const Block& block : model.blocks) names.push_back(block.name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 }  // namespace
 
 OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector<Stage>& stages)
@@ -104,9 +113,14 @@ OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector
     }
     if (!map->expect_map("output {every: 20 ms}")) return output;
     output.every = map->quantity_or("every", dimension::time, Range::positive(), default_interval);
+    for (const Stage& stage : stages)
+        if (stage.type == StageType::dynamic && stage.duration / output.every > most_intervals)
+            map->fault(fmt::format("{:.3g} intervals in {}", stage.duration / output.every, stage.name),
+                       "give a longer interval");
+    const std::vector<std::string> blocks = sorted_block_names(model);
     if (std::optional<YamlCursor> histories = map->find("histories"))
         for (auto& [name, history] : histories->named_entries("histories by name, {crown: {block: voussoir_47}}"))
-            output.histories.push_back(read_history(name, history, model));
+            output.histories.push_back(read_history(name, history, model, blocks));
     if (std::optional<YamlCursor> snapshots = map->find("snapshots"))
         output.snapshots = read_snapshots(*snapshots, model, stages);
     map->reject_unknown_keys();

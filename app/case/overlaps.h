@@ -24,6 +24,9 @@ struct BlockOverlap {
     double depth = 0;  // m
 };
 
+/// No more are looked for: stones drawn in one place overlap all with all.
+constexpr std::size_t most_overlaps = 1000;
+
 /// Pairs of blocks, at least one of them among the first `count`, that overlap by more than 1e-6 of the smaller
 /// one's diagonal.
 std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, std::size_t count);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <unordered_map>
 
 #include "app/case/nearest_word.h"
 
@@ -12,6 +13,8 @@ namespace voussoir
 {
 namespace
 {
+constexpr std::size_t most_faults = 1000;  // nobody reads more, and a hostile file has a million
+
 bool contains(const std::vector<std::string>& words, const std::string& word)
 {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -29,6 +32,10 @@ std::string YamlCursor::place() const
 void YamlCursor::fault(std::string found, std::string expected) const
 {
     findings_->faults.push_back({place(), std::move(found), std::move(expected)});
+    if (findings_->faults.size() < most_faults) return;
+    std::vector<Fault> faults = findings_->faults;
+    faults.push_back({findings_->file, "so many faults that reading stopped here", "mend the ones above first"});
+    throw InputError(std::move(faults));
 }
 
 void YamlCursor::warn(const std::string& text) const
@@ -68,10 +75,11 @@ std::vector<std::pair<std::string, YamlCursor>> YamlCursor::named_entries(std::s
 {
     std::vector<std::pair<std::string, YamlCursor>> entries;
     if (!expect_map(what)) return entries;
+    std::unordered_map<std::string_view, std::size_t> known;
     for (std::size_t i = 0; i < node_->keys.size(); ++i) {
-        const auto first = std::find(node_->keys.begin(), node_->keys.end(), node_->keys[i]);
-        if (first != node_->keys.begin() + static_cast<std::ptrdiff_t>(i)) {
-            report_duplicate(first - node_->keys.begin(), i);
+        const auto [first, is_new] = known.emplace(node_->keys[i], i);
+        if (!is_new) {
+            report_duplicate(first->second, i);
         } else if (node_->keys[i].empty()) {
             child(node_->items[i], "\"\"").fault("an empty name", "give it a name");
         } else {
@@ -166,11 +174,12 @@ void YamlCursor::forbid(const std::string& key, const std::string& why)
 
 void YamlCursor::reject_unknown_keys() const
 {
+    std::unordered_map<std::string_view, std::size_t> known;
     for (std::size_t i = 0; i < node_->keys.size(); ++i) {
         const std::string& key = node_->keys[i];
-        const auto first = std::find(node_->keys.begin(), node_->keys.end(), key) - node_->keys.begin();
-        if (static_cast<std::size_t>(first) != i) {
-            report_duplicate(first, i);
+        const auto [first, is_new] = known.emplace(key, i);
+        if (!is_new) {
+            report_duplicate(first->second, i);
         } else if (!contains(asked_, key) && !contains(forbidden_, key)) {
             child(node_->items[i], key.empty() ? "\"\"" : key).fault("unknown key", suggestion(key, asked_));
         }

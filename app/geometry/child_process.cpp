@@ -101,14 +101,21 @@ bool receive_some(const Descriptor& from, std::string& text)
     return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
-/// Until the child closes both its streams. @returns why it has to be stopped; empty when it ended by itself
-std::string converse(Conversation& talk, double seconds)
+/// Why a child has to be stopped; no words when it ended by itself.
+struct Stop {
+    std::string why;
+    bool out_of_time = false;
+};
+
+/// Until the child closes both its streams.
+Stop converse(Conversation& talk, double seconds)
 {
     const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
     bool text_open = true, errors_open = true;
     while (text_open || errors_open) {
         const std::chrono::duration<double, std::milli> left = deadline - Clock::now();
-        if (left.count() <= 0) return "it did not finish within " + std::to_string(std::lround(seconds)) + " s";
+        if (left.count() <= 0)
+            return {"it did not finish within " + std::to_string(std::lround(seconds)) + " s", true};
         const short text_events = static_cast<short>(POLLIN | (talk.unsent.empty() ? 0 : POLLOUT));
         std::array<pollfd, 2> streams{pollfd{text_open ? talk.text.ours.number() : -1, text_events, 0},
                                       pollfd{errors_open ? talk.errors.ours.number() : -1, POLLIN, 0}};
@@ -119,9 +126,9 @@ std::string converse(Conversation& talk, double seconds)
         if (streams[1].revents & (POLLIN | POLLHUP | POLLERR))
             errors_open = receive_some(talk.errors.ours, talk.error_output);
         if (talk.output.size() > talk.most_output || talk.error_output.size() > talk.most_output)
-            return "it answered more than " + std::to_string(talk.most_output >> 20) + " MiB";
+            return {"it answered more than " + std::to_string(talk.most_output >> 20) + " MiB"};
     }
-    return "";
+    return {};
 }
 
 /// Waits for the child's end; kills it when it closed its streams but lives on.
@@ -175,9 +182,11 @@ ChildAnswer ask_child(const std::filesystem::path& program, const std::string& i
         return {"", program.string() + " cannot be started: " + std::strerror(error)};
     talk.text.theirs.close();
     talk.errors.theirs.close();
-    const std::string stopped = converse(talk, seconds);
-    const int status = wait_for_end(child, !stopped.empty());
-    return {std::move(talk.output), stopped.empty() ? describe_end(status, talk.error_output) : stopped};
+    const Stop stopped = converse(talk, seconds);
+    const int status = wait_for_end(child, !stopped.why.empty());
+    if (!stopped.why.empty()) return {std::move(talk.output), stopped.why, stopped.out_of_time};
+    const bool out_of_time = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
+    return {std::move(talk.output), describe_end(status, talk.error_output), out_of_time};
 }
 
 std::filesystem::path helper_folder()

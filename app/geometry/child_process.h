@@ -10,6 +10,8 @@ namespace voussoir
 struct ChildAnswer {
     std::string output;   // what the child wrote to its standard output
     std::string failure;  // why it gave no answer, in words; empty when it ended with exit code 0
+    bool out_of_time =
+        false;  // that is why: of the wall time it was given, or of the processor time it took itself
 };
 
 /// Starts `program`, writes `input` to it, reads until it ends; kills it after `seconds` of wall time, or when it

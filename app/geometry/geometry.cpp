@@ -12,7 +12,8 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t most_answer_bytes = std::size_t{1} << 30;
+// Twenty times what 10,000 stones need; as a tree in memory it takes some sixteen times as much.
+constexpr std::size_t most_answer_bytes = std::size_t{1} << 28;
 
 /// One run of the helper. @param failure why there is no answer, in words
 Geometry ask_helper(const std::vector<MeshRequest>& requests, const GeometryLimits& limits, std::string& failure)

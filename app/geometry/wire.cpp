@@ -1,5 +1,7 @@
 #include "app/geometry/wire.h"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "libdda/errors.h"
@@ -116,6 +118,21 @@ json to_json_value(const Stone& stone)
             {"faces", stone.faces}};
 }
 
+/// @throws InputError when figures of a stone are none, or its picture names corners that are not there
+void check(const Stone& stone)
+{
+    const auto require = [&](bool holds, const char* found) {
+        if (!holds) throw InputError(stone.name, found, "the answer was damaged on the way");
+    };
+    const Moments& moments = stone.moments;
+    require(std::isfinite(moments.volume) && moments.centroid.allFinite() && moments.second.allFinite(),
+            "moments that are no numbers");
+    require(!stone.reason.empty() || (moments.volume > 0 && !stone.parts.empty()), "a stone without volume");
+    const auto is_vertex = [&](int v) { return v >= 0 && static_cast<std::size_t>(v) < stone.vertices.size(); };
+    for (const std::vector<int>& face : stone.faces)
+        require(std::all_of(face.begin(), face.end(), is_vertex), "a face with a corner that is not there");
+}
+
 Stone stone_from(const json& value)
 {
     Stone stone;
@@ -130,6 +147,7 @@ Stone stone_from(const json& value)
     for (const json& feature : value.at("features")) stone.features.push_back(feature_from(feature));
     stone.vertices = points_from(value.at("vertices"));
     stone.faces = value.at("faces").get<std::vector<std::vector<int>>>();
+    check(stone);
     return stone;
 }
 
@@ -150,6 +168,7 @@ ImportedMesh mesh_from(const json& value)
     mesh.accepted = value.at("accepted");
     mesh.reason = value.at("reason");
     mesh.metres_per_unit = value.at("metres_per_unit");
+    if (!(mesh.metres_per_unit > 0)) throw InputError(mesh.file, "a unit without length", "must be > 0 m");
     mesh.unit_from = value.at("unit_from");
     mesh.repairs = value.at("repairs").get<std::vector<std::string>>();
     for (const json& stone : value.at("stones")) mesh.stones.push_back(stone_from(stone));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <system_error>
 
 #include "libdda/errors.h"
 
@@ -67,6 +68,8 @@ Sheet::~Sheet()
 void Sheet::write(const std::filesystem::path& path) const
 {
     cairo_surface_flush(surface_);
+    std::error_code none;
+    std::filesystem::remove(path, none);  // a link there may lead anywhere
     const cairo_status_t status = cairo_surface_write_to_png(surface_, path.c_str());
     if (status != CAIRO_STATUS_SUCCESS) {
         throw InputError(path.string(), std::string("cannot be written: ") + cairo_status_to_string(status),

@@ -47,14 +47,19 @@ void remove_other_snapshots(const fs::path& folder, const std::vector<fs::path>&
 
 }  // namespace
 
-std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::path& folder,
+std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::path& asked_folder,
                                        const SnapshotOptions& options)
 {
+    // A name that begins with a dash would be taken for an option.
+    const fs::path folder = asked_folder.string().starts_with('-') ? "." / asked_folder : asked_folder;
     const fs::path helper = helper_folder() / "voussoir-render";
     if (!fs::exists(helper)) {
         throw InputError(helper.string(), "there is no such program",
                          "build voussoir with VOUSSOIR_RENDER=ON, or ask for no snapshots");
     }
+    for (const fs::path& path : {results_file, folder})
+        if (path.string().find('\n') != std::string::npos)
+            throw InputError(path.string(), "a name of two lines", "rename it");
     const ChildAnswer answer =
         ask_child(helper, request(results_file, folder, options), seconds_allowed, most_output);
     if (!answer.failure.empty()) {

@@ -49,7 +49,9 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
 {
     std::filesystem::path temporary = path;
     temporary += ".part";
-    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    // What lies there is of a killed run, or a link that leads elsewhere: never written through.
+    if (::unlink(temporary.c_str()) != 0 && errno != ENOENT) refuse_writing(path, errno);
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) refuse_writing(path, errno);
     int error = write_all(descriptor, bytes);
     if (error == 0 && ::fsync(descriptor) != 0) error = errno;

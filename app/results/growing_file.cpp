@@ -1,7 +1,9 @@
 #include "app/results/growing_file.h"
 
 #include <algorithm>
+#include <system_error>
 
+#include "app/results/counts.h"
 #include "app/results/model_records.h"
 #include "libdda/errors.h"
 
@@ -23,30 +25,59 @@ bool is_of_joints(const std::string& dataset)
     return dataset.starts_with("/frames/joints/") && dataset != "/frames/joints/rows";
 }
 
-template <typename T>
-void copy_series(const Hdf5File& from, std::uint64_t count, Hdf5File& file, Hdf5Series& series)
+[[noreturn]] void refuse_rows(const std::filesystem::path& file, const std::string& dataset)
 {
-    for (std::uint64_t first = 0; first < count; first += rows_at_once) {
-        const std::uint64_t rows = std::min(rows_at_once, count - first);
-        file.append(series, from.read_rows<T>(series.name, first, rows), rows);
-    }
+    throw InputError(file.string(), dataset + " has not the rows it should", "start the run anew");
 }
 
-void copy_series(const Hdf5File& from, std::uint64_t count, Hdf5File& file, Hdf5Series& series)
-{
-    switch (series.type) {
-        case ElementType::float32:
-            return copy_series<float>(from, count, file, series);
-        case ElementType::float64:
-            return copy_series<double>(from, count, file, series);
-        case ElementType::int32:
-            return copy_series<std::int32_t>(from, count, file, series);
-        case ElementType::int64:
-            return copy_series<std::int64_t>(from, count, file, series);
+/// Takes over the rows of one series after another.
+struct Copy {
+    const Hdf5File& from;
+    std::filesystem::path from_path;
+    Hdf5File& to;
+
+    template <typename T>
+    void rows(std::uint64_t count, Hdf5Series& series) const
+    {
+        std::uint64_t row = 1;
+        for (std::size_t axis = 1; axis < series.extents.size(); ++axis) row *= series.extents[axis];
+        // A dataset may claim more than was ever written: it would fill the disk.
+        std::error_code none;
+        if (count > std::filesystem::file_size(from_path, none) / std::max<std::uint64_t>(row, 1))
+            refuse_rows(from_path, series.name);
+        for (std::uint64_t first = 0; first < count; first += rows_at_once) {
+            const std::uint64_t rows = std::min(rows_at_once, count - first);
+            const std::vector<T> values = from.read_rows<T>(series.name, first, rows);
+            if (values.size() != rows * row) refuse_rows(from_path, series.name);
+            to.append(series, values, rows);
+        }
     }
-}
+    void operator()(std::uint64_t count, Hdf5Series& series) const
+    {
+        switch (series.type) {
+            case ElementType::float32:
+                return rows<float>(count, series);
+            case ElementType::float64:
+                return rows<double>(count, series);
+            case ElementType::int32:
+                return rows<std::int32_t>(count, series);
+            case ElementType::int64:
+                return rows<std::int64_t>(count, series);
+        }
+    }
+};
 
 }  // namespace
+
+std::int64_t joint_rows_in(const std::filesystem::path& path, std::int64_t frames)
+{
+    if (frames <= 0) return 0;
+    const std::string name = "/frames/joints/rows";
+    const Hdf5File file = Hdf5File::open(path);
+    const auto last = file.read_rows<std::int64_t>(name, static_cast<std::uint64_t>(frames) - 1, 1);
+    if (last.size() != 2 || !is_count(last[0]) || !is_count(last[1])) refuse_rows(path, name);
+    return last[0] + last[1];
+}
 
 GrowingFile::GrowingFile(const std::filesystem::path& path, const Case& the_case, const SurfaceMesh& mesh,
                          const std::vector<GrowingDataset>& datasets)
@@ -73,17 +104,14 @@ Hdf5Series& GrowingFile::series_named(const std::string& name)
 void GrowingFile::copy(const CopiedRows& rows)
 {
     const Hdf5File from = Hdf5File::open(rows.file);
+    const Copy copy{from, rows.file, file_};
     const auto frames = static_cast<std::uint64_t>(rows.frames);
-    std::uint64_t joints = 0;
-    if (frames > 0) {
-        const auto last = from.read_rows<std::int64_t>("/frames/joints/rows", frames - 1, 1);
-        joints = static_cast<std::uint64_t>(last[0] + last[1]);
-    }
+    const auto joints = static_cast<std::uint64_t>(joint_rows_in(rows.file, rows.frames));
     for (Hdf5Series& series : series_) {
         std::uint64_t count = frames;
         if (is_of_histories(series.name)) count = static_cast<std::uint64_t>(rows.history_rows);
         if (is_of_joints(series.name)) count = joints;
-        copy_series(from, count, file_, series);
+        copy(count, series);
     }
 }
 

@@ -14,6 +14,10 @@ struct CopiedRows {
     std::int64_t frames = 0, history_rows = 0;
 };
 
+/// Rows that the tables of joints have for the first frames of a results file.
+/// @throws InputError when the file has fewer frames, or is damaged there
+std::int64_t joint_rows_in(const std::filesystem::path& path, std::int64_t frames);
+
 class GrowingFile
 {
  public:
@@ -21,7 +25,7 @@ class GrowingFile
     GrowingFile(const std::filesystem::path& path, const Case& the_case, const SurfaceMesh& mesh,
                 const std::vector<GrowingDataset>& datasets);
 
-    /// Copies the rows of the first frames. @throws InputError when the file has fewer
+    /// Copies the rows of the first frames. @throws InputError when the file has fewer, or rows of another length
     void copy(const CopiedRows& rows);
     void append(const std::vector<Rows>& rows);
     void write_summary(const std::string& text);

@@ -75,6 +75,7 @@ Hdf5Id access_properties()
     // Every file is closed by its owner. At exit HDF5 would try once more to flush what a full disk refused, and
     // crash.
     H5dont_atexit();
+    H5PLset_loading_state(0);  // no code is loaded for what a file asks
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     Hdf5Id properties(H5Pcreate(H5P_FILE_ACCESS));
     H5Pset_file_locking(properties.get(), false, true);

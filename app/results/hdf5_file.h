@@ -63,6 +63,9 @@ struct Hdf5Series {
 
 /// A file in the oldest HDF5 format, which every reader opens. No file is locked: a run may be looked at while it
 /// writes. Every function throws InputError with the file's name and the system's reason.
+///
+/// What is read is not trusted: datasets are plain ones of this very file (no filters, no links elsewhere), texts
+/// are texts and numbers numbers, and nothing larger than the file itself is ever asked for.
 class Hdf5File
 {
  public:
@@ -119,7 +122,7 @@ class Hdf5File
     template <typename T>
     std::vector<T> read_rows(const std::string& name, std::uint64_t first, std::uint64_t count) const
     {
-        std::vector<T> values(row_size(name) * count);
+        std::vector<T> values(values_in_rows(name, first, count));
         read_values(name, element_type_of<T>(), first, count, values.data());
         return values;
     }
@@ -131,7 +134,7 @@ class Hdf5File
     void write_values(const std::string& name, ElementType type, const void* values, const Extents& extents);
     void append_values(Hdf5Series& series, ElementType type, const void* values, std::size_t count,
                        std::uint64_t rows);
-    std::uint64_t row_size(const std::string& name) const;
+    std::uint64_t values_in_rows(const std::string& name, std::uint64_t first, std::uint64_t count) const;
     void read_values(const std::string& name, ElementType type, std::uint64_t first, std::uint64_t count,
                      void* values) const;
     Hdf5Id open_dataset(const std::string& name) const;

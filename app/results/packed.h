@@ -50,16 +50,17 @@ class Packer
     {
         for (const T& value : values) field(value);
     }
-    template <typename T>
-    void size_of(const std::vector<T>& list)
+    /// @param entry packs one: entry(packer, value)
+    template <typename T, typename Entry>
+    void list(const std::vector<T>& values, const Entry& entry)
     {
-        field(static_cast<std::uint64_t>(list.size()));
+        field(static_cast<std::uint64_t>(values.size()));
+        for (const T& value : values) entry(*this, value);
     }
     template <typename T>
     void list(const std::vector<T>& values)
     {
-        size_of(values);
-        for (const T& value : values) field(value);
+        list(values, [](Packer& packer, const T& value) { packer.field(value); });
     }
     template <typename... T>
     void fields(const T&... values)
@@ -108,19 +109,19 @@ class Unpacker
     {
         for (T& value : values) field(value);
     }
-    template <typename T>
-    void size_of(std::vector<T>& list)
+    /// Grows with what is really there, whatever size is claimed. @param entry reads one: entry(unpacker, value)
+    template <typename T, typename Entry>
+    void list(std::vector<T>& values, const Entry& entry)
     {
         std::uint64_t size = 0;
         field(size);
-        whole = whole && size <= bytes_.size();  // an entry takes more than a byte: no absurd allocation
-        if (whole) list.resize(size);
+        values.clear();
+        for (; whole && size > 0; --size) entry(*this, values.emplace_back());
     }
     template <typename T>
     void list(std::vector<T>& values)
     {
-        size_of(values);
-        for (T& value : values) field(value);
+        list(values, [](Unpacker& unpacker, T& value) { unpacker.field(value); });
     }
     template <typename... T>
     void fields(T&... values)

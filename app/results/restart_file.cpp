@@ -1,7 +1,9 @@
 #include "app/results/restart_file.h"
 
 #include "app/results/packed.h"
+#include "app/results/restart_checks.h"
 #include "app/results/state_fields.h"
+#include "libdda/errors.h"
 
 namespace voussoir
 {
@@ -9,7 +11,7 @@ namespace voussoir
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 2\n";  // its digit rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 4\n";  // its digit rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -28,27 +30,33 @@ template <typename Archive, typename Report>
 void report_fields(Archive& archive, Report& report)
 {
     auto& [outcome, message, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
-           factorisations, linear_iterations, factor_entries, simulated_time, max_penetration, static_unbalanced,
-           energy, fallen, crushed, seconds, warnings] = report;
+           factorisations, linear_iterations, factor_entries, simulated_time, max_penetration, deepest,
+           static_unbalanced, energy, fallen, crushed, seconds, warnings] = report;
     archive.fields(outcome, message, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
                    factorisations, linear_iterations, factor_entries, simulated_time, max_penetration,
                    static_unbalanced, seconds);
     ledger_fields(archive, energy);
-    archive.size_of(fallen);
-    for (auto& [block, time, left] : fallen) archive.fields(block, time, left);
-    archive.size_of(crushed);
-    for (auto& [block_a, block_b, strength, first_time, worst_time, worst_stress] : crushed)
-        archive.fields(block_a, block_b, strength, first_time, worst_time, worst_stress);
+    auto& [share, depth, overlap_time, overlap_a, overlap_b] = deepest;
+    archive.fields(share, depth, overlap_time, overlap_a, overlap_b);
+    archive.list(fallen, [](auto& to, auto& entry) {
+        auto& [block, time, left] = entry;
+        to.fields(block, time, left);
+    });
+    archive.list(crushed, [](auto& to, auto& entry) {
+        auto& [block_a, block_b, strength, first_time, worst_time, worst_stress] = entry;
+        to.fields(block_a, block_b, strength, first_time, worst_time, worst_stress);
+    });
     archive.list(warnings);
 }
 
 template <typename Archive, typename Position>
 void position_fields(Archive& archive, Position& position)
 {
-    auto& [report, frames, stage_done, multiples, load_increments, static_steps, quiet_steps, step_unbalanced] =
-        position;
+    auto& [report, frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
+           step_unbalanced] = position;
     report_fields(archive, report);
-    archive.fields(frames, stage_done, multiples, load_increments, static_steps, quiet_steps, step_unbalanced);
+    archive.fields(frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
+                   step_unbalanced);
 }
 
 template <typename Archive, typename SomeRestart>
@@ -81,8 +89,14 @@ Restart load_restart(const std::filesystem::path& path)
     Unpacker unpacker(payload);
     Restart restart;
     restart_fields(unpacker, restart);
-    if (!unpacker.done()) refuse_damaged(path);
+    if (!unpacker.done() || !is_sound(restart)) refuse_damaged(path);
     return restart;
+}
+
+void check_fits(const Restart& restart, const Case& the_case, const std::filesystem::path& path)
+{
+    if (!fits(restart, the_case))
+        throw InputError(path.string(), "the restart of another case", "start the run anew");
 }
 
 }  // namespace voussoir

@@ -28,4 +28,7 @@ void save_restart(const Restart& restart, const std::filesystem::path& path);
 /// @throws InputError when the file cannot be read, is none of this version, or was damaged
 Restart load_restart(const std::filesystem::path& path);
 
+/// A restart that was loaded is one of this case. @param path of the restart, for the fault; @throws InputError
+void check_fits(const Restart& restart, const Case& the_case, const std::filesystem::path& path);
+
 }  // namespace voussoir

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/results/recorded_checks.h"
 #include "app/results/scene_vectors.h"
 #include "app/results/settings.h"
 #include "libdda/errors.h"
@@ -33,13 +34,33 @@ SurfaceMesh read_mesh(const Hdf5File& file)
     mesh.face_vertices = file.read<std::int32_t>("/model/mesh/face_vertices");
     mesh.face_block = file.read<std::int32_t>("/model/mesh/face_block");
     mesh.face_part = file.read<std::int32_t>("/model/mesh/face_part");
-    for (std::size_t b = 0; b + 1 < mesh.block_first_vertex.size(); ++b) {
-        mesh.vertex_block.resize(mesh.block_first_vertex[b + 1], static_cast<std::int32_t>(b));
-    }
     return mesh;
 }
 
-RecordedModel read_model(const Hdf5File& file)
+/// The names and types of the stages, from the settings.
+void read_stages(const Hdf5File& file, const std::string& place, RecordedModel& model)
+{
+    try {
+        for (const auto& stage : nlohmann::json::parse(file.read_text("/case/settings"))) {
+            model.stage_names.push_back(stage.at("name").get<std::string>());
+            model.stage_is_dynamic.push_back(stage.at("type") == name_of(StageType::dynamic));
+        }
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(place, "settings that are no list of stages", "the file is damaged: run the case again");
+    }
+}
+
+/// Values of a list that must have `count` of them for each of `blocks`.
+std::vector<double> read_for_each(const Hdf5File& file, const std::string& name, std::size_t count,
+                                  const std::string& place)
+{
+    std::vector<double> values = file.read<double>(name);
+    if (values.size() == count) return values;
+    throw InputError(place, name + " has " + std::to_string(values.size()) + " values",
+                     "expected " + std::to_string(count) + ": the file is damaged, run the case again");
+}
+
+RecordedModel read_model(const Hdf5File& file, const std::string& place)
 {
     RecordedModel model;
     model.title = file.text_attribute("/", "title");
@@ -47,73 +68,109 @@ RecordedModel read_model(const Hdf5File& file)
     model.kinematics = kinematics_named(file.text_attribute("/", "kinematics"));
     if (is_planar(model.kinematics)) model.thickness = file.number_attribute("/", "thickness_m");
     model.block_names = file.read_texts("/model/block_names");
-    for (const auto& stage : nlohmann::json::parse(file.read_text("/case/settings"))) {
-        model.stage_names.push_back(stage.at("name").get<std::string>());
-        model.stage_is_dynamic.push_back(stage.at("type") == name_of(StageType::dynamic));
-    }
-    const std::vector<double> centroids = file.read<double>("/model/centroid");
+    read_stages(file, place, model);
+    const std::size_t dimension = axes_of(model.kinematics).size();
+    const std::vector<double> centroids =
+        read_for_each(file, "/model/centroid", dimension * model.block_names.size(), place);
     for (std::size_t b = 0; b < model.block_names.size(); ++b)
         model.centroids.push_back(vector_at(centroids, b, model.kinematics));
     if (file.has("/model/foundations")) model.foundations = file.read<std::int32_t>("/model/foundations/block");
     model.mesh = read_mesh(file);
     model.mesh.dimension = dimension_of(model.kinematics);
+    check_recorded(model, place);
+    for (std::size_t b = 0; b + 1 < model.mesh.block_first_vertex.size(); ++b)
+        model.mesh.vertex_block.resize(model.mesh.block_first_vertex[b + 1], static_cast<std::int32_t>(b));
     return model;
 }
 
 }  // namespace
 
-ResultsReader::ResultsReader(const std::filesystem::path& path) : file_(Hdf5File::open(path))
+ResultsReader::ResultsReader(const std::filesystem::path& path)
+    : file_(Hdf5File::open(path)), place_(path.string())
 {
     if (file_.text_attribute("/", "format") != "voussoir results 1") {
-        throw InputError(path.string(), "results in the format \"" + file_.text_attribute("/", "format") + "\"",
+        throw InputError(place_, "results in the format \"" + file_.text_attribute("/", "format") + "\"",
                          "give a results file of this version of voussoir");
     }
-    model = read_model(file_);
-    const auto count = static_cast<std::uint64_t>(file_.read<std::int64_t>("/frames/count").at(0));
-    times = file_.read_rows<double>("/frames/time", 0, count);
-    stages = file_.read_rows<std::int32_t>("/frames/stage", 0, count);
+    model = read_model(file_, place_);
+    const std::int64_t count = one<std::int64_t>("/frames/count", 0);
+    if (count < 0) throw InputError(place_, std::to_string(count) + " frames", "the file is damaged");
+    times = rows<double>("/frames/time", 0, count, 1);
+    stages = rows<std::int32_t>("/frames/stage", 0, count, 1);
+}
+
+template <typename T>
+std::vector<T> ResultsReader::rows(const std::string& name, std::int64_t first, std::int64_t count,
+                                   std::size_t columns) const
+{
+    std::vector<T> values;
+    if (first >= 0 && count >= 0)
+        values = file_.read_rows<T>(name, static_cast<std::uint64_t>(first), static_cast<std::uint64_t>(count));
+    if (first >= 0 && count >= 0 && values.size() == columns * static_cast<std::size_t>(count)) return values;
+    throw InputError(place_,
+                     name + " has not the " + std::to_string(columns) + " columns or not the rows it should",
+                     "the file is damaged: run the case again");
+}
+
+template <typename T>
+T ResultsReader::one(const std::string& name, std::size_t row) const
+{
+    return rows<T>(name, static_cast<std::int64_t>(row), 1, 1)[0];
 }
 
 RecordedFrame ResultsReader::frame(std::size_t index) const
 {
+    const auto row = static_cast<std::int64_t>(index);
+    const std::size_t blocks = model.block_names.size(), dimension = axes_of(model.kinematics).size();
     RecordedFrame frame;
-    frame.time = file_.read_rows<double>("/frames/time", index, 1)[0];
-    frame.step = file_.read_rows<std::int64_t>("/frames/step", index, 1)[0];
-    frame.stage = file_.read_rows<std::int32_t>("/frames/stage", index, 1)[0];
+    frame.time = one<double>("/frames/time", index);
+    frame.step = one<std::int64_t>("/frames/step", index);
+    frame.stage = one<std::int32_t>("/frames/stage", index);
     frame.state.time = frame.time;
     frame.state.step = frame.step;
     frame.state.stage = frame.stage;
-    frame.state.coordinates = file_.read_rows<double>("/frames/coordinates", index, 1);
-    frame.state.velocities = file_.read_rows<double>("/frames/velocities", index, 1);
-    frame.ground =
-        vector_at(file_.read_rows<double>("/frames/ground_displacement", index, 1), 0, model.kinematics);
+    frame.state.coordinates = rows<double>(
+        "/frames/coordinates", row, 1, blocks * static_cast<std::size_t>(coordinates_per_block(model.kinematics)));
+    frame.state.velocities = rows<double>("/frames/velocities", row, 1,
+                                          blocks * static_cast<std::size_t>(unknowns_per_block(model.kinematics)));
+    frame.ground = vector_at(rows<double>("/frames/ground_displacement", row, 1, dimension), 0, model.kinematics);
     if (is_deformable(model.kinematics)) frame.stresses = stresses(index);
     frame.joints = joints(index);
+    check_recorded(frame, model, place_);
     return frame;
 }
 
 std::vector<Matrix3d> ResultsReader::stresses(std::size_t frame) const
 {
     const std::vector<std::string> names = file_.texts_attribute("/frames/stress", "columns");
-    const std::vector<double> rows = file_.read_rows<double>("/frames/stress", frame, 1);
+    const auto is_component = [](const std::string& name) {
+        return name.size() == 2 && name.find_first_not_of("xyz") == std::string::npos;
+    };
+    if (names.empty() || !std::all_of(names.begin(), names.end(), is_component))
+        throw InputError(place_, "stresses without the names of their components", "the file is damaged");
+    const std::vector<double> values = rows<double>("/frames/stress", static_cast<std::int64_t>(frame), 1,
+                                                    model.block_names.size() * names.size());
     std::vector<Matrix3d> stresses;
-    for (std::size_t i = 0; i < rows.size(); i += names.size())
-        stresses.push_back(tensor_of(names, rows.data() + i));
+    for (std::size_t i = 0; i < values.size(); i += names.size())
+        stresses.push_back(tensor_of(names, values.data() + i));
     return stresses;
 }
 
 std::vector<JointResultant> ResultsReader::joints(std::size_t frame) const
 {
-    const auto rows = file_.read_rows<std::int64_t>("/frames/joints/rows", frame, 1);
-    const auto read = [&](const char* name) {
-        return file_.read_rows<double>(std::string("/frames/joints/") + name, rows[0], rows[1]);
+    const auto span = rows<std::int64_t>("/frames/joints/rows", static_cast<std::int64_t>(frame), 1, 2);
+    const std::size_t dimension = axes_of(model.kinematics).size();
+    const auto read = [&](const char* name, std::size_t columns) {
+        return rows<double>(std::string("/frames/joints/") + name, span[0], span[1], columns);
     };
-    const auto pair = file_.read_rows<std::int32_t>("/frames/joints/pair", rows[0], rows[1]);
-    const std::vector<double> force = read("force"), moment = read("moment"), centre = read("centre"),
-                              pressure = read("pressure_centre"), normal = read("normal"),
-                              normal_force = read("normal_force"), opening = read("opening"), slip = read("slip"),
-                              area = read("area"), closed = read("closed_area");
-    std::vector<JointResultant> joints(static_cast<std::size_t>(rows[1]));
+    const auto pair = rows<std::int32_t>("/frames/joints/pair", span[0], span[1], 2);
+    const std::vector<double> force = read("force", dimension),
+                              moment = read("moment", is_planar(model.kinematics) ? 1 : dimension),
+                              centre = read("centre", dimension), pressure = read("pressure_centre", dimension),
+                              normal = read("normal", dimension), normal_force = read("normal_force", 1),
+                              opening = read("opening", 1), slip = read("slip", 1), area = read("area", 1),
+                              closed = read("closed_area", 1);
+    std::vector<JointResultant> joints(static_cast<std::size_t>(span[1]));
     for (std::size_t i = 0; i < joints.size(); ++i) {
         JointResultant& joint = joints[i];
         joint.block_a = pair[2 * i];

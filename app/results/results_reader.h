@@ -42,6 +42,7 @@ class ResultsReader
     /// Opens a file, of a finished, running or killed run. @throws InputError when it is no results file
     explicit ResultsReader(const std::filesystem::path& path);
 
+    /// @throws InputError when the file is damaged there
     RecordedFrame frame(std::size_t index) const;
 
     RecordedModel model;
@@ -49,9 +50,16 @@ class ResultsReader
     std::vector<double> times;  // s, of the whole frames; one that a killed run left unfinished is not counted
 
  private:
+    /// `count` rows of so many columns each, or else an InputError.
+    template <typename T>
+    std::vector<T> rows(const std::string& name, std::int64_t first, std::int64_t count,
+                        std::size_t columns) const;
+    template <typename T>
+    T one(const std::string& name, std::size_t row) const;
     std::vector<Eigen::Matrix3d> stresses(std::size_t frame) const;
     std::vector<JointResultant> joints(std::size_t frame) const;
     Hdf5File file_;
+    std::string place_;  // the file, for faults
 };
 
 }  // namespace voussoir

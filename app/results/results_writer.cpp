@@ -110,13 +110,10 @@ struct ResultsWriter::Implementation {
     void read_back(const Restart& from, std::vector<double>& lines)
     {
         restart.history_rows = from.history_rows;
-        const Hdf5File file = Hdf5File::open(results());
-        if (from.position.frames > 0) {
-            const auto last = file.read_rows<std::int64_t>("/frames/joints/rows", from.position.frames - 1, 1);
-            joint_rows = last[0] + last[1];
-        }
+        joint_rows = joint_rows_in(results(), from.position.frames);
         if (!histories.columns.empty())
-            lines = file.read_rows<double>("/histories/values", 0, static_cast<std::uint64_t>(from.history_rows));
+            lines = Hdf5File::open(results()).read_rows<double>("/histories/values", 0,
+                                                                static_cast<std::uint64_t>(from.history_rows));
     }
 
     /// Lines of the csv file that were held back go there, and wait for the next store() of results.h5.

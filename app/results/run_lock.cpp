@@ -33,7 +33,7 @@ RunLock::RunLock(const std::filesystem::path& folder) : path_(folder / "run.lock
     std::filesystem::create_directories(folder, error);
     if (error) refuse_writing(folder, error.value());
     while (true) {
-        descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (descriptor_ < 0) refuse_writing(folder, errno);
         // A file system that knows no locks fails in another way and is used without one.
         const bool taken = ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;

@@ -41,10 +41,8 @@ void point_fields(Archive& archive, Point& point)
 template <typename Archive, typename Contacts>
 void contact_fields(Archive& archive, Contacts& contacts)
 {
-    archive.size_of(contacts.patches);
-    for (auto& patch : contacts.patches) patch_fields(archive, patch);
-    archive.size_of(contacts.points);
-    for (auto& point : contacts.points) point_fields(archive, point);
+    archive.list(contacts.patches, [](auto& to, auto& patch) { patch_fields(to, patch); });
+    archive.list(contacts.points, [](auto& to, auto& point) { point_fields(to, point); });
 }
 
 template <typename Archive, typename SomeState>
@@ -56,10 +54,7 @@ void state_fields(Archive& archive, SomeState& state)
     archive.field(state.stage_time);
     archive.field(state.grid);
     archive.field(state.next_time_step);
-    for (auto* list : {&state.coordinates, &state.velocities, &state.foundation_anchors}) {
-        archive.size_of(*list);
-        for (auto& value : *list) archive.field(value);
-    }
+    for (auto* list : {&state.coordinates, &state.velocities, &state.foundation_anchors}) archive.list(*list);
     contact_fields(archive, state.contacts);
     contact_fields(archive, state.planar_contacts);
 }

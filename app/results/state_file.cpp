@@ -1,7 +1,9 @@
 #include "app/results/state_file.h"
 
 #include "app/results/packed.h"
+#include "app/results/state_checks.h"
 #include "app/results/state_fields.h"
+#include "libdda/errors.h"
 
 namespace voussoir
 {
@@ -24,8 +26,13 @@ State load_state(const std::filesystem::path& path)
     Unpacker unpacker(payload);
     State state;
     state_fields(unpacker, state);
-    if (!unpacker.done()) refuse_damaged(path);
+    if (!unpacker.done() || !is_sound(state)) refuse_damaged(path);
     return state;
+}
+
+void check_fits(const State& state, const Model& model, const std::filesystem::path& path)
+{
+    if (!fits(state, model)) throw InputError(path.string(), "the state of another model", "start the run anew");
 }
 
 }  // namespace voussoir

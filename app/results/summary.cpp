@@ -44,6 +44,15 @@ Json crushed_joints(const Model& model, const std::vector<CrushedJoint>& crushed
     return json;
 }
 
+Json deepest_overlap(const Model& model, const DeepestOverlap& overlap)
+{
+    if (overlap.block_a < 0) return nullptr;
+    return {{"blocks", {model.blocks[overlap.block_a].name, model.blocks[overlap.block_b].name}},
+            {"depth_m", overlap.depth},
+            {"share_of_width", overlap.share},
+            {"time_s", overlap.time}};
+}
+
 Json time_by_part(const RunReport& report)
 {
     Json json;
@@ -123,6 +132,7 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
     json["cpu_time_s"] = times.cpu;
     json["time_by_part"] = time_by_part(report);
     json["max_penetration_m"] = report.max_penetration;
+    json["deepest_overlap"] = deepest_overlap(model, report.deepest);
     json["static_unbalanced"] = report.static_unbalanced;
     json["energy"] = energy(report.energy);
     json["fallen_blocks"] = fallen_blocks(model, report.fallen);

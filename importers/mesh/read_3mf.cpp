@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr int deepest = 64;
-constexpr std::size_t most_instances = 1000000;
+constexpr std::size_t most_instances = 100'000;
 
 /// One .model part of the package.
 struct ModelPart {

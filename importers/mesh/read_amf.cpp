@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr int deepest = 64;
-constexpr std::size_t most_instances = 1000000;
+constexpr std::size_t most_instances = 100'000;
 
 class AmfReader
 {

@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr int deepest = 256;
-constexpr std::size_t most_instances = 1000000;
+constexpr std::size_t most_instances = 100'000;
 
 /// Where the corners of a primitive stand in its list of numbers: every `stride`-th, from `offset` on.
 struct Corners {

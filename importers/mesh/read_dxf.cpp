@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr int deepest = 32;
-constexpr std::size_t most_instances = 1000000;
+constexpr std::size_t most_instances = 100'000;
 
 /// One entity: its pairs after (0, NAME).
 struct Entity {

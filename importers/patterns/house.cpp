@@ -54,7 +54,7 @@ void check(const House& house, const std::vector<Facade>& facades)
     check_base(house.base, faults);
     check_placement(house.placement, faults);
     if (!faults.empty()) throw InputError(faults);
-    check_block({house.block_length, house.block_height}, std::max(house.length, house.width), house.height,
+    check_block({house.block_length, house.block_height}, std::max(house.length, house.width), house.height, 1,
                 faults);
     check_imperfection(house.imperfection, house.wall_thickness, faults);
     if (!faults.empty()) throw InputError(faults);

@@ -10,12 +10,12 @@ namespace voussoir
 {
 
 /// More blocks than this are a slip of the pen.
-constexpr double most_blocks = 2e6;
+constexpr double most_blocks = 2e5;
 
 /// Adds a fault unless the value is > 0 and finite. @param name as in the case file
 void check_positive(const std::string& name, double value, std::vector<Fault>& faults);
 
-void check_block(const BlockFormat& block, double longest, double height, std::vector<Fault>& faults);
+void check_block(const BlockFormat& block, double longest, double height, int leaves, std::vector<Fault>& faults);
 
 void check_lintel_size(const Lintel& lintel, std::vector<Fault>& faults);
 

@@ -37,7 +37,7 @@ void check(const Wall& wall, const Facade& facade)
     check_base(wall.base, faults);
     check_placement(wall.placement, faults);
     if (!faults.empty()) throw InputError(faults);
-    check_block({wall.block_length, wall.block_height}, wall.length, wall.height, faults);
+    check_block({wall.block_length, wall.block_height}, wall.length, wall.height, wall.leaves, faults);
     check_imperfection(wall.imperfection, wall.thickness / wall.leaves, faults);
     if (wall.flat && wall.leaves > 1)
         faults.push_back({"leaves", std::to_string(wall.leaves), "a planar scene has one leaf"});

@@ -25,6 +25,14 @@ if(VOUSSOIR_SANITIZE)
                          -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(voussoir_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(VOUSSOIR_TSAN)
+  # g++'s OpenMP is not instrumented, and every barrier in it looks like none. clang's tells the sanitizer of its own.
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    message(FATAL_ERROR "ThreadSanitizer needs clang++: cmake --preset tsan")
+  endif()
+  target_compile_options(voussoir_flags INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(voussoir_flags INTERFACE -fsanitize=thread)
+endif()
 
 # Half of the compile time is Eigen's headers. They are parsed once for all targets that share their flags; a target
 # with flags of its own (OpenMP, CGAL's rounding) parses them once for itself. Sources include what they use all the

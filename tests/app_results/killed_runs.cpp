@@ -30,7 +30,7 @@ blocks:
 foundation: {blocks: foundation, motion: {x: {sine: {acceleration: 0.6 g, frequency: 4 Hz, duration: 0.25 s}}}}
 stages:
   - {name: self-weight, type: static, gravity_increments: 4, time_step: 10 ms}
-  - {name: earthquake, type: dynamic, duration: 0.3 s, time_step: 1 ms, divide_up_to_blocks: 0}
+  - {name: earthquake, type: dynamic, duration: 0.3 s, time_step: 1 ms}
   - {name: afterwards, type: static, time_step: 20 ms, max_static_steps: 4000}
 output: {every: 6 ms, histories: {top: {block: third}}}
 )";

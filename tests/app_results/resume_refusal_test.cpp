@@ -148,6 +148,15 @@ TEST(RunLock, ASecondRunIsRefusedAndAKilledOneLeavesNone)
     EXPECT_FALSE(fs::exists(folder / "results" / "run.lock"));
 }
 
+TEST(RunLock, ALinkLeadsNowhere)
+{
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "results");
+    fs::create_symlink(folder / "elsewhere", folder / "results/run.lock");
+    EXPECT_THROW(RunLock(folder / "results"), InputError);
+    EXPECT_FALSE(fs::exists(folder / "elsewhere"));
+}
+
 TEST(RunLock, AnInterruptedRunIsNotReplacedSilently)
 {
     const TemporaryFolder folder;

@@ -51,6 +51,33 @@ TEST_P(StateFile, EveryBitComesBack)
 INSTANTIATE_TEST_SUITE_P(Kinematics, StateFile,
                          testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid));
 
+TEST(StateFile, BelongsToItsModel)
+{
+    const Case arch = synthetic::arch(Kinematics::spatial_rigid),
+               tower = synthetic::tower(Kinematics::spatial_rigid);
+    const State good = synthetic::swaying(arch, 1.2);
+    EXPECT_NO_THROW(check_fits(good, arch.model, "state"));
+    EXPECT_THROW(check_fits(good, tower.model, "state"), InputError);
+    State bad = good;
+    bad.contacts.patches.at(0).block_b = static_cast<int>(arch.model.blocks.size());
+    EXPECT_THROW(check_fits(bad, arch.model, "state"), InputError);
+    bad = good;
+    bad.velocities.at(0) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(check_fits(bad, arch.model, "state"), InputError);
+}
+
+TEST(StateFile, PatchesWithoutTheirPointsAreRefused)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "state";
+    for (const int count : {-1, 1 << 30}) {
+        State state = odd_state(Kinematics::spatial_rigid);
+        state.contacts.patches.back().point_count = count;
+        save_state(state, path);  // with a checksum that fits
+        EXPECT_THROW(load_state(path), InputError) << count;
+    }
+}
+
 TEST(StateFile, DamageIsRefused)
 {
     const TemporaryFolder folder;

@@ -1,0 +1,79 @@
+#include "app/results/restart_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/results/counts.h"
+#include "app/results/state_checks.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+bool is_sound(const RunReport& report)
+{
+    const std::array counts{report.steps,
+                            report.step_cuts,
+                            report.unconverged_steps,
+                            report.divided_steps,
+                            report.open_close_iterations,
+                            report.factorisations,
+                            report.linear_iterations,
+                            report.factor_entries};
+    return report.outcome >= Outcome::completed && report.outcome <= Outcome::interrupted &&
+           std::all_of(counts.begin(), counts.end(), is_count);
+}
+
+bool is_sound(const RunPosition& at)
+{
+    const std::array<std::int64_t, 7> counts{at.parts,           at.frames,       at.multiples,  at.divisions,
+                                             at.load_increments, at.static_steps, at.quiet_steps};
+    return is_sound(at.report) && std::all_of(counts.begin(), counts.end(), is_count);
+}
+
+/// The clock of the stage is where its grid is, and the counters of a static stage are within its own.
+bool fits(const State& state, const RunPosition& at, const Stage& stage)
+{
+    constexpr double rounding = 1e-9;
+    const double step = stage.control.time_step;
+    if (stage.type == StageType::static_equilibrium)
+        return at.load_increments <= stage.gravity_increments && at.static_steps <= stage.max_static_steps;
+    return state.stage_time >= 0 && state.stage_time <= stage.duration * (1 + rounding) &&
+           std::abs(state.stage_time - static_cast<double>(state.grid) * step) <= step * (1 + rounding);
+}
+
+bool fits(const RunReport& report, const Model& model)
+{
+    const auto is_block = [&](int block) {
+        return block >= 0 && static_cast<std::size_t>(block) < model.blocks.size();
+    };
+    const DeepestOverlap& deepest = report.deepest;
+    const bool no_overlap = deepest.share == 0 && deepest.block_a == -1 && deepest.block_b == -1;
+    if (!no_overlap && (!is_block(deepest.block_a) || !is_block(deepest.block_b))) return false;
+    return std::all_of(report.fallen.begin(), report.fallen.end(),
+                       [&](const FallenBlock& fallen) { return is_block(fallen.block); }) &&
+           std::all_of(report.crushed.begin(), report.crushed.end(), [&](const CrushedJoint& crushed) {
+               return is_block(crushed.block_a) && is_block(crushed.block_b);
+           });
+}
+
+}  // namespace
+
+bool is_sound(const Restart& restart)
+{
+    return is_sound(restart.state) && is_sound(restart.position) && is_count(restart.history_rows) &&
+           std::isfinite(restart.wall_time) && std::isfinite(restart.cpu_time);
+}
+
+bool fits(const Restart& restart, const Case& the_case)
+{
+    if (restart.ended) return true;
+    const auto stage = static_cast<std::size_t>(restart.state.stage);
+    return stage < the_case.stages.size() && fits(restart.state, restart.position, the_case.stages[stage]) &&
+           fits(restart.state, the_case.model) && fits(restart.position.report, the_case.model);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,67 @@
+#include "app/results/state_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/results/counts.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+template <int D>
+bool is_sound(const ContactSetIn<D>& contacts)
+{
+    const auto has_points = [&](const ContactPatchIn<D>& patch) {
+        return patch.first_point >= 0 && patch.point_count >= 0 &&
+               static_cast<std::size_t>(patch.first_point) + static_cast<std::size_t>(patch.point_count) <=
+                   contacts.points.size();
+    };
+    const auto has_status = [](const ContactPointIn<D>& point) { return point.status <= ContactStatus::sliding; };
+    return std::all_of(contacts.patches.begin(), contacts.patches.end(), has_points) &&
+           std::all_of(contacts.points.begin(), contacts.points.end(), has_status);
+}
+
+template <int D>
+bool fits(const ContactSetIn<D>& contacts, const Model& model)
+{
+    const auto is_part = [&](int block, int part) {
+        if (block < 0 || static_cast<std::size_t>(block) >= model.blocks.size()) return false;
+        const std::size_t parts = D == 3 ? model.blocks[block].parts.size() : model.blocks[block].outlines.size();
+        return part >= 0 && static_cast<std::size_t>(part) < parts;
+    };
+    return std::all_of(contacts.patches.begin(), contacts.patches.end(), [&](const ContactPatchIn<D>& patch) {
+        return is_part(patch.block_a, patch.part_a) && is_part(patch.block_b, patch.part_b);
+    });
+}
+
+bool are_finite(const std::vector<double>& values)
+{
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+bool is_sound(const State& state)
+{
+    const bool has_times = std::isfinite(state.time) && std::isfinite(state.stage_time) &&
+                           std::isfinite(state.next_time_step) && state.next_time_step >= 0;
+    return has_times && is_count(state.step) && is_count(state.stage) && is_count(state.grid) &&
+           is_sound(state.contacts) && is_sound(state.planar_contacts);
+}
+
+bool fits(const State& state, const Model& model)
+{
+    const std::size_t blocks = model.blocks.size(),
+                      coordinates = blocks * static_cast<std::size_t>(coordinates_per_block(model.kinematics)),
+                      velocities = blocks * static_cast<std::size_t>(unknowns_per_block(model.kinematics)),
+                      anchors = model.foundations.size() * axes_of(model.kinematics).size();
+    return state.coordinates.size() == coordinates && state.velocities.size() == velocities &&
+           state.foundation_anchors.size() == anchors && are_finite(state.coordinates) &&
+           are_finite(state.velocities) && are_finite(state.foundation_anchors) && fits(state.contacts, model) &&
+           fits(state.planar_contacts, model);
+}
+
+}  // namespace voussoir
