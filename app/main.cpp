@@ -1,12 +1,10 @@
 // voussoir: what an earthquake does to stone structures, block by block. The command line and the exit codes.
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <memory>
 #include <new>
-#include <thread>
 
 #include "app/commands/commands.h"
 #include "app/geometry/geometry.h"
@@ -16,11 +14,6 @@ namespace
 {
 
 using namespace voussoir;
-
-int default_threads()
-{
-    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 2);
-}
 
 /// A repeatable option that takes one value each time, so that what follows it is not swallowed.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides)
@@ -46,7 +39,6 @@ void add_certificate(CLI::App& command, std::optional<std::filesystem::path>& js
 void add_run(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<RunArguments>();
-    arguments->threads = default_threads();
     CLI::App* command = app.add_subcommand("run", "Run a case and write its results");
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
     command->add_option("-o,--output", arguments->folder, "Folder for the results (results/<case name>)")
@@ -54,7 +46,9 @@ void add_run(CLI::App& app, std::function<int()>& chosen)
     command->add_flag("--resume", arguments->resume,
                       "Go on with the run of this case that was interrupted or killed in the folder");
     add_overrides(*command, arguments->overrides);
-    command->add_option("--threads", arguments->threads, "Threads; the results do not depend on it")
+    command
+        ->add_option("--threads", arguments->threads,
+                     "Threads; the results do not depend on it. More than one pays where nothing else runs")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
@@ -152,7 +146,7 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
         ->capture_default_str();
     command->add_option("--size", arguments->size, "Width and height in pixels")
         ->expected(2)
-        ->check(CLI::Range(64, 8192))
+        ->check(CLI::Range(200, 8000))
         ->capture_default_str();
     command->add_option("--deformation-scale", arguments->deformation_scale, "Displacements are drawn times this")
         ->check(CLI::PositiveNumber);
@@ -174,6 +168,30 @@ void add_verify(CLI::App& app, std::function<int()>& chosen)
     command->add_option("-o,--output", arguments->folder, "Folder for the page, and with --sweep for the diagrams")
         ->type_name("DIR");
     command->callback([arguments, &chosen] { chosen = [arguments] { return verify_command(*arguments); }; });
+}
+
+void add_stability(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<StabilityArguments>();
+    CLI::App* command =
+        app.add_subcommand("stability", "Stiff and extreme scenes, each in a process of its own: a failure map");
+    command->add_option("name", arguments->names, "Scenes or cells (all)")->type_name("NAME");
+    command->add_flag("--list", arguments->list, "List the cells, run nothing");
+    command->add_option("--jobs", arguments->jobs, "Cells at a time")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command
+        ->add_option("--tolerance-factor", arguments->tolerance_factor,
+                     "Times the tolerance of every cell: how much room there is")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+        ->type_name("FILE");
+    command
+        ->add_option("-o,--output", arguments->folder,
+                     "Folder for stability.md, the maps as pictures and stability.json")
+        ->type_name("DIR");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return stability_command(*arguments); }; });
 }
 
 /// A repeatable option whose values are separated by commas.
@@ -240,6 +258,35 @@ void add_converge(CLI::App& app, std::function<int()>& chosen)
     command->callback([arguments, &chosen] { chosen = [arguments] { return converge_command(*arguments); }; });
 }
 
+void add_ensemble(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<EnsembleArguments>();
+    CLI::App* command = app.add_subcommand(
+        "ensemble", "Runs of your own case that differ by next to nothing: medians and spread at step h and h/2");
+    command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
+    command
+        ->add_option("--vary", arguments->vary, "What makes the members: blocks[0].house.imperfection.seed=1,2,3")
+        ->required()
+        ->type_name("KEY=VALUE,VALUE,...");
+    command->add_option("--open", arguments->open, "A joint that is open by more is counted")
+        ->type_name("LENGTH")
+        ->capture_default_str();
+    command
+        ->add_option("--stiffness-factor", arguments->stiffness_factor,
+                     "Also with the case's contact stiffness times this; 1 leaves it out")
+        ->check(CLI::Range(1e-3, 1e3))
+        ->capture_default_str();
+    add_overrides(*command, arguments->overrides);
+    command->add_option("--jobs", arguments->jobs, "Runs side by side, each on one thread")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+        ->type_name("FILE");
+    command->add_option("-o,--output", arguments->folder, "Folder for the page and the diagram")->type_name("DIR");
+    command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return ensemble_command(*arguments); }; });
+}
+
 /// Runs the chosen command; what it throws becomes a message and an exit code.
 int guarded(const std::function<int()>& command)
 {
@@ -272,6 +319,8 @@ int run_program(int argument_count, char** arguments)
     add_render(app, chosen);
     add_verify(app, chosen);
     add_converge(app, chosen);
+    add_ensemble(app, chosen);
+    add_stability(app, chosen);
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {

@@ -93,6 +93,19 @@ struct VerifyArguments {
 /// @throws InputError for an unknown name
 int verify_command(const VerifyArguments& arguments);
 
+struct StabilityArguments {
+    std::vector<std::string> names;  // scenes or cells; empty: all
+    bool list = false;
+    int jobs = 1;
+    double tolerance_factor = 1;  // times the tolerance of every cell
+    std::optional<std::filesystem::path> json, folder;
+};
+
+/// Runs the stiff and extreme scenes, each cell in a process of its own: the failure map. @returns exit_failure
+/// when a cell is wrong, crashes or takes too long
+/// @throws InputError for an unknown name
+int stability_command(const StabilityArguments& arguments);
+
 struct ConvergeArguments {
     std::filesystem::path case_file;
     std::vector<std::string> overrides, quantities;
@@ -109,5 +122,21 @@ struct ConvergeArguments {
 /// Error against run time of the user's own case, over time steps and contact stiffness.
 /// @throws InputError with all faults of the case or of the choices
 int converge_command(const ConvergeArguments& arguments);
+
+struct EnsembleArguments {
+    std::filesystem::path case_file;
+    std::vector<std::string> overrides;
+    std::string vary;             // KEY=VALUE,VALUE,...
+    std::string open = "1 mm";    // a joint that is open by more counts
+    double stiffness_factor = 2;  // of the sensitivity; 1: none
+    int jobs = 1;                 // runs side by side
+    std::optional<std::filesystem::path> json, folder;
+    bool quiet = false;
+};
+
+/// Runs of a case that differ by next to nothing, at its time step and at half of it: what the step does to their
+/// medians, beside what chance does. @returns exit_done whatever the study says
+/// @throws InputError with all faults of the case or of the choices
+int ensemble_command(const EnsembleArguments& arguments);
 
 }  // namespace voussoir

@@ -1,39 +1,22 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstdio>
-#include <string_view>
 
 #include "app/case/nearest_word.h"
-#include "app/case/quantity.h"
 #include "app/commands/commands.h"
 #include "app/commands/interrupt.h"
-#include "app/commands/outputs.h"
+#include "app/commands/option_words.h"
+#include "app/commands/study_output.h"
 #include "app/converge/report.h"
 #include "app/converge/threshold.h"
-#include "app/plots/plots.h"
 #include "app/plots/words.h"
-#include "app/results/atomic_file.h"
 #include "libdda/errors.h"
 
 namespace voussoir
 {
 namespace
 {
-
-namespace fs = std::filesystem;
-
-/// A positive quantity of the command line.
-double read_positive(const std::string& option, const std::string& text, const Dimension& dimension)
-{
-    const ParsedQuantity quantity = parse_quantity(text);
-    if (!quantity.problem.empty() || !quantity.has(dimension) || !(quantity.value > 0))
-        throw InputError(option, "\"" + text + "\" is not " + std::string(dimension.name) + " above 0",
-                         "write one, as " + std::string(dimension.example));
-    return quantity.value;
-}
 
 CollapseRule read_collapse_rule(const std::string& text)
 {
@@ -121,19 +104,6 @@ ConvergeStudy run_chosen(const ConvergeArguments& arguments)
     return study;
 }
 
-/// A word as a shell takes it: in single quotes where it holds more than plain letters.
-std::string shell_word(const std::string& word)
-{
-    const auto plain = [](unsigned char c) {
-        return std::isalnum(c) != 0 ||
-               std::string_view("_-./=,:+%@").find(static_cast<char>(c)) != std::string::npos;
-    };
-    if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
-}
-
 /// How the study can be had again; the folder by its last name, for pages travel.
 std::string command_line(const ConvergeArguments& arguments)
 {
@@ -159,34 +129,17 @@ std::string command_line(const ConvergeArguments& arguments)
     return text;
 }
 
-/// DIR/converge.md and DIR/converge/NAME.png.
-void write_page(const ConvergeArguments& arguments, const ConvergeStudy& study)
-{
-    const fs::path folder = *arguments.folder;
-    make_output_folder(folder);
-    std::vector<std::string> figures;
-    if (can_draw_figures()) figures = draw_figures(converge_figures(study), folder / "converge");
-    write_atomically(folder / "converge.md", converge_page(study, command_line(arguments), figures));
-    if (!arguments.quiet) fmt::print("written: {}\n", (folder / "converge.md").string());
-}
-
 }  // namespace
 
 int converge_command(const ConvergeArguments& arguments)
 {
-    catch_interrupts();
-    expect_writable(arguments.json, arguments.folder);
-    try {
+    return publish_study({"converge", arguments.json, arguments.folder, arguments.quiet}, [&] {
         const ConvergeStudy study = run_chosen(arguments);
-        const bool to_stdout = arguments.json && *arguments.json == "-";
-        if (!to_stdout && !arguments.quiet) fmt::print("{}", converge_table(study));
-        if (arguments.json) write_json_text(*arguments.json, converge_json(study));
-        if (arguments.folder) write_page(arguments, study);
-        return exit_done;
-    } catch (const Interrupted&) {
-        fmt::print(stderr, "interrupted: the study is not complete, nothing is written\n");
-        return exit_interrupted;
-    }
+        return StudyOutput{converge_table(study), converge_json(study), converge_figures(study),
+                           [study, &arguments](const std::vector<std::string>& drawn) {
+                               return converge_page(study, command_line(arguments), drawn);
+                           }};
+    });
 }
 
 }  // namespace voussoir

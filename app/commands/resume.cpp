@@ -36,6 +36,7 @@ Restart restart_of(const Case& the_case, const fs::path& folder)
     if (!changed.empty())
         throw InputError(folder.string(), "a run of something else: changed since are " + changed,
                          "resume with what it was started with, or start anew without --resume");
+    check_fits(restart, the_case, restart_file_in(folder));
     return restart;
 }
 

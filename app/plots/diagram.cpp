@@ -8,7 +8,10 @@ namespace voussoir
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Curve, name, x, y, is_reference)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Level, name, y, tolerance)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagram, x_title, y_title, curves, levels, logarithmic_x, logarithmic_y, marks)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Figure, name, title, subtitle, diagrams, stacked, notes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TileKey, name, color)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tile, text, under, color)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TileMap, x_title, y_title, columns, rows, width, tiles, keys)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Figure, name, title, subtitle, diagrams, stacked, notes, maps)
 
 std::string figures_json(const std::vector<Figure>& figures)
 {

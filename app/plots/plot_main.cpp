@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "app/plots/draw_figure.h"
+#include "app/plots/draw_map.h"
 
 int main()
 {
@@ -14,7 +15,8 @@ int main()
         std::getline(std::cin, folder);
         const std::string text(std::istreambuf_iterator<char>(std::cin), {});
         for (const voussoir::Figure& figure : voussoir::figures_of_json(text)) {
-            draw_figure(figure, std::filesystem::path(folder) / (figure.name + ".png"));
+            const std::filesystem::path file = std::filesystem::path(folder) / (figure.name + ".png");
+            figure.maps.empty() ? draw_figure(figure, file) : draw_map(figure, file);
             std::cout << figure.name << '\n';
         }
         return 0;

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "app/commands/commands.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/option_words.h"
+#include "app/commands/study_output.h"
+#include "app/ensemble/report.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+EnsembleChoices choices_of(const EnsembleArguments& arguments)
+{
+    EnsembleChoices choices;
+    choices.limit = read_positive("--open", arguments.open, dimension::length);
+    choices.stiffness_factor = arguments.stiffness_factor;
+    choices.jobs = arguments.jobs;
+    return choices;
+}
+
+EnsembleStudy run_chosen(const EnsembleArguments& arguments)
+{
+    const EnsembleChoices choices = choices_of(arguments);
+    const Variation variation = read_variation(arguments.vary);
+    const std::vector<Case> members = read_members(arguments.case_file, arguments.overrides, variation);
+    const bool shown = !arguments.quiet && isatty(STDERR_FILENO) == 1;
+    const auto tell = [&](const MemberRun& run, int done, int of) {
+        if (shown)
+            fmt::print(stderr, "run {} of {}: {}, {:.3g} s CPU\n", done, of, variation.values[run.member],
+                       run.cpu);
+    };
+    return run_ensemble(members, variation, choices, {tell, interrupted});
+}
+
+/// How the study can be had again; the folder by its last name, for pages travel.
+std::string command_line(const EnsembleArguments& arguments)
+{
+    const EnsembleArguments defaults;
+    std::string text =
+        "voussoir ensemble " + shell_word(arguments.case_file.string()) + " --vary " + shell_word(arguments.vary);
+    if (arguments.open != defaults.open) text += " --open " + shell_word(arguments.open);
+    if (arguments.stiffness_factor != defaults.stiffness_factor)
+        text += fmt::format(" --stiffness-factor {:g}", arguments.stiffness_factor);
+    for (const std::string& setting : arguments.overrides) text += " --set " + shell_word(setting);
+    if (arguments.jobs != defaults.jobs) text += fmt::format(" --jobs {}", arguments.jobs);
+    return text + " -o " + shell_word((*arguments.folder / "").parent_path().filename().string());
+}
+
+}  // namespace
+
+int ensemble_command(const EnsembleArguments& arguments)
+{
+    return publish_study({"ensemble", arguments.json, arguments.folder, arguments.quiet}, [&] {
+        const EnsembleStudy study = run_chosen(arguments);
+        return StudyOutput{ensemble_table(study), ensemble_json(study), ensemble_figures(study),
+                           [study, &arguments](const std::vector<std::string>& drawn) {
+                               return ensemble_page(study, command_line(arguments), drawn);
+                           }};
+    });
+}
+
+}  // namespace voussoir

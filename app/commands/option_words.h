@@ -1,0 +1,17 @@
+// Options of the command line, in and out: quantities read, words as a shell takes them.
+#pragma once
+
+#include <string>
+
+#include "app/case/quantity.h"
+
+namespace voussoir
+{
+
+/// A positive quantity. @throws InputError named by the option
+double read_positive(const std::string& option, const std::string& text, const Dimension& dimension);
+
+/// A word as a shell takes it: in single quotes where it holds more than plain letters.
+std::string shell_word(const std::string& word);
+
+}  // namespace voussoir

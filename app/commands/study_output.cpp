@@ -1,0 +1,49 @@
+#include "app/commands/study_output.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "app/commands/commands.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/outputs.h"
+#include "app/converge/measured_run.h"
+#include "app/plots/plots.h"
+#include "app/results/atomic_file.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+void write_page(const StudyTargets& targets, const StudyOutput& output)
+{
+    const std::filesystem::path folder = *targets.folder, page = folder / (targets.name + ".md");
+    make_output_folder(folder);
+    std::vector<std::string> drawn;
+    if (can_draw_figures()) drawn = draw_figures(output.figures, folder / targets.name);
+    write_atomically(page, output.page(drawn));
+    if (!targets.quiet) fmt::print("written: {}\n", page.string());
+}
+
+}  // namespace
+
+int publish_study(const StudyTargets& targets, const std::function<StudyOutput()>& study)
+{
+    catch_interrupts();
+    expect_writable(targets.json, targets.folder);
+    try {
+        const StudyOutput output = study();
+        const bool to_stdout = targets.json && *targets.json == "-";
+        if (!to_stdout && !targets.quiet) fmt::print("{}", output.table);
+        if (targets.json) write_json_text(*targets.json, output.json);
+        if (targets.folder) write_page(targets, output);
+        return exit_done;
+    } catch (const Interrupted&) {
+        fmt::print(stderr, "interrupted: the study is not complete, nothing is written\n");
+        return exit_interrupted;
+    }
+}
+
+}  // namespace voussoir

@@ -1,0 +1,34 @@
+// Studies that run long and write a table, figures as JSON and a page: converge, ensemble.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/plots/diagram.h"
+
+namespace voussoir
+{
+
+/// Where a study's answer goes.
+struct StudyTargets {
+    std::string name;  // of the page NAME.md and the folder of its pictures
+    std::optional<std::filesystem::path> json, folder;
+    bool quiet = false;
+};
+
+/// What a study gives.
+struct StudyOutput {
+    std::string table, json;
+    std::vector<Figure> figures;
+    std::function<std::string(const std::vector<std::string>& drawn)> page;  // drawn: the pictures there are
+};
+
+/// Runs a study and writes its answer: the table to standard output, unless the JSON goes there; FOLDER/NAME.md
+/// and FOLDER/NAME/*.png. Targets that could not be written are refused before it runs; nothing is written when it
+/// is interrupted. @returns exit_done or exit_interrupted
+int publish_study(const StudyTargets& targets, const std::function<StudyOutput()>& study);
+
+}  // namespace voussoir

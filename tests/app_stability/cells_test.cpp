@@ -1,0 +1,186 @@
+// Cells, how they are judged, and how they end in a process of their own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "app/stability/maps.h"
+#include "app/stability/page.h"
+#include "app/stability/runner.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+namespace
+{
+
+StabilityCell cell_named(const std::string& name)
+{
+    for (const StabilityScene& scene : stability_scenes())
+        for (const StabilityCell& cell : scene.cells)
+            if (cell.name == name) return cell;
+    ADD_FAILURE() << name;
+    return {};
+}
+
+CellRun with_error(double error)
+{
+    CellRun run;
+    run.error = error;
+    return run;
+}
+
+TEST(StabilityCells, are_two_hundred_with_names_of_their_own_and_a_reference_each)
+{
+    std::set<std::string> names;
+    std::size_t count = 0;
+    for (const StabilityScene& scene : stability_scenes())
+        for (const StabilityCell& cell : scene.cells) {
+            names.insert(cell.name);
+            ++count;
+            EXPECT_EQ(cell.scene, scene.name);
+            EXPECT_FALSE(cell.reference.empty()) << cell.name;
+            EXPECT_FALSE(cell.parameters.empty()) << cell.name;
+            EXPECT_GT(cell.tolerance, 0) << cell.name;
+            EXPECT_LE(cell.tolerance, 0.05) << cell.name;
+            EXPECT_GT(cell.budget, 0) << cell.name;
+        }
+    EXPECT_EQ(names.size(), count);
+    EXPECT_GE(count, 200u);
+}
+
+TEST(StabilityCells, the_maps_span_ten_decades_of_stiffness_and_three_of_time_step)
+{
+    for (const StabilityScene& scene : stability_scenes()) {
+        if (!scene.over_stiffness_and_step) continue;
+        std::set<double> stiffnesses, steps;
+        for (const StabilityCell& cell : scene.cells) {
+            stiffnesses.insert(cell.parameters.at(0).value);
+            steps.insert(cell.time_step);
+        }
+        EXPECT_GE(*stiffnesses.rbegin() / *stiffnesses.begin(), 0.99e10) << scene.name;
+        EXPECT_GE(*steps.rbegin() / *steps.begin(), 0.99e3) << scene.name;
+        EXPECT_EQ(stiffnesses.size() * steps.size(), scene.cells.size()) << scene.name;
+    }
+}
+
+TEST(StabilityCells, are_judged_by_their_tolerance)
+{
+    StabilityCell cell;
+    cell.tolerance = 0.02;
+    EXPECT_EQ(judge(cell, with_error(0.02)), CellOutcome::passed);
+    EXPECT_EQ(judge(cell, with_error(0.0201)), CellOutcome::wrong);
+    EXPECT_EQ(judge(cell, with_error(NAN)), CellOutcome::wrong);
+    EXPECT_EQ(judge(cell, with_error(INFINITY)), CellOutcome::wrong);
+}
+
+TEST(StabilityCells, what_said_why_it_has_no_answer_is_not_wrong)
+{
+    StabilityCell cell;
+    CellRun stopped = with_error(NAN), refused = with_error(NAN);
+    stopped.diagnosis = "gave up";
+    refused.refusal = "no such thing";
+    EXPECT_EQ(judge(cell, stopped), CellOutcome::stopped);
+    EXPECT_EQ(judge(cell, refused), CellOutcome::refused);
+    cell.run = []() -> CellRun { throw InputError("here", "this", "that"); };
+    const CellRun thrown = run_here(cell);
+    EXPECT_NE(thrown.refusal.find("that"), std::string::npos);
+    EXPECT_EQ(judge(cell, thrown), CellOutcome::refused);
+}
+
+TEST(StabilityCells, what_said_that_it_should_not_be_trusted_is_not_silently_wrong)
+{
+    StabilityCell cell;
+    cell.tolerance = 0.02;
+    CellRun run = with_error(0.03);
+    run.warning = "3 % of the energy is unaccounted for";
+    EXPECT_EQ(judge(cell, run), CellOutcome::warned);
+    EXPECT_FALSE(is_failure(CellOutcome::warned));
+    run.error = 0.01;
+    EXPECT_EQ(judge(cell, run), CellOutcome::passed);
+}
+
+TEST(StabilityCells, what_sinks_in_its_springs_stops_and_is_named)
+{
+    const CellRun run = run_here(cell_named("sliding/k=1e+04/h=0.005"));
+    EXPECT_NE(run.diagnosis.find("'block' and 'base' overlap"), std::string::npos) << run.diagnosis;
+    EXPECT_NE(run.diagnosis.find("too soft"), std::string::npos) << run.diagnosis;
+    EXPECT_NE(run.note.find("by the reference it sinks 0.049"), std::string::npos) << run.note;
+}
+
+TEST(StabilityCells, run_in_a_process_of_their_own_as_they_do_here)
+{
+    const StabilityCell cell = cell_named("sliding/k=1e+08/h=0.005");
+    const CellResult apart = run_apart(cell, {});
+    const CellRun here = run_here(cell);
+    EXPECT_EQ(apart.outcome, CellOutcome::passed) << apart.diagnosis;
+    EXPECT_EQ(apart.run.error, here.error);
+    EXPECT_EQ(apart.run.steps, here.steps);
+    EXPECT_GT(apart.run.steps, 400);
+}
+
+TEST(StabilityCells, beyond_the_budget_is_a_timeout)
+{
+    StabilityCell cell = cell_named("wall/k=1e+08/h=2e-05");
+    cell.budget = 1;
+    const CellResult result = run_apart(cell, {});
+    EXPECT_EQ(result.outcome, CellOutcome::timeout);
+    EXPECT_FALSE(result.diagnosis.empty());
+}
+
+TEST(StabilityCells, beyond_the_memory_is_a_crash)
+{
+    CellLimits limits;
+    limits.memory = std::size_t{40} << 20;
+    const CellResult result = run_apart(cell_named("thousand/columns=1-deformable/h=0.001"), limits);
+    EXPECT_EQ(result.outcome, CellOutcome::crash);
+    EXPECT_FALSE(result.diagnosis.empty());
+}
+
+TEST(StabilityCells, results_come_in_the_order_of_the_cells_whatever_the_number_of_jobs)
+{
+    const std::vector<StabilityCell> cells{cell_named("sliding/k=1e+08/h=0.005"),
+                                           cell_named("sliding/k=1e+08/h=0.02"), cell_named("column/E=1e+09")};
+    std::size_t told = 0;
+    const std::vector<CellResult> results = run_cells(cells, 3, [&](const CellResult&) { ++told; });
+    EXPECT_EQ(told, cells.size());
+    ASSERT_EQ(results.size(), cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_EQ(results[i].cell.name, cells[i].name);
+}
+
+TEST(StabilityMaps, a_wrong_cell_is_red_and_named_on_the_page)
+{
+    CellResult good, bad;
+    good.cell = cell_named("sliding/k=1e+08/h=0.005");
+    good.run.error = 1e-3;
+    bad.cell = cell_named("sliding/k=1e+09/h=0.005");
+    bad.run.error = 0.5;
+    bad.outcome = CellOutcome::wrong;
+    bad.diagnosis = "error 50 % is beyond 2 %";
+    const std::vector<StabilityScene> scenes = stability_scenes();
+    const std::vector<Figure> figures = stability_figures(scenes, {good, bad});
+    ASSERT_EQ(figures.size(), 1u);
+    const TileMap& map = figures[0].maps.at(0);
+    EXPECT_EQ(map.tiles.size(), 2u);
+    EXPECT_EQ(map.tiles[1].text, "50 %");
+    EXPECT_GT(map.tiles[1].color[0], 2 * map.tiles[1].color[1]);
+    EXPECT_GT(map.tiles[0].color[1], map.tiles[0].color[0]);
+    const std::string page = stability_page(scenes, {good, bad}, "voussoir stability -o here", {});
+    EXPECT_NE(page.find("**wrong**"), std::string::npos);
+    EXPECT_NE(page.find("`sliding/k=1e+09/h=0.005` wrong: error 50 %"), std::string::npos);
+    EXPECT_NE(page.find("1 passed, 0 refused, 0 stopped, 0 warned, 1 wrong"), std::string::npos);
+}
+
+TEST(StabilityMaps, every_scene_is_on_the_page_that_ships)
+{
+    std::ostringstream page;
+    page << std::ifstream(VOUSSOIR_DOCS "/stability.md").rdbuf();
+    for (const StabilityScene& scene : stability_scenes())
+        EXPECT_NE(page.str().find("\n## " + scene.name + "\n"), std::string::npos)
+            << scene.name << ": rerun voussoir stability -o docs";
+}
+
+}  // namespace
+}  // namespace voussoir
