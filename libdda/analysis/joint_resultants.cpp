@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace voussoir
@@ -23,7 +22,9 @@ struct JointPoint {
     bool open;
 };
 
-/// The joint's area times (1 - 2 e / extent) along both principal axes of its corners.
+constexpr double least_bearing = 0.1;  // of the joint's extent: EN 1996-1-1, annex C (4), for e > 0.45 t
+
+/// The joint's area times (1 - 2 e / extent), at least least_bearing, along both principal axes of its corners.
 double effective_area(const JointResultant& joint, const std::vector<JointPoint>& points)
 {
     Matrix3d spread = Matrix3d::Zero();
@@ -43,7 +44,7 @@ double effective_area(const JointResultant& joint, const std::vector<JointPoint>
         if (!(high - low > 1e-9 * std::sqrt(joint.area))) continue;  // planar scenes have no extent across
         const double eccentricity = axis.dot(joint.pressure_centre - joint.centre);
         const double to_edge = eccentricity > 0 ? high - eccentricity : eccentricity - low;
-        area *= std::clamp(2 * to_edge / (high - low), 0.0, 1.0);
+        area *= std::clamp(2 * to_edge / (high - low), least_bearing, 1.0);
     }
     return area;
 }
@@ -100,9 +101,7 @@ void collect(const ContactSetIn<D>& contacts, PointsOfJoints& joints)
 
 double edge_stress(const JointResultant& joint)
 {
-    if (!(joint.normal_force > 0)) return 0;
-    return joint.effective_area > 0 ? joint.normal_force / joint.effective_area
-                                    : std::numeric_limits<double>::infinity();
+    return joint.effective_area > 0 ? joint.normal_force / joint.effective_area : 0;
 }
 
 std::vector<JointResultant> joint_resultants(const Model& model, const State& state)

@@ -55,6 +55,25 @@ TEST_P(Crushing, edge_stress_is_the_resultant_over_the_effective_area)
     }
 }
 
+// A stone that rocks has its resultant on the very edge: it bears on a tenth of the joint, and light stones crush
+// none.
+TEST_P(Crushing, a_rocking_stone_bears_on_a_tenth_of_its_joint)
+{
+    const double weight_stress = stone().density * gravity * height;
+    const Model model = pillar(GetParam(), 30 * weight_stress);
+    State state = initial_state(model);
+    const Eigen::Vector3d tipping = leaning(1.2 * width / height);
+    const RunReport report = run_quietly(model, {static_stage(0.1), dynamic_stage(0.3, 1e-3, tipping)}, state);
+    ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+    const std::vector<JointResultant> joints = joint_resultants(model, state);
+    ASSERT_EQ(joints.size(), 1);
+    ASSERT_GT(joints[0].max_opening, 1e-3);
+    ASSERT_GT(joints[0].normal_force, 0);
+    const double exact = 10 * joints[0].normal_force / joints[0].area;
+    EXPECT_NEAR(edge_stress(joints[0]), exact, 1e-6 * exact);
+    EXPECT_TRUE(report.crushed.empty()) << crushed_in_words(model, report);
+}
+
 TEST_P(Crushing, is_told_per_joint_with_its_time)
 {
     const double weight_stress = stone().density * gravity * height;
