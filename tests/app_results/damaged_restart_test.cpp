@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <limits>
 
@@ -170,6 +172,19 @@ TEST_P(DamagedRestart, a_sound_one_goes_on)
 {
     EXPECT_EQ(refusal_of([](Restart&) {}), "");
     EXPECT_EQ(refusal_of([](Restart& r) { r = {}, r.ended = true; }), "");
+}
+
+// The fuzzer starts from it: of an older layout it would be refused at once, and nothing behind would be tried.
+TEST(RestartSeed, has_the_layout_of_today)
+{
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "restart.bin", seed = fs::path(VOUSSOIR_FUZZ_SEEDS) / "results/restart";
+    save_restart(sound_restart(small_case(Kinematics::spatial_rigid)), file);
+    const std::string good = content_of(file), mark = mark_of(good);
+    if (std::getenv("VOUSSOIR_RENEW_SEEDS") != nullptr)
+        std::ofstream(seed, std::ios::binary) << '\3' << payload_of(good, mark);
+    write_packed(file, mark, content_of(seed).substr(1));
+    EXPECT_NO_THROW(load_restart(file)) << "run this test once with VOUSSOIR_RENEW_SEEDS=1";
 }
 
 TEST_P(DamagedRestart, damage_without_a_fitting_checksum_is_refused)
