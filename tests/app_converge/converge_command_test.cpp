@@ -1,12 +1,7 @@
 // `voussoir converge` as its user meets it.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "tests/app/test_files.h"
+#include "tests/app/command_test.h"
 
 namespace voussoir
 {
@@ -15,23 +10,12 @@ namespace
 
 namespace fs = std::filesystem;
 
-class ConvergeCommand : public ::testing::Test
+class ConvergeCommand : public CommandTest
 {
  protected:
-    /// @param before a program to start it with. @returns the exit code; output and errors are in `output_`
     int converge(const std::string& arguments, const std::string& before = "")
     {
-        const std::string command = "cd '" + folder_.write("stay", "").parent_path().string() + "' && " + before +
-                                    " '" VOUSSOIR_PROGRAM "' converge " + arguments + " > output 2>&1";
-        const int status = std::system(command.c_str());
-        output_ = contents("output");
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-    std::string contents(const std::string& name) const
-    {
-        std::ostringstream text;
-        text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
-        return text.str();
+        return voussoir("converge " + arguments, before);
     }
     void expect_refusal(const std::string& arguments, const std::string& part)
     {
@@ -42,8 +26,6 @@ class ConvergeCommand : public ::testing::Test
     }
 
     const std::string incline_ = "'" VOUSSOIR_CASES "/incline.yaml' --set kinematics=spatial_rigid";
-    TemporaryFolder folder_;
-    std::string output_;
 };
 
 TEST_F(ConvergeCommand, writes_table_json_page_and_pictures)
@@ -70,6 +52,7 @@ TEST_F(ConvergeCommand, writes_table_json_page_and_pictures)
 
 TEST_F(ConvergeCommand, places_that_cannot_be_written_are_refused_before_the_runs)
 {
+    folder_.write("stay", "");  // a file, where a folder is wanted
     for (const std::string place : {"--json nowhere/made.json", "-o stay/made", "--json ."}) {
         EXPECT_EQ(converge(incline_ + " " + place), 2) << place;
         EXPECT_NE(output_.find("written"), std::string::npos) << output_;

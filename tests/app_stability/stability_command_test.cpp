@@ -1,14 +1,7 @@
 // `voussoir stability` as its user meets it.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "tests/temporary_folder.h"
+#include "tests/app/command_test.h"
 
 namespace voussoir
 {
@@ -17,29 +10,10 @@ namespace
 
 namespace fs = std::filesystem;
 
-class StabilityCommand : public ::testing::Test
+class StabilityCommand : public CommandTest
 {
  protected:
-    /// @returns the exit code; output and errors are in `output_`
-    int stability(const std::string& arguments)
-    {
-        const std::string home = folder_.path().string();
-        const std::string command =
-            "cd '" + home + "' && '" VOUSSOIR_PROGRAM "' stability " + arguments + " > '" + home + ".out' 2>&1";
-        const int status = std::system(command.c_str());
-        output_ = contents(home + ".out");
-        fs::remove(home + ".out");
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-    static std::string contents(const fs::path& file)
-    {
-        std::ostringstream text;
-        text << std::ifstream(file, std::ios::binary).rdbuf();
-        return text.str();
-    }
-
-    TemporaryFolder folder_;
-    std::string output_;
+    int stability(const std::string& arguments) { return voussoir("stability " + arguments); }
 };
 
 /// Seconds, all of them together; of each kind of scene that is quick.
@@ -64,7 +38,7 @@ TEST_F(StabilityCommand, names_the_nearest_cell)
 TEST_F(StabilityCommand, quick_cells_pass_and_tell_all_figures)
 {
     EXPECT_EQ(stability(quick + "--json out.json"), 0) << output_;
-    const nlohmann::json cells = nlohmann::json::parse(contents(folder_ / "out.json")).at("cells");
+    const nlohmann::json cells = nlohmann::json::parse(contents("out.json")).at("cells");
     ASSERT_EQ(cells.size(), 12u);
     for (const nlohmann::json& cell : cells) {
         EXPECT_EQ(cell.at("outcome"), "passed") << cell.dump();
@@ -88,7 +62,7 @@ TEST_F(StabilityCommand, quick_cells_pass_and_tell_all_figures)
 TEST_F(StabilityCommand, a_tolerance_that_cannot_be_met_makes_a_cell_wrong)
 {
     EXPECT_EQ(stability("sliding/k=1e+06/h=0.005 --tolerance-factor 1e-9 --json out.json"), 1);
-    const nlohmann::json cell = nlohmann::json::parse(contents(folder_ / "out.json")).at("cells").at(0);
+    const nlohmann::json cell = nlohmann::json::parse(contents("out.json")).at("cells").at(0);
     EXPECT_EQ(cell.at("outcome"), "wrong");
     EXPECT_GT(cell.at("error").get<double>(), cell.at("tolerance").get<double>());
     EXPECT_NE(cell.at("diagnosis"), "");
@@ -97,10 +71,10 @@ TEST_F(StabilityCommand, a_tolerance_that_cannot_be_met_makes_a_cell_wrong)
 TEST_F(StabilityCommand, writes_page_figures_and_maps)
 {
     EXPECT_EQ(stability("sliding/k=1e+06/h=0.005 column/E=1e+11 -o map"), 0) << output_;
-    const std::string page = contents(folder_ / "map/stability.md");
+    const std::string page = contents("map/stability.md");
     EXPECT_NE(page.find("`voussoir stability sliding/k=1e+06/h=0.005 column/E=1e+11 -o map`"), std::string::npos);
     EXPECT_NE(page.find("\n## sliding\n"), std::string::npos);
-    EXPECT_EQ(nlohmann::json::parse(contents(folder_ / "map/stability/stability.json")).at("cells").size(), 2u);
+    EXPECT_EQ(nlohmann::json::parse(contents("map/stability/stability.json")).at("cells").size(), 2u);
     if (!fs::exists(fs::path(VOUSSOIR_PROGRAM).parent_path() / "voussoir-plot"))
         GTEST_SKIP() << "built without Cairo";
     EXPECT_GT(fs::file_size(folder_ / "map/stability/sliding.png"), 5000u);
