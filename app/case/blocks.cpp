@@ -108,7 +108,14 @@ void read_entry(YamlCursor& entry, BlockReading& reading)
         chosen = &reader;
         shape = std::move(found);
     }
-    if (shapes == 1) return chosen->read(entry, *shape, reading);
+    if (shapes == 1) {
+        try {
+            return chosen->read(entry, *shape, reading);
+        } catch (const InputError& error) {  // of a shape that knows nothing of the file it is written in
+            for (const Fault& fault : error.faults) entry.fault(fault.place + ": " + fault.found, fault.expected);
+            return;
+        }
+    }
     const std::string all = "mesh, box, polygon, wall ";
     entry.fault(shapes == 0 ? "no " + all + "or house" : "more than one of " + all + "and house",
                 "give one of them");
@@ -195,21 +202,24 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
                                      Findings& findings)
 {
     const std::optional<double> thickness = read_thickness(top, model.kinematics);
-    const std::optional<YamlCursor> section = top.require("blocks", "the stones, [{mesh: stones.obj}]");
+    std::optional<YamlCursor> section = top.require("blocks", "the stones, [{mesh: stones.obj}]");
     if (!section) return {};
     BlockReading reading{folder, model, findings, {}, {}, Eigen::Vector3d::Zero(), {}};
     std::vector<YamlCursor> entries = section->items("a list of meshes, boxes, polygons, walls and houses");
     if (entries.empty() && section->is_list())
         section->fault("no block", "give at least one mesh, box, polygon, wall or house");
+    const auto are_too_many = [&](YamlCursor& where) {
+        if (model.blocks.size() <= most_blocks) return false;
+        where.fault(fmt::format("more than {} blocks", most_blocks), "give larger blocks or fewer walls");
+        return true;
+    };
     for (YamlCursor& entry : entries) {
-        if (model.blocks.size() > most_blocks) {
-            entry.fault(fmt::format("more than {} blocks", most_blocks), "give larger blocks or fewer walls");
-            break;
-        }
         read_entry(entry, reading);
+        if (are_too_many(entry)) return {};
     }
     const std::size_t without_mesh = model.blocks.size();
     import_meshes(reading);
+    if (are_too_many(*section)) return {};
     settle_thickness(top, thickness, reading);
     refuse_overlaps(reading, without_mesh);
     refuse_infinite_masses(reading);

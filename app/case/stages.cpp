@@ -166,6 +166,18 @@ void settle_duration(StageEntry& entry)
         entry.written.require("duration", "a time such as 20 s; there is no motion to take it from");
 }
 
+/// The published iteration knows neither bonds nor dashpots: it would silently leave them out.
+void refuse_published_iteration_of(const std::vector<JointMaterial>& joints, StageEntry& entry)
+{
+    if (entry.stage.control.open_close != OpenClose::published) return;
+    for (const JointMaterial& joint : joints)
+        if (joint.cohesion > 0 || joint.tensile_strength > 0 || joint.dashpot > 0)
+            entry.written.fault(
+                "open_close: published has no cohesion, tensile strength or dashpots, which joint " + joint.name +
+                    " has",
+                "take newton, or joints with friction only");
+}
+
 std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d& gravity)
 {
     std::vector<StageEntry> stages;
@@ -223,6 +235,7 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
         read_foundation_motions(*foundation.motion, {foundation}, entry->duration, context, entry->stage);
     }
     for (StageEntry& entry : entries) {
+        refuse_published_iteration_of(model.joints, entry);
         if (entry.motion)
             read_foundation_motions(*entry.motion, foundations, entry.duration, context, entry.stage);
         if (entry.body_acceleration) read_body_accelerations(entry, model, context);

@@ -28,10 +28,28 @@ void read_open_close(YamlCursor& stage, StepControl& control)
 {
     control.open_close = stage.choice_or<OpenClose>(
         "open_close", {{"newton", OpenClose::newton}, {"published", OpenClose::published}}, control.open_close);
-    const int passes = control.open_close == OpenClose::published ? published_open_close : control.max_open_close;
-    control.max_open_close = stage.integer_or("max_open_close", 1, 100'000, passes);
+    if (control.open_close == OpenClose::published) {
+        for (const char* key : {"max_open_close", "force_tolerance"})
+            stage.forbid(key, "the published iteration has six passes and no tolerance of force");
+        control.max_open_close = published_open_close;
+        return;
+    }
+    control.max_open_close = stage.integer_or("max_open_close", 1, 100'000, control.max_open_close);
     control.force_tolerance =
         stage.quantity_or("force_tolerance", dimension::number, {0, 1, false, false}, control.force_tolerance);
+}
+
+/// What only dynamic stages have.
+void read_motion_control(YamlCursor& stage, StepControl& control)
+{
+    if (control.open_close == OpenClose::published) {
+        for (const char* key : {"integrator", "dissipation", "divide_up_to_blocks"})
+            stage.forbid(key, "the published iteration has Newmark's average acceleration and whole steps");
+        return;
+    }
+    read_integrator(stage, control);
+    control.divide_up_to_blocks =
+        stage.integer_or("divide_up_to_blocks", 0, 1'000'000'000, control.divide_up_to_blocks);
 }
 
 }  // namespace
@@ -46,12 +64,8 @@ StepControl read_step_control(YamlCursor& stage, StageType type)
         stage.quantity_or("min_time_step", dimension::time, Range::positive(), control.min_time_step);
     if (control.min_time_step > control.time_step)
         stage.fault("min_time_step exceeds time_step", "it must be the smaller one");
-    if (!is_static) {
-        read_integrator(stage, control);
-        control.divide_up_to_blocks =
-            stage.integer_or("divide_up_to_blocks", 0, 1'000'000'000, control.divide_up_to_blocks);
-    }
     read_open_close(stage, control);
+    if (!is_static) read_motion_control(stage, control);
     using Kind = LinearSolverKind;
     control.linear_solver = stage.choice_or<Kind>("linear_solver",
                                                   {{"automatic", Kind::automatic},

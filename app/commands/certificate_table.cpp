@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
-#include <fstream>
 #include <set>
 
 #include "app/commands/certificate.h"
-#include "libdda/errors.h"
+#include "app/commands/outputs.h"
 
 namespace voussoir
 {
@@ -101,18 +100,17 @@ void print_findings(const Assembly& assembly)
 
 void write_contact_graph(const Assembly& assembly, const std::filesystem::path& file)
 {
-    std::ofstream stream(file, std::ios::binary);
-    stream << "stone_a,stone_b,kind,area_m2,facing_area_m2,smallest_gap_m,patches,normal_x,normal_y,normal_z\n";
+    std::string text =
+        "stone_a,stone_b,kind,area_m2,facing_area_m2,smallest_gap_m,patches,normal_x,normal_y,normal_z\n";
     const auto name = [&](int stone) { return quoted(assembly.stones[stone].name); };
     for (const StoneContact& c : assembly.contacts)
-        stream << fmt::format("{},{},contact,{:.9g},{:.9g},{:.6g},{},{:.9g},{:.9g},{:.9g}\n", name(c.a), name(c.b),
-                              c.area, c.facing_area, c.smallest_gap, c.patches, c.normal.x(), c.normal.y(),
-                              c.normal.z());
+        text += fmt::format("{},{},contact,{:.9g},{:.9g},{:.6g},{},{:.9g},{:.9g},{:.9g}\n", name(c.a), name(c.b),
+                            c.area, c.facing_area, c.smallest_gap, c.patches, c.normal.x(), c.normal.y(),
+                            c.normal.z());
     for (const StoneGap& g : assembly.gaps)
-        stream << fmt::format("{},{},gap,0,{:.9g},{:.6g},{},,,\n", name(g.a), name(g.b), g.area, g.width,
-                              g.polygons.size());
-    stream.close();
-    if (!stream) throw InputError(file.string(), "cannot be written", "name a folder that can be written");
+        text += fmt::format("{},{},gap,0,{:.9g},{:.6g},{},,,\n", name(g.a), name(g.b), g.area, g.width,
+                            g.polygons.size());
+    write_own_file(file, text);
 }
 
 }  // namespace voussoir

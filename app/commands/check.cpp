@@ -176,7 +176,7 @@ CertifiedCase certify(const CheckArguments& arguments, bool print)
 void write_folder(const CertifiedCase& certified, const std::filesystem::path& folder)
 {
     make_output_folder(folder);
-    write_json_text(folder / "certificate.json", certificate_json(certified));
+    write_own_file(folder / "certificate.json", certificate_json(certified) + "\n");
     write_contact_graph(certified.assembly, folder / "contact_graph.csv");
     draw_certificate(certified.title, certified.assembly, certified.meshes, folder);
 }

@@ -106,7 +106,7 @@ std::filesystem::path folder_of(const ImportArguments& arguments, std::size_t nu
 void write_folder(const ImportArguments& arguments, const std::vector<CertifiedFile>& files)
 {
     make_output_folder(*arguments.folder);
-    write_json_text(*arguments.folder / "certificate.json", certificates_json(files));
+    write_own_file(*arguments.folder / "certificate.json", certificates_json(files) + "\n");
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::filesystem::path folder = folder_of(arguments, i);
         make_output_folder(folder);

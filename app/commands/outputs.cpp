@@ -45,6 +45,18 @@ void make_output_folder(const fs::path& folder)
     if (error) throw InputError("-o " + folder.string(), error.message(), "name a folder that can be made");
 }
 
+void write_own_file(const fs::path& file, const std::string& text)
+{
+    std::error_code none;
+    fs::remove(file, none);  // a link there may lead anywhere
+    std::ofstream stream(file, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream)
+        throw InputError(file.string(), "cannot be written",
+                         "give a folder that can be written on a disk with room");
+}
+
 void write_json_text(const fs::path& file, const std::string& text)
 {
     if (file == "-") {

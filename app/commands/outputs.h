@@ -17,7 +17,11 @@ void expect_writable(const std::optional<std::filesystem::path>& json,
 /// Makes the folder of `-o` if it is not there. @throws InputError when it cannot be made
 void make_output_folder(const std::filesystem::path& folder);
 
-/// Writes text to a file, or to standard output if the file is "-".
+/// Writes a file of ours into a folder of `-o`, in the place of what has its name, be it a link.
+/// @throws InputError when it cannot be written
+void write_own_file(const std::filesystem::path& file, const std::string& text);
+
+/// Writes text to a file that the user named, or to standard output if the file is "-".
 /// @throws InputError when it cannot be written
 void write_json_text(const std::filesystem::path& file, const std::string& text);
 

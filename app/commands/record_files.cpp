@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 
+#include "app/commands/outputs.h"
 #include "app/commands/record_set.h"
 #include "app/plots/plots.h"
-#include "libdda/errors.h"
 #include "records/measures/fourier.h"
 #include "records/write_at2.h"
 
@@ -36,14 +35,6 @@ std::string heading(const Channel& channel, std::size_t number)
     for (char& c : name)
         if (c == ',' || c == '"') c = ' ';
     return fmt::format("{} [{}]", name, has_unit(channel) ? units[static_cast<int>(channel.quantity)] : "?");
-}
-
-void write_text(const fs::path& file, const std::string& text)
-{
-    std::ofstream stream(file, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) throw InputError(file.string(), "cannot be written", "give a folder on a disk with room");
 }
 
 double time_of(const Channel& channel, std::size_t i)
@@ -207,7 +198,7 @@ Figure spectra_figure(const RecordSet& set)
 void write_tables(const RecordSet& set, const fs::path& folder, std::vector<std::string>& written)
 {
     const auto write = [&](const std::string& name, const std::string& text) {
-        write_text(folder / name, text);
+        write_own_file(folder / name, text);
         written.push_back((folder / name).string());
     };
     std::vector<const Channel*> channels;

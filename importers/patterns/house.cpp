@@ -54,8 +54,9 @@ void check(const House& house, const std::vector<Facade>& facades)
     check_base(house.base, faults);
     check_placement(house.placement, faults);
     if (!faults.empty()) throw InputError(faults);
-    check_block({house.block_length, house.block_height}, std::max(house.length, house.width), house.height, 1,
-                faults);
+    const double longest = std::max(house.length, house.width);
+    check_block({house.block_length, house.block_height}, longest, house.height,
+                2 * (house.length + house.width) / longest, faults);
     check_imperfection(house.imperfection, house.wall_thickness, faults);
     if (!faults.empty()) throw InputError(faults);
     check_room("length", house.length, house, faults);

@@ -29,7 +29,7 @@ void check_positive(const std::string& name, double value, std::vector<Fault>& f
     if (!std::isfinite(value) || value <= 0) faults.push_back({name, in_words(value), "must be > 0 m"});
 }
 
-void check_block(const BlockFormat& block, double longest, double height, int leaves, std::vector<Fault>& faults)
+void check_block(const BlockFormat& block, double longest, double height, double walls, std::vector<Fault>& faults)
 {
     const std::size_t before = faults.size();
     check_positive("block", block.length, faults);
@@ -41,7 +41,7 @@ void check_block(const BlockFormat& block, double longest, double height, int le
     if (block.height > height)
         faults.push_back({"block", "a block " + in_words(block.height) + " high in a wall of " + in_words(height),
                           "the block must fit into the wall"});
-    if (leaves * (longest / block.length) * (height / block.height) > most_blocks)
+    if (walls * (longest / block.length) * (height / block.height) > most_blocks)
         faults.push_back({"block", "more than 200 000 blocks", "give a larger block or a smaller wall"});
 }
 

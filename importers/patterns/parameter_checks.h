@@ -15,7 +15,9 @@ constexpr double most_blocks = 2e5;
 /// Adds a fault unless the value is > 0 and finite. @param name as in the case file
 void check_positive(const std::string& name, double value, std::vector<Fault>& faults);
 
-void check_block(const BlockFormat& block, double longest, double height, int leaves, std::vector<Fault>& faults);
+/// @param walls how many walls, or leaves of them, of the length of the longest there are
+void check_block(const BlockFormat& block, double longest, double height, double walls,
+                 std::vector<Fault>& faults);
 
 void check_lintel_size(const Lintel& lintel, std::vector<Fault>& faults);
 

@@ -16,7 +16,7 @@ namespace voussoir
 namespace
 {
 
-constexpr double deformable_stiffness_factor = 10;  // joint ten times as stiff as a block: 9 % of its compliance
+constexpr double deformable_stiffness_factor = 10;  // ten times as stiff as a block: a tenth more compliance
 constexpr double rigid_stiffness_factor = 1;        // the joint carries the block's own compliance
 constexpr double closed_at_start = 1e-4;            // of the part size: a smaller gap is a closed joint
 constexpr double nearest_point_reach = 0.05;        // of the patch's extent

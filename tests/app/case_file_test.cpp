@@ -207,6 +207,26 @@ TEST(CaseFile, keys_of_the_other_kind_of_stage_say_so)
               "--set stages[1].dissipation: has no meaning here; it belongs to integrator: energy_decaying");
 }
 
+// It would leave them out without a word.
+TEST(CaseFile, the_published_iteration_refuses_what_it_does_not_know)
+{
+    const std::string published = with(two_boxes, "time_step: 2 ms}", "time_step: 2 ms, open_close: published}");
+    ASSERT_EQ(faults_of(published), "no fault");
+    for (const std::string key : {"cohesion: 1 MPa", "tensile_strength: 1 kPa", "dashpot: 1 ms"}) {
+        const std::string joint = with(published, "friction: 30 deg}", "friction: 30 deg, " + key + "}");
+        EXPECT_NE(faults_of(joint).find("case.yaml:12: stages[1]: open_close: published has no cohesion"),
+                  std::string::npos)
+            << faults_of(joint);
+        EXPECT_EQ(faults_of(with(joint, ", open_close: published", "")), "no fault");
+    }
+    for (const std::string key : {"max_open_close: 6", "force_tolerance: 1e-3", "integrator: energy_decaying",
+                                  "divide_up_to_blocks: 10"}) {
+        const std::string stage = with(published, "published}", "published, " + key + "}");
+        EXPECT_NE(faults_of(stage).find("has no meaning here; the published iteration has"), std::string::npos)
+            << faults_of(stage);
+    }
+}
+
 TEST(Patterns, stars_and_question_marks)
 {
     EXPECT_TRUE(matches_pattern("abutment_left", "abutment_*"));

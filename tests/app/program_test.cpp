@@ -283,6 +283,36 @@ TEST(Program, record_tells_what_a_file_holds)
     EXPECT_FALSE(files[1]["reason"].get<std::string>().empty());
 }
 
+// It might lead out of the folder, into a file that somebody else gave us to overwrite.
+TEST(Program, a_link_in_the_output_folder_is_replaced_and_not_written_through)
+{
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const std::string record = folder.write("record.txt", "0.00 0.0\n0.01 1.0\n0.02 -2.0\n0.03 0.0\n");
+    const std::string boxes = folder.write("case.yaml", two_boxes);
+    const fs::path made = folder / "made", precious = folder.write("precious", "precious");
+    const std::vector<std::vector<std::string>> commands = {{"check", boxes},
+                                                            {"record", record, "--unit", "cm/s2"},
+                                                            {"verify", "incline-gravity-3d"},
+                                                            {"stability", "sliding/k=1e+06/h=0.005"},
+                                                            {"run", boxes}};
+    for (std::vector<std::string> command : commands) {
+        command.insert(command.end(), {"-o", made.string()});
+        ASSERT_EQ(voussoir(folder, command).exit_code, 0) << command[0];
+        std::vector<fs::path> files;
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(made))
+            if (entry.is_regular_file()) files.push_back(entry.path());
+        ASSERT_FALSE(files.empty()) << command[0];
+        for (const fs::path& file : files) {
+            fs::remove(file);
+            fs::create_symlink(precious, file);
+        }
+        voussoir(folder, command);  // or it refuses, which is as good
+        EXPECT_EQ(contents(precious), "precious") << command[0];
+        fs::remove_all(made);
+    }
+}
+
 TEST(Program, import_certifies_each_file_by_itself)
 {
     const TemporaryFolder folder;

@@ -59,6 +59,15 @@ TEST(Summary, HasEveryKeyOfTheDesign)
                             "defaults",
                             "integrator",
                             "static_unbalanced",
+                            "title",
+                            "voussoir_version",
+                            "message",
+                            "kinematics",
+                            "contacts",
+                            "linear_iterations",
+                            "deepest_overlap",
+                            "fallen_blocks",
+                            "overrides",
                             "files"}) {
         EXPECT_TRUE(json.contains(key)) << key;
     }
@@ -74,6 +83,48 @@ TEST(Summary, HasEveryKeyOfTheDesign)
     for (const auto& file : json["files"]) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / file.get<std::string>())) << file;
     }
+}
+
+TEST(Summary, TellsWhatFellWasCrushedAndOverlapped)
+{
+    const TemporaryFolder folder;
+    Case the_case = synthetic::tower(Kinematics::spatial_rigid);
+    const std::string second = the_case.model.blocks[1].name, third = the_case.model.blocks[2].name;
+    RunReport report;
+    ResultsWriter(the_case, folder.path()).finish(synthetic::swaying(the_case, 0), report, {0, 0});
+    EXPECT_EQ(summary_in(folder.path())["deepest_overlap"], nullptr);
+    EXPECT_EQ(summary_in(folder.path())["fallen_blocks"], nlohmann::json::array());
+    EXPECT_FALSE(summary_in(folder.path()).contains("crushed_joints")) << "no strength to judge by";
+    the_case.model.materials[0].compressive_strength = 1e6;
+    report.fallen = {{2, 0.5, true}, {1, 0.75, false}};
+    report.crushed = {{1, 2, 1e6, 0.25, 0.3, 3e6}};
+    report.deepest = {0.02, 0.01, 0.4, 1, 2};
+    ResultsWriter(the_case, folder.path()).finish(synthetic::swaying(the_case, 0), report, {0, 0});
+    const nlohmann::json json = summary_in(folder.path());
+    EXPECT_EQ(json["fallen_blocks"], (nlohmann::json{{{"block", third}, {"time_s", 0.5}, {"left", true}},
+                                                     {{"block", second}, {"time_s", 0.75}, {"left", false}}}));
+    EXPECT_EQ(json["crushed_joints"], (nlohmann::json{{{"blocks", {second, third}},
+                                                       {"compressive_strength_Pa", 1e6},
+                                                       {"first_time_s", 0.25},
+                                                       {"worst_time_s", 0.3},
+                                                       {"worst_edge_stress_Pa", 3e6}}}));
+    EXPECT_EQ(json["deepest_overlap"],
+              (nlohmann::json{
+                  {"blocks", {second, third}}, {"depth_m", 0.01}, {"share_of_width", 0.02}, {"time_s", 0.4}}));
+}
+
+TEST(Summary, EveryKeyIsInTheDocument)
+{
+    const TemporaryFolder folder;
+    Case the_case = synthetic::tower(Kinematics::planar_deformable);
+    the_case.model.materials[0].compressive_strength = 1e6;
+    ResultsWriter(the_case, folder.path()).finish(synthetic::swaying(the_case, 0), {}, {0, 0});
+    std::ostringstream text;
+    text << std::ifstream(VOUSSOIR_DOCS "/results_format.md").rdbuf();
+    const nlohmann::json json = summary_in(folder.path());
+    for (const nlohmann::json& map : {json, json.at("energy")})
+        for (const auto& [key, value] : map.items())
+            EXPECT_NE(text.str().find("`" + key + "`"), std::string::npos) << key;
 }
 
 TEST(Summary, ARigidStateTakesFewerBytes)

@@ -53,8 +53,10 @@ TEST(StabilityCells, are_two_hundred_with_names_of_their_own_and_a_reference_eac
 
 TEST(StabilityCells, the_maps_span_ten_decades_of_stiffness_and_three_of_time_step)
 {
+    int maps = 0;
     for (const StabilityScene& scene : stability_scenes()) {
         if (!scene.over_stiffness_and_step) continue;
+        ++maps;
         std::set<double> stiffnesses, steps;
         for (const StabilityCell& cell : scene.cells) {
             stiffnesses.insert(cell.parameters.at(0).value);
@@ -64,6 +66,7 @@ TEST(StabilityCells, the_maps_span_ten_decades_of_stiffness_and_three_of_time_st
         EXPECT_GE(*steps.rbegin() / *steps.begin(), 0.99e3) << scene.name;
         EXPECT_EQ(stiffnesses.size() * steps.size(), scene.cells.size()) << scene.name;
     }
+    EXPECT_EQ(maps, 3) << "sliding, rocking and the wall";
 }
 
 TEST(StabilityCells, are_judged_by_their_tolerance)

@@ -136,13 +136,18 @@ TEST(Runner, runs_add_up_and_the_worst_error_counts)
 TEST(Benchmarks, have_names_of_their_own_tolerances_and_sweeps_of_four_steps)
 {
     std::set<std::string> names;
+    int swept = 0;
     for (const Benchmark& benchmark : all_benchmarks(1)) {
         EXPECT_TRUE(names.insert(benchmark.name).second) << benchmark.name;
         EXPECT_GE(benchmark.tolerance, 0) << benchmark.name;
+        EXPECT_LE(benchmark.tolerance, 1) << benchmark.name;
         std::set<double> steps;
         for (const VerifySetting& setting : benchmark.sweep) steps.insert(setting.time_step);
         EXPECT_TRUE(steps.empty() || steps.size() >= 4) << benchmark.name;
+        swept += !steps.empty();
     }
+    EXPECT_GE(names.size(), 20U);
+    EXPECT_GE(swept, 5);
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ inline std::map<double, std::vector<double>> vertical_joints(const std::vector<M
     return joints;
 }
 
-/// Smallest distance along the wall between vertical joints of two courses that lie on each other [m].
+/// Smallest distance along the wall between vertical joints of two courses that lie on each other [m];
+/// NaN when there are none.
 inline double smallest_bond(const std::map<double, std::vector<double>>& joints)
 {
     double smallest = INFINITY;
@@ -128,7 +129,7 @@ inline double smallest_bond(const std::map<double, std::vector<double>>& joints)
         for (const double below : course->second)
             for (const double above : std::next(course)->second)
                 smallest = std::min(smallest, std::abs(above - below));
-    return smallest;
+    return std::isfinite(smallest) ? smallest : NAN;
 }
 
 /// Shortest edge of any block [m].
