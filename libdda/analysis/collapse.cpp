@@ -53,6 +53,15 @@ Vector3d centroid(const Model& model, const State& state, int block)
     return pose_of(model.kinematics, state, block).centroid;
 }
 
+/// How far the ground has moved since the start; where supports moved differently, their mean [m].
+Vector3d ground_displacement(const Model& model, const CollapseWatch& watch, const State& state)
+{
+    Vector3d sum = Vector3d::Zero();
+    for (const Foundation& foundation : model.foundations)
+        sum += centroid(model, state, foundation.block) - watch.start[foundation.block];
+    return sum / static_cast<double>(model.foundations.size());
+}
+
 }  // namespace
 
 CollapseWatch::CollapseWatch(const Model& model, const State& state)
@@ -70,11 +79,12 @@ void note_fallen(const Model& model, const CollapseWatch& watch, const Vector3d&
     const Vector3d down = gravity.norm() > 0 ? Vector3d(gravity.normalized()) : Vector3d::Zero();
     std::vector<FallenBlock*> known(model.blocks.size(), nullptr);
     for (FallenBlock& fallen : report.fallen) known[fallen.block] = &fallen;
+    const Vector3d ground = ground_displacement(model, watch, state);
     std::vector<bool> is_supported;
     std::vector<FallenBlock> more;
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
         if (is_held(model, b)) continue;
-        const Vector3d now = centroid(model, state, b);
+        const Vector3d now = centroid(model, state, b) - ground;
         const bool left = (now - watch.middle).norm() > domain * watch.extent;
         if (known[b] != nullptr) {
             known[b]->left = known[b]->left || left;

@@ -1,15 +1,15 @@
 #include "libdda/analysis/joint_resultants.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace voussoir
 {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 namespace
@@ -24,27 +24,51 @@ struct JointPoint {
 
 constexpr double least_bearing = 0.1;  // of the joint's extent: EN 1996-1-1, annex C (4), for e > 0.45 t
 
-/// The joint's area times (1 - 2 e / extent), at least least_bearing, along both principal axes of its corners.
+/// Where the corners of a joint lie along an axis, from its centre [m].
+struct Range {
+    double low = 0, high = 0;
+    double extent() const { return high - low; }
+};
+
+Range range_along(const Vector3d& axis, const JointResultant& joint, const std::vector<JointPoint>& points)
+{
+    Range range;
+    for (const JointPoint& p : points) {
+        range.low = std::min(range.low, axis.dot(p.position - joint.centre));
+        range.high = std::max(range.high, axis.dot(p.position - joint.centre));
+    }
+    return range;
+}
+
+/// The sides of the smallest rectangle around the corners: one lies along a side of a patch. (2), unit
+std::array<Vector3d, 2> sides_of(const JointResultant& joint, const std::vector<JointPoint>& points)
+{
+    std::array<Vector3d, 2> sides = {joint.normal.unitOrthogonal(), {}};
+    sides[1] = joint.normal.cross(sides[0]);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < points.size(); ++i) {  // the corners of a patch follow one another
+        Vector3d along = points[i].position - points[(i + 1) % points.size()].position;
+        along -= along.dot(joint.normal) * joint.normal;
+        if (!(along.squaredNorm() > 1e-18 * joint.area)) continue;
+        const Vector3d u = along.normalized(), v = joint.normal.cross(u);
+        const double area = range_along(u, joint, points).extent() * range_along(v, joint, points).extent();
+        if (!(area < (1 - 1e-9) * smallest)) continue;
+        smallest = area;
+        sides = {u, v};
+    }
+    return sides;
+}
+
+/// The joint's area times (1 - 2 e / extent), at least least_bearing, along both sides.
 double effective_area(const JointResultant& joint, const std::vector<JointPoint>& points)
 {
-    Matrix3d spread = Matrix3d::Zero();
-    for (const JointPoint& p : points) {
-        const Vector3d lever = p.position - joint.centre;
-        spread += lever * lever.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(spread);
     double area = joint.area;
-    for (int k = 1; k < 3; ++k) {  // the least spread is across the joint
-        const Vector3d axis = axes.eigenvectors().col(k);
-        double low = 0, high = 0;
-        for (const JointPoint& p : points) {
-            low = std::min(low, axis.dot(p.position - joint.centre));
-            high = std::max(high, axis.dot(p.position - joint.centre));
-        }
-        if (!(high - low > 1e-9 * std::sqrt(joint.area))) continue;  // planar scenes have no extent across
+    for (const Vector3d& axis : sides_of(joint, points)) {
+        const Range range = range_along(axis, joint, points);
+        if (!(range.extent() > 1e-9 * std::sqrt(joint.area))) continue;  // planar scenes have no extent across
         const double eccentricity = axis.dot(joint.pressure_centre - joint.centre);
-        const double to_edge = eccentricity > 0 ? high - eccentricity : eccentricity - low;
-        area *= std::clamp(2 * to_edge / (high - low), least_bearing, 1.0);
+        const double to_edge = eccentricity > 0 ? range.high - eccentricity : eccentricity - range.low;
+        area *= std::clamp(2 * to_edge / range.extent(), least_bearing, 1.0);
     }
     return area;
 }

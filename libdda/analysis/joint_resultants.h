@@ -27,8 +27,8 @@ struct JointResultant {
 
 /// Mean stress on the part of the joint that the normal force acts in the middle of [Pa]; 0 without one.
 /// Of a rectangular joint b x l with eccentricities e: N / ((b - 2 e_b) (l - 2 e_l)). Source: Meyerhof (1953), as
-/// in EN 1996-1-1, 6.1.2.2; of other shapes with b and l their extents along their principal axes, times the share
-/// of the rectangle that they fill. A joint that bears on its edge bears on a tenth of its extent (ibid., annex C
+/// in EN 1996-1-1, 6.1.2.2; of other shapes with b and l the sides of the smallest rectangle around them, times
+/// the share of it that they fill. A joint that bears on its edge bears on a tenth of its extent (ibid., annex C
 /// (4)): corner springs put the resultant of a rocking stone on the very edge, where any force would crush.
 double edge_stress(const JointResultant& joint);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <utility>
 
 #include "libdda/errors.h"
@@ -128,6 +129,12 @@ GroundMotion GroundMotion::from_displacement(std::vector<double> samples, double
 {
     require_samples(samples, time_step, source);
     GroundMotion motion;
+    if (const double first = samples[0]; first != 0) {  // the ground is where it starts
+        for (double& sample : samples) sample -= first;
+        std::ostringstream words;
+        words << " (counted from its first sample, " << first << " m)";
+        source += words.str();
+    }
     motion.time_step_ = time_step;
     motion.intervals_.reserve(samples.size());
     const double h = time_step;

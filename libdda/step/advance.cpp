@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "libdda/step/energy_book.h"
+#include "libdda/step/missed_contacts.h"
 #include "libdda/step/reversal.h"
 #include "libdda/step/step_system.h"
 #include "libdda/step/update.h"
@@ -21,7 +22,7 @@ namespace
 template <class K>
 struct Work {
     std::vector<PlacedPartIn<K::dimension>> parts;
-    std::vector<double> reach;
+    std::vector<double> radii, reach;  // m, of the blocks
     ContactSetIn<K::dimension> contacts;
     StepSystem<K> system;
 };
@@ -56,7 +57,6 @@ namespace
 {
 
 constexpr double cut_factor = 0.3;
-constexpr double contact_distance = 1e-3;  // of a block's size: closer parts are candidates whatever their speed
 
 class Stopwatch
 {
@@ -71,18 +71,10 @@ class Stopwatch
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-template <int D>
-double radius_of(const Block& block)
-{
-    double square = 0;
-    for (const auto& part : ShapeIn<D>::of(block))
-        for (const VectorIn<D>& x : part.vertices) square = std::max(square, x.squaredNorm());
-    return std::sqrt(square);
-}
-
 /// How far each block may move within the step: its velocity, its spin, gravity, and the ground under it.
 template <class K>
-void find_reach(const Model& model, const Stage& stage, const State& state, double h, std::vector<double>& reach)
+void find_reach(const Model& model, const Stage& stage, const State& state, double h,
+                const std::vector<double>& radii, std::vector<double>& reach)
 {
     constexpr int n = K::unknowns, dimension = K::dimension;
     double dashpot = 0;
@@ -92,8 +84,7 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
         const double* v = state.velocities.data() + b * n;
         double turning = 0;
         for (int k = dimension; k < n; ++k) turning += v[k] * v[k];
-        const double speed =
-            typename K::Vector(v).norm() + std::sqrt(turning) * radius_of<dimension>(model.blocks[b]);
+        const double speed = typename K::Vector(v).norm() + std::sqrt(turning) * radii[b];
         reach[b] = (h + dashpot) * speed + h * h * stage.gravity.norm() * (stage.type == StageType::dynamic) +
                    contact_distance * size_of(model, static_cast<int>(b));
     }
@@ -152,7 +143,8 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
     double h = time_step;
     {
         const Stopwatch watch(report, Part::contact_search);
-        find_reach<K>(model, stage, state, h, work.reach);
+        if (work.radii.empty()) work.radii = radii_of<K::dimension>(model);
+        find_reach<K>(model, stage, state, h, work.radii, work.reach);
         find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts);
     }
     const bool may_divide = stage.type == StageType::dynamic && stage.control.open_close == OpenClose::newton;
@@ -166,9 +158,13 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
             std::optional<double> shorter;
             if (may_divide && static_cast<int>(system.block_of_row.size()) <= stage.control.divide_up_to_blocks)
                 shorter = step_to_reversal(work.contacts, system, reversal);
-            if (!shorter) break;
-            h = *shorter;
-            continue;
+            if (shorter) {
+                h = *shorter;
+                continue;
+            }
+            if (!misses_a_contact(model, state, system, work.contacts, work.radii, work.reach,
+                                  stage.control.threads))
+                break;
         }
         ++report.cuts;
         reversal = {};
@@ -189,7 +185,7 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
     state.time += h;
     state.stage_time += h;
     ++state.step;
-    damp_velocities(stage, system, state, energy);
+    damp_velocities(model, stage, system, state, energy);
     for (const BlockStep<K>& block : system.blocks)
         if (block.row >= 0)
             report.max_displacement = std::max(

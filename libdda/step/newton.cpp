@@ -157,7 +157,11 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
             const int broken = break_weakest_patch(model, contacts, system.contacts);
             if (broken < 0) return true;
             system.fracture += tension_energy(system.contacts, broken);
+            // Another structure, which has not been iterated on yet: any number of joints may break in a step.
             last = std::numeric_limits<double>::infinity();
+            last_slope = -std::numeric_limits<double>::infinity();
+            stalled = rises = 0;
+            iteration = -1;
             continue;
         }
         if (iteration >= control.max_open_close) return fail(Trouble::chatter, report);

@@ -15,6 +15,8 @@ using Eigen::Vector3d;
 namespace
 {
 
+constexpr double no_tension = 1e-3;  // of the cohesion
+
 /// Second moments of the area of a convex polygon about its centroid, the origin, by triangles from there [m4].
 Eigen::Matrix2d second_moments(const std::vector<Vector2d>& corners)
 {
@@ -83,8 +85,11 @@ double overload(const JointMaterial& joint, const PatchStep<K>& patch,
         shear += points[i].shear;
     }
     const double least = least_pressure(patch, points, contacts, area, Vector(centre / area));
-    // A dry share keeps the ratios finite: a joint without tensile strength breaks at the first tension.
-    const double tension = -least / std::max(joint.tensile_strength, 1e-12);
+    // A joint that has only cohesion breaks at the first tension; that of rounding and of forces which are
+    // balanced to a tolerance is none.
+    const double tensile_strength =
+        joint.tensile_strength > 0 ? joint.tensile_strength : no_tension * joint.cohesion;
+    const double tension = -least / std::max(tensile_strength, 1e-12);
     const double shear_strength = joint.cohesion + patch.friction * force / area;
     const double sliding = shear.norm() / area / std::max(shear_strength, 1e-12);
     return std::max(tension, sliding);

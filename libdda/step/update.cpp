@@ -13,18 +13,23 @@ namespace
 {
 
 /// The velocity that complete kinetic damping would leave: that of the ground; where supports move differently,
-/// the mean of their motions.
-Vector3d ground_velocity(const Stage& stage, double time)
+/// the mean of their motions, rest among them.
+Vector3d ground_velocity(const Model& model, const Stage& stage, double time)
 {
     Vector3d velocity = Vector3d::Zero();
     for (int component = 0; component < 3; ++component) {
         std::vector<const GroundMotion*> different;  // a motion shared by many foundations counts once
-        for (const FoundationMotion& motion : stage.motions)
-            if (motion.component == component &&
-                std::find(different.begin(), different.end(), motion.motion.get()) == different.end())
+        std::size_t moved = 0, held = 0;
+        for (const FoundationMotion& motion : stage.motions) {
+            if (motion.component != component) continue;
+            ++moved;
+            if (std::find(different.begin(), different.end(), motion.motion.get()) == different.end())
                 different.push_back(motion.motion.get());
+        }
+        for (const Foundation& foundation : model.foundations) held += foundation.translation_held[component];
+        const std::size_t motions = different.size() + (held > moved);
         for (const GroundMotion* motion : different)
-            velocity[component] += motion->velocity(time) / static_cast<double>(different.size());
+            velocity[component] += motion->velocity(time) / static_cast<double>(motions);
     }
     return velocity;
 }
@@ -96,12 +101,13 @@ void update_contacts(const Stage& stage, const StepSystem<K>& system, const Cont
 }
 
 template <class K>
-void damp_velocities(const Stage& stage, const StepSystem<K>& system, State& state, EnergyLedger& energy)
+void damp_velocities(const Model& model, const Stage& stage, const StepSystem<K>& system, State& state,
+                     EnergyLedger& energy)
 {
     const bool is_static = stage.type == StageType::static_equilibrium;
     const double factor = is_static ? 0 : stage.damping.factor_per_step * std::exp(-stage.damping.rate * system.h);
     if (factor == 1) return;
-    const Vector3d ground = is_static ? Vector3d::Zero() : ground_velocity(stage, state.stage_time);
+    const Vector3d ground = is_static ? Vector3d::Zero() : ground_velocity(model, stage, state.stage_time);
     double kinetic = 0;
     for (std::size_t b = 0; b < system.blocks.size(); ++b) {
         const BlockStep<K>& block = system.blocks[b];
@@ -120,7 +126,7 @@ void damp_velocities(const Stage& stage, const StepSystem<K>& system, State& sta
     template void update_blocks(const StepSystem<K>&, State&);                                                   \
     template void update_contacts(const Stage&, const StepSystem<K>&, const ContactSetIn<K::dimension>&, State&, \
                                   StepReport&);                                                                  \
-    template void damp_velocities(const Stage&, const StepSystem<K>&, State&, EnergyLedger&)
+    template void damp_velocities(const Model&, const Stage&, const StepSystem<K>&, State&, EnergyLedger&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

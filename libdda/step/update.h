@@ -22,6 +22,7 @@ void update_contacts(const Stage& stage, const StepSystem<K>& system, const Cont
 /// Velocities after the step: zero in a static stage, else damped relative to the ground. What that takes is
 /// booked.
 template <class K>
-void damp_velocities(const Stage& stage, const StepSystem<K>& system, State& state, EnergyLedger& energy);
+void damp_velocities(const Model& model, const Stage& stage, const StepSystem<K>& system, State& state,
+                     EnergyLedger& energy);
 
 }  // namespace voussoir

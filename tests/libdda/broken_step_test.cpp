@@ -52,7 +52,7 @@ EnergyLedger run_with(const Mistake<K>& mistake)
         book_step(state, system, contacts, energy);
         update_contacts(stage, system, contacts, state, report);
         state.stage_time += h;
-        damp_velocities(stage, system, state, energy);
+        damp_velocities(scene.model, stage, system, state, energy);
     }
     return energy;
 }

@@ -109,6 +109,23 @@ TEST_P(Collapse, is_not_what_goes_down_with_the_ground)
 }
 
 // Without gravity nothing falls, but a block can leave.
+// The ground sinks by more than the stone's size and comes to rest with a jolt that makes the stone hop.
+TEST_P(Collapse, is_not_a_hop_on_ground_that_has_sunk)
+{
+    Model model = make_model(GetParam(), stone(), dry(30));
+    hold(model, add_box(model, "ground", {-2, -2, -1}, {2, 2, 0}));
+    add_box(model, "pebble", {0, 0, 0}, {0.1, 0.1, 0.1});
+    std::vector<double> sinking;
+    for (int i = 0; i <= 30; ++i) sinking.push_back(-0.15 * i / 30);
+    Stage stage = dynamic_stage(0.6, 1e-3);
+    stage.motions = {
+        {0, 2, std::make_shared<GroundMotion>(GroundMotion::from_displacement(sinking, 0.01, "sinks and stops"))}};
+    State state = initial_state(model);
+    const RunReport report = run_quietly(model, {static_stage(1), stage}, state);
+    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_TRUE(report.fallen.empty());
+}
+
 TEST_P(Collapse, is_told_of_blocks_that_leave)
 {
     Ruin ruin(GetParam());

@@ -55,6 +55,26 @@ TEST_P(Crushing, edge_stress_is_the_resultant_over_the_effective_area)
     }
 }
 
+// A square bed has no principal axes of its own: its sides count, however it is turned in plan.
+TEST(SquareBed, is_judged_along_its_sides)
+{
+    for (const double turn : {0.0, 0.3, 45 * degrees, 1.1}) {
+        Model model = make_model(Kinematics::spatial_rigid, stone(), dry(40));
+        hold(model, add_box(model, "base", {-3, -3, -1}, {3, 3, 0}));
+        add_box(model, "pillar", {-width / 2, -width / 2, 0}, {width / 2, width / 2, height});
+        State state = initial_state(model);
+        const Eigen::Matrix3d rotation = turned(turn, Eigen::Vector3d::UnitZ());
+        set_pose(model, state, 1, {0, 0, height / 2}, rotation);
+        const Eigen::Vector3d lean = rotation * leaning(0.35);
+        begin_stage(model, 0, state);
+        const RunReport report = run_quietly(model, {static_stage(0.1, lean)}, state);
+        ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+        const std::vector<JointResultant> joints = joint_resultants(model, state);
+        ASSERT_EQ(joints.size(), 1);
+        EXPECT_NEAR(joints[0].effective_area, width * (width - 2 * 0.35 * height / 2), 0.02) << turn;
+    }
+}
+
 // A stone that rocks has its resultant on the very edge: it bears on a tenth of the joint, and light stones crush
 // none.
 TEST_P(Crushing, a_rocking_stone_bears_on_a_tenth_of_its_joint)

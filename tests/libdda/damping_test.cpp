@@ -120,6 +120,21 @@ TEST_P(Damped, is_relative_to_the_mean_of_supports_that_move_differently)
     }
 }
 
+// One support stands still and another one moves: half of it, and rest where nothing has a motion.
+TEST_P(Damped, counts_a_support_that_stands_still)
+{
+    Model model = lone_block(GetParam());
+    hold(model, add_box(model, "left", {-5, -5, -10}, {0, 5, -9}));
+    hold(model, add_box(model, "right", {1, -5, -10}, {5, 5, -9}));
+    const auto push = std::make_shared<GroundMotion>(GroundMotion::sine_acceleration(2, 1, 0, 0.5));
+    Stage stage = dynamic_stage(8, 5e-3, Vector3d::Zero());
+    stage.motions = {{1, 0, push}};
+    stage.damping.rate = 3;
+    State state = initial_state(model);
+    run_quietly(model, {stage}, state);
+    EXPECT_NEAR(velocity_of(model.kinematics, state, 0).x(), 0.5 * push->residual_velocity(), 1e-6);
+}
+
 // e = exp(-pi xi / sqrt(1 - xi^2)) for N = <-k (g + eta dg/dt)>, xi = eta omega / 2; Newmark's own loss adds omega
 // h / 4 to xi. Where the contact was found, the block being still in the air, must not matter.
 TEST_P(Damped, dashpot_gives_the_restitution_of_its_ratio)

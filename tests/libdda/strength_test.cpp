@@ -202,6 +202,39 @@ TEST_P(Strength, broken_joint_slides_like_a_dry_one)
     EXPECT_GT(centroid(model, state, block).x(), place + 0.02);
 }
 
+// All reach their strength in the same step, whatever its length: each gets its own iterations.
+TEST_P(Strength, any_number_of_joints_may_break_at_once)
+{
+    Model model = make_model(GetParam(), stone(), mortar(35, 50e3, 1e3));
+    hold(model, add_box(model, "ceiling", {-1, -1, 0}, {60, 2, 1}));
+    constexpr int count = 40;
+    for (int i = 0; i < count; ++i) add_box(model, "stone", {1.4 * i, 0, -1}, {1.4 * i + 1, 0.8, 0});
+    State state = initial_state(model);
+    const RunReport report = run_quietly(model, {dynamic_stage(0.1, 1e-3)}, state);
+    ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+    for (const ContactPatch& patch : state.contacts.patches) EXPECT_FALSE(patch.intact);
+    EXPECT_EQ(report.step_cuts, 0);
+}
+
+// Mortar that adheres in shear only, in joints that nothing presses: a stone between two others stays where it is.
+TEST_P(Strength, cohesion_alone_holds_in_an_unloaded_joint)
+{
+    for (const double cohesion : {100e3, 1e3}) {  // 6.1 kPa would do
+        Model model = make_model(GetParam(), stone(), mortar(35, cohesion, 0));
+        hold(model, add_box(model, "left", {-1, 0, -1}, {0, 0.8, 1}));
+        hold(model, add_box(model, "right", {0.5, 0, -1}, {1.5, 0.8, 1}));
+        const int block = add_box(model, "stone", {0, 0, -0.25}, {0.5, 0.8, 0.25});
+        State state = initial_state(model);
+        const double start = centroid(model, state, block).z();
+        run_quietly(model, {dynamic_stage(0.2, 1e-3)}, state);
+        const double fallen = start - centroid(model, state, block).z();
+        if (cohesion > 10e3)
+            EXPECT_LT(fallen, 1e-4);
+        else
+            EXPECT_GT(fallen, 0.1);
+    }
+}
+
 // Only joints closed at the start of the run are bonded: a stone that falls on another does not stick to it.
 TEST_P(Strength, later_contacts_are_dry)
 {

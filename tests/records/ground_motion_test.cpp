@@ -175,10 +175,10 @@ TEST(GroundMotion, DisplacementPassesThroughItsSamplesFromRest)
     const std::vector<double> samples = noise(30, 5);
     const GroundMotion motion = GroundMotion::from_displacement(samples, 0.02, "d");
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        EXPECT_NEAR(motion.displacement(0.02 * static_cast<double>(i)), samples[i], 1e-13);
+        EXPECT_NEAR(motion.displacement(0.02 * static_cast<double>(i)), samples[i] - samples[0], 1e-13);
     }
     EXPECT_EQ(motion.velocity(0), 0);
-    EXPECT_EQ(motion.displacement(-1), samples.front());
+    EXPECT_EQ(motion.displacement(-1), 0);
 }
 
 TEST(GroundMotion, SmoothDisplacementGivesItsVelocityToThirdOrder)
@@ -270,6 +270,15 @@ TEST(GroundMotion, ScalingScalesEverything)
         }
     }
     EXPECT_NEAR(motions[0].scaled(2).with_end_correction().residual_displacement(), 0, 1e-13);
+}
+
+// The ground is where it starts: a survey's own zero does not throw it there.
+TEST(GroundMotion, counts_displacements_from_the_first_one)
+{
+    const GroundMotion motion = GroundMotion::from_displacement({0.3, 0.3, 0.4, 0.5, 0.5}, 0.1, "survey");
+    EXPECT_EQ(motion.displacement(0), 0);
+    EXPECT_NEAR(motion.displacement(0.4), 0.2, 1e-15);
+    EXPECT_EQ(motion.source(), "survey (counted from its first sample, 0.3 m)");
 }
 
 TEST(GroundMotion, BadSamplesAreRefusedWithEveryFault)

@@ -1,0 +1,114 @@
+#include "libdda/step/missed_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace voussoir
+{
+
+namespace
+{
+
+/// Displacement over the step of the point at `lever` from the centroid at its start [m].
+template <class K>
+typename K::Vector displacement(const StepSystem<K>& system, int block, const typename K::Vector& lever)
+{
+    const BlockStep<K>& step = system.blocks[block];
+    const typename K::Vector turned = step.predicted.map * step.start.map.inverse() * lever;
+    typename K::Vector moved = step.predicted.centroid - step.start.centroid + turned - lever;
+    if (step.row >= 0)
+        moved += K::displacement(system.d.template segment<K::unknowns>(K::unknowns * step.row), turned);
+    return moved;
+}
+
+/// No point of the block moved farther in the step than this [m].
+template <class K>
+double farthest(const StepSystem<K>& system, int block, double radius)
+{
+    const BlockStep<K>& step = system.blocks[block];
+    typename K::Vector moved = step.predicted.centroid - step.start.centroid;
+    double turned = (step.predicted.map - step.start.map).norm();
+    if (step.row >= 0) {
+        const typename K::Unknowns d = system.d.template segment<K::unknowns>(K::unknowns * step.row);
+        moved += d.template head<K::dimension>();
+        turned += (K::gradient(d) * step.predicted.map).norm();
+    }
+    return moved.norm() + turned * radius;
+}
+
+template <int D>
+std::pair<int, int> parts_of(const ContactPatchIn<D>& patch)
+{
+    return std::minmax({patch.part_a, patch.part_b});
+}
+
+template <int D>
+std::vector<std::pair<int, int>> pairs_in(const ContactSetIn<D>& contacts)
+{
+    std::vector<std::pair<int, int>> pairs;
+    for (const ContactPatchIn<D>& patch : contacts.patches) pairs.push_back(parts_of(patch));
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+}  // namespace
+
+template <int D>
+std::vector<double> radii_of(const Model& model)
+{
+    std::vector<double> radii;
+    for (const Block& block : model.blocks) {
+        double square = 0;
+        for (const auto& part : ShapeIn<D>::of(block))
+            for (const VectorIn<D>& x : part.vertices) square = std::max(square, x.squaredNorm());
+        radii.push_back(std::sqrt(square));
+    }
+    return radii;
+}
+
+template <class K>
+bool misses_a_contact(const Model& model, const State& state, const StepSystem<K>& system,
+                      const ContactSetIn<K::dimension>& contacts, const std::vector<double>& radii,
+                      const std::vector<double>& reach, int threads)
+{
+    constexpr int D = K::dimension;
+    std::vector<double> went;
+    for (std::size_t b = 0; b < reach.size(); ++b) {
+        const double moved = farthest(system, static_cast<int>(b), radii[b]);
+        if (moved <= reach[b]) continue;
+        if (went.empty()) went = reach;
+        went[b] = moved;
+    }
+    if (went.empty()) return false;
+    std::vector<PlacedPartIn<D>> parts;
+    ContactSetIn<D> all;
+    find_contacts(model, state, went, threads, parts, all);
+    const std::vector<std::pair<int, int>> known = pairs_in(contacts);
+    for (const ContactPatchIn<D>& patch : all.patches) {
+        if (std::binary_search(known.begin(), known.end(), parts_of(patch))) continue;
+        const double allowed =
+            -contact_distance * std::min(size_of(model, patch.block_a), size_of(model, patch.block_b));
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+            const VectorIn<D>& place = all.points[i].position;
+            const auto moved = [&](int block) {
+                return displacement(system, block, VectorIn<D>(place - system.blocks[block].start.centroid));
+            };
+            if (all.points[i].gap + patch.normal.dot(moved(patch.block_a) - moved(patch.block_b)) < allowed)
+                return true;
+        }
+    }
+    return false;
+}
+
+template std::vector<double> radii_of<2>(const Model&);
+template std::vector<double> radii_of<3>(const Model&);
+
+#define VOUSSOIR_INSTANTIATE(K)                                                                   \
+    template bool misses_a_contact(const Model&, const State&, const StepSystem<K>&,              \
+                                   const ContactSetIn<K::dimension>&, const std::vector<double>&, \
+                                   const std::vector<double>&, int)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir

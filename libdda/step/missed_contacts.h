@@ -1,0 +1,28 @@
+// Contacts that a step should have known of: blocks that moved farther than expected, through something.
+#pragma once
+
+#include <vector>
+
+#include "libdda/contact/find_contacts.h"
+#include "libdda/step/step_system.h"
+
+namespace voussoir
+{
+
+/// Of a block's size: closer parts are candidates whatever their speed.
+constexpr double contact_distance = 1e-3;
+
+/// Radius of the vertices about the centroid of each block [m].
+template <int D>
+std::vector<double> radii_of(const Model& model);
+
+/// Whether two blocks end the step within one another that had no contact in it. Only where a block moved beyond
+/// its reach, which a static step under gravity may do (its velocity is taken, its h is long), are contacts looked
+/// for again, as far as the blocks went; motions are linear in between.
+/// @param reach (blocks) [m] that `contacts` were found with
+template <class K>
+bool misses_a_contact(const Model& model, const State& state, const StepSystem<K>& system,
+                      const ContactSetIn<K::dimension>& contacts, const std::vector<double>& radii,
+                      const std::vector<double>& reach, int threads);
+
+}  // namespace voussoir
