@@ -88,6 +88,11 @@ void check_what_is_left(const Reference& reference, const fs::path& folder, Kill
         return;
     }
     const Restart restart = load_restart(restart_file);
+    if (restart.ended) {  // of the run before, which this one had no time to replace
+        ++kills.before_a_frame;
+        EXPECT_EQ(every_dataset(results), every_dataset(reference.folder / "results.h5"));
+        return;
+    }
     ASSERT_NO_THROW(every_dataset(results));
     ASSERT_NO_FATAL_FAILURE(
         expect_beginning_of(reference.folder / "results.h5", results, restart.position.frames));
