@@ -212,13 +212,17 @@ void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, Cont
 template <class K>
 void evaluate_published(const VectorXd& d, ContactStep<K>& step)
 {
+    using Vector = typename K::Vector;
     for (PatchStep<K>& patch : step.patches) {
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             PointStep<K::dimension>& p = step.points[i];
             move_point(d, patch, p);
             const bool closed = p.status != ContactStatus::open;
-            p.elastic_normal = p.normal = closed ? -p.normal_stiffness * p.gap : 0;
-            p.trial = p.shear_stiffness * (p.slip_start + tangential(p.displacement, patch.normal));
+            // Blends other than one belong to the first guess of a Newton iteration.
+            const double gap = 0.5 * (1 - p.normal_blend) * p.gap_start + 0.5 * (1 + p.normal_blend) * p.gap;
+            p.elastic_normal = p.normal = closed ? -p.normal_stiffness * gap : 0;
+            const Vector slip = 0.5 * (1 + p.shear_blend) * tangential(p.displacement, patch.normal);
+            p.trial = p.shear_stiffness * (p.slip_start + slip);
             if (p.status == ContactStatus::locked) p.shear = p.trial;
             if (p.status == ContactStatus::open) p.shear.setZero();
         }

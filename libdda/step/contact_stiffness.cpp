@@ -14,7 +14,7 @@ MatrixIn<D> point_stiffness(const PointStep<D>& p, const VectorIn<D>& n, bool pu
     const MatrixIn<D> across = n * n.transpose(), along = MatrixIn<D>::Identity() - across;
     if (published) {
         if (p.status == ContactStatus::open) return MatrixIn<D>::Zero();
-        MatrixIn<D> c = p.normal_stiffness * across;
+        MatrixIn<D> c = 0.5 * (1 + p.normal_blend) * p.normal_stiffness * across;
         if (p.status == ContactStatus::locked) c += k_t * along;
         return c;
     }
@@ -87,7 +87,7 @@ void add_points(const std::vector<PointStep<D>>& points, bool published, PatchSt
             add_point(p, point_stiffness<D>(p, patch.normal, published), patch);
             continue;
         }
-        normal.add(published ? p.normal_stiffness : p.normal_tangent, p);
+        normal.add(published ? 0.5 * (1 + p.normal_blend) * p.normal_stiffness : p.normal_tangent, p);
         shear.add(0.5 * (1 + p.shear_blend) * p.shear_stiffness, p);
         any = true;
     }

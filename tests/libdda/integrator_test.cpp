@@ -180,4 +180,27 @@ TEST(Integrator, shaken_wall_never_gains_energy)
         }
 }
 
+// Where no contact changes its state a step is one linear problem: whatever the integrator, one solve.
+TEST(Integrator, takes_one_iteration_where_no_contact_changes)
+{
+    for (const Kinematics kinematics : {Kinematics::spatial_rigid, Kinematics::planar_rigid})
+        for (const double dissipation : {-1.0, 0.0, 0.1, 1.0}) {  // -1: newmark
+            Model model = block_on_plane(kinematics, 45);
+            add_box(model, "upper", {-0.4, -0.4, 0.3}, {0.4, 0.4, 0.6});
+            Stage shaking = dynamic_stage(0.2, 1e-3);
+            shaking.motions = {
+                {0, 0, std::make_shared<GroundMotion>(GroundMotion::sine_acceleration(0.1 * gravity, 5, 0, 1))}};
+            if (dissipation >= 0) {
+                shaking.control.integrator = Integrator::energy_decaying;
+                shaking.control.dissipation = dissipation;
+            }
+            State state = initial_state(model);
+            run_quietly(model, {static_stage(0.1)}, state);
+            begin_stage(model, 0, state);
+            const RunReport report = run_quietly(model, {shaking}, state);
+            ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+            EXPECT_LE(report.open_close_iterations, report.steps + 5) << dissipation;
+        }
+}
+
 }  // namespace voussoir::testing
