@@ -5,13 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
-#include <system_error>
 
 #include "app/plots/axis.h"
 #include "app/plots/pen.h"
-#include "libdda/errors.h"
 
 namespace voussoir
 {
@@ -264,12 +261,7 @@ void draw_figure(const Figure& figure, const std::filesystem::path& file)
         }
         draw_legend(pen.get(), figure, styles, columns, head + sheet.panels_height + 8);
     }
-    std::error_code none;
-    std::filesystem::remove(file, none);  // a link there may lead anywhere
-    const cairo_status_t status = cairo_surface_write_to_png(surface.get(), file.c_str());
-    if (status != CAIRO_STATUS_SUCCESS)
-        throw InputError(file.string(), std::string("cannot be written: ") + cairo_status_to_string(status),
-                         "give a folder that can be written on a disk with room");
+    write_png(surface.get(), file);
 }
 
 }  // namespace voussoir

@@ -3,6 +3,10 @@
 #include <cairo.h>
 #include <fmt/format.h>
 
+#include <system_error>
+
+#include "libdda/errors.h"
+
 namespace voussoir
 {
 
@@ -83,6 +87,16 @@ void mark(Cairo* pen, std::size_t shape, double x, double y)
     cairo_set_line_width(pen, 0.8);
     cairo_stroke(pen);
     cairo_restore(pen);
+}
+
+void write_png(cairo_surface_t* surface, const std::filesystem::path& file)
+{
+    std::error_code none;
+    std::filesystem::remove(file, none);  // a link there may lead anywhere
+    const cairo_status_t status = cairo_surface_write_to_png(surface, file.c_str());
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw InputError(file.string(), std::string("cannot be written: ") + cairo_status_to_string(status),
+                         "give a folder that can be written on a disk with room");
 }
 
 }  // namespace voussoir

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 
-struct _cairo;  // Cairo's own name of cairo_t: its header stays in the .cpp files
+// Cairo's own names of cairo_t and cairo_surface_t: its header stays in the .cpp files.
+struct _cairo;
+struct _cairo_surface;
 
 namespace voussoir
 {
@@ -31,5 +34,8 @@ void write_power(Cairo* pen, int exponent, double x, double y, double anchor);
 
 /// A circle, a square, a triangle, a diamond: curves are told apart without colour too.
 void mark(Cairo* pen, std::size_t shape, double x, double y);
+
+/// In the place of what has the name, be it a link. @throws InputError
+void write_png(_cairo_surface* surface, const std::filesystem::path& file);
 
 }  // namespace voussoir

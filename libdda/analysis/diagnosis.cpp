@@ -232,8 +232,8 @@ std::optional<std::string> overlap_warning(const Model& model, const RunReport& 
     if (!(report.deepest.share > visible_share)) return std::nullopt;
     std::ostringstream when;
     when << " at t = " << report.deepest.time
-         << " s: contacts so soft are part of the answer, and newmark damps their "
-         << "vibration; ";
+         << " s: contacts so soft are part of the answer, and the integrator damps "
+         << "their vibration, newmark most; ";
     return overlap_in_words(model, report.deepest, "overlapped", when.str());
 }
 
