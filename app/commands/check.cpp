@@ -36,8 +36,9 @@ void add_contacts(const ContactSetIn<D>& contacts, PairContacts& pairs)
         pair.least_stiffness = std::min(pair.least_stiffness, patch.stiffness);
         pair.most_stiffness = std::max(pair.most_stiffness, patch.stiffness);
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            pair.area += contacts.points[i].area;
-            pair.smallest_gap = std::min(pair.smallest_gap, contacts.points[i].gap);
+            const ContactPointIn<D>& point = contacts.points[i];
+            pair.area += point.area;
+            pair.smallest_gap = std::min(pair.smallest_gap, point.gap + point.rest_gap);
         }
     }
 }

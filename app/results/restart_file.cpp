@@ -11,7 +11,7 @@ namespace voussoir
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 4\n";  // its digit rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 5\n";  // its digit rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 

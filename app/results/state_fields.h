@@ -30,6 +30,7 @@ void point_fields(Archive& archive, Point& point)
     archive.field(point.feature);
     archive.field(point.status);
     archive.field(point.gap);
+    archive.field(point.rest_gap);
     archive.field(point.area);
     archive.field(point.normal_force);
     archive.field(point.position);

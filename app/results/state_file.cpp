@@ -10,7 +10,7 @@ namespace voussoir
 
 namespace
 {
-constexpr std::string_view mark = "voussoir state 2\n";  // its digit rises when the layout changes
+constexpr std::string_view mark = "voussoir state 3\n";  // its digit rises when the layout changes
 }
 
 void save_state(const State& state, const std::filesystem::path& path)

@@ -35,7 +35,7 @@ void note_crushing(const Model& model, const State& state, RunReport& report)
 {
     for (const JointResultant& joint : joint_resultants(model, state)) {
         const double strength = strength_between(model, joint.block_a, joint.block_b);
-        const double stress = edge_stress(joint);
+        const double stress = joint.edge_stress;
         if (!(stress > strength)) continue;
         auto known = std::find_if(report.crushed.begin(), report.crushed.end(), [&](const CrushedJoint& crushed) {
             return crushed.block_a == joint.block_a && crushed.block_b == joint.block_b;

@@ -13,7 +13,7 @@ namespace voussoir
 /// Whether any material has a compressive strength to judge by.
 bool has_compressive_strength(const Model& model);
 
-/// Updates report.crushed from the joints of the state: see edge_stress.
+/// Updates report.crushed from the joints of the state: see JointResultant::edge_stress.
 void note_crushing(const Model& model, const State& state, RunReport& report);
 
 /// "3 joints exceed their compressive strength, worst ...". @returns empty when none does

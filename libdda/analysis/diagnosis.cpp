@@ -18,7 +18,8 @@ using Eigen::Vector3d;
 constexpr double deepest_share = 0.1;
 // Contacts that yield by more than this share of a block's width are part of the answer.
 constexpr double visible_share = 0.01;
-constexpr double good_share = 0.001;  // what the remedies aim at
+constexpr double good_share = 0.001;     // what the remedies aim at
+constexpr double unnoticed_jump = 1e-3;  // m/s of the ground: what 0.1 m/s2 do in a step of 10 ms
 
 std::string name_of(const Model& model, int block)
 {
@@ -103,28 +104,11 @@ std::string overlap_in_words(const Model& model, const DeepestOverlap& overlap, 
     return words.str();
 }
 
-/// All that moved, was stored, put in or lost [J].
-double energy_scale(const EnergyLedger& energy)
-{
-    const double start = energy.start_kinetic + energy.start_strain + energy.start_contact;
-    return std::max({std::abs(energy.input()), energy.dissipated(), energy.peak_stored, start});
-}
-
-double share_of(const EnergyLedger& energy, double part)
-{
-    const double scale = energy_scale(energy);
-    return scale > 0 || !std::isfinite(part) ? part / scale : 0;
-}
-
-double unaccounted_share(const EnergyLedger& energy)
-{
-    return share_of(energy, energy.residual());
-}
-
 /// What contacts gave when they were found anew.
 double given_share(const EnergyLedger& energy)
 {
-    return share_of(energy, -energy.redetection);
+    const double scale = energy.scale();
+    return scale > 0 ? -energy.redetection / scale : 0;
 }
 
 std::string given_in_words(double share)
@@ -136,13 +120,13 @@ std::string given_in_words(double share)
     return words.str();
 }
 
-std::string energy_in_words(const Model& model, const State& state, double share)
+std::string energy_in_words(const Model& model, const State& state, const EnergyLedger& energy)
 {
     const int block = fastest_block(model, state);
     std::ostringstream words;
-    words << 100 * std::abs(share) << " % of the energy has " << (share < 0 ? "appeared from nowhere" : "vanished")
-          << "; the fastest block is " << name_of(model, block) << " with "
-          << velocity_of(model.kinematics, state, block).norm()
+    words << 100 * energy.relative_residual() << " % of the energy has "
+          << (energy.residual() < 0 ? "appeared from nowhere" : "vanished") << "; the fastest block is "
+          << name_of(model, block) << " with " << velocity_of(model.kinematics, state, block).norm()
           << " m/s: the forces are not solved well enough for the step; try a smaller time_step or a smaller "
              "force_tolerance";
     return words.str();
@@ -204,11 +188,11 @@ std::optional<std::string> diagnose(const Model& model, const State& state, cons
     if (report.deepest.share > deepest_share)
         return overlap_in_words(model, report.deepest, "overlap",
                                 ": the contact is too soft for its load or its impact; ");
-    const double share = unaccounted_share(report.energy);
+    const double share = report.energy.relative_residual();
     if (!std::isfinite(share))
         return "an energy is no number; the fastest block is " + name_of(model, fastest_block(model, state)) +
                "; look at its joints' stiffness and its motion";
-    if (std::abs(share) > residual_worth_stopping) return energy_in_words(model, state, share);
+    if (share > residual_worth_stopping) return energy_in_words(model, state, report.energy);
     const double given = given_share(report.energy);
     if (given > residual_worth_stopping) return given_in_words(given);
     return std::nullopt;
@@ -216,7 +200,7 @@ std::optional<std::string> diagnose(const Model& model, const State& state, cons
 
 std::optional<std::string> energy_warning(const EnergyLedger& energy)
 {
-    const double share = std::abs(unaccounted_share(energy)), given = given_share(energy);
+    const double share = energy.relative_residual(), given = given_share(energy);
     if (share > residual_worth_a_warning) {
         std::ostringstream words;
         words << 100 * share << " % of the energy is unaccounted for: do not trust this run; try a smaller "
@@ -235,6 +219,29 @@ std::optional<std::string> overlap_warning(const Model& model, const RunReport& 
          << " s: contacts so soft are part of the answer, and the integrator damps "
          << "their vibration, newmark most; ";
     return overlap_in_words(model, report.deepest, "overlapped", when.str());
+}
+
+std::optional<std::string> ground_jump_warning(const Model& model, const Stage& stage, const State& state)
+{
+    double largest = unnoticed_jump;
+    int block = -1;
+    for (std::size_t f = 0; f < model.foundations.size(); ++f) {
+        const Foundation& foundation = model.foundations[f];
+        Vector3d jump = -velocity_of(model.kinematics, state, foundation.block);
+        for (const FoundationMotion& motion : stage.motions)
+            if (motion.foundation == static_cast<int>(f)) jump[motion.component] += motion.motion->velocity(0);
+        for (int k = 0; k < 3; ++k)
+            if (!foundation.translation_held[k]) jump[k] = 0;
+        if (jump.norm() <= largest) continue;
+        largest = jump.norm();
+        block = foundation.block;
+    }
+    if (block < 0) return std::nullopt;
+    std::ostringstream words;
+    words << "stage '" << stage.name << "' starts with a blow: the ground of block " << name_of(model, block)
+          << " changes its velocity by " << largest
+          << " m/s at once; let motions start and end at rest (taper, end_correction), or make one stage of two";
+    return words.str();
 }
 
 std::string explain(const Model& model, const Stage& stage, const State& state, const StepReport& step)

@@ -31,6 +31,10 @@ std::optional<std::string> energy_warning(const EnergyLedger& energy);
 /// A warning when blocks were so far within one another that the answer depends on the contacts' softness.
 std::optional<std::string> overlap_warning(const Model& model, const RunReport& report);
 
+/// A warning when a dynamic stage is about to give the ground another velocity from one moment to the next: the
+/// stage before it left the ground moving, or a motion does not start from rest. @param state at its start
+std::optional<std::string> ground_jump_warning(const Model& model, const Stage& stage, const State& state);
+
 /// Why a step that was cut to the end did not converge, and what to do. @param cuts of it
 std::string explain(const Model& model, const Stage& stage, const State& state, const StepReport& step);
 

@@ -254,9 +254,13 @@ bool run_dynamic(const Stage& stage, Progress& progress)
     return !has_collapsed(stage, progress);
 }
 
-void enter_stage(int stage, Progress& progress)
+void enter_stage(int stage, const Stage& entered, Progress& progress)
 {
     begin_stage(progress.model, stage, progress.state);
+    if (entered.type == StageType::dynamic) {
+        const auto warning = ground_jump_warning(progress.model, entered, progress.state);
+        if (warning) progress.report.warnings.push_back(*warning);
+    }
     RunPosition fresh;
     fresh.report = std::move(progress.report);
     fresh.frames = progress.position.frames;
@@ -287,7 +291,7 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
     if (progress.position.frames == 0) show(progress);
     for (int s = state.stage; s < static_cast<int>(stages.size()); ++s) {
         if (s == state.stage && progress.position.stage_done) continue;
-        if (s != state.stage || state.stage_time == 0) enter_stage(s, progress);
+        if (s != state.stage || state.stage_time == 0) enter_stage(s, stages[s], progress);
         const bool is_static = stages[s].type == StageType::static_equilibrium;
         const bool done = is_static ? run_static(stages[s], progress) : run_dynamic(stages[s], progress);
         progress.position.stage_done = done;

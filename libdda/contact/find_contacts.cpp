@@ -148,13 +148,14 @@ History<D> history_of(const ContactSetIn<D>& old, const std::map<PairKey, int>& 
     return {&patch, std::span(old.points).subspan(patch.first_point, patch.point_count)};
 }
 
-/// Takes over slip from the old patch; `sign` is -1 when reference and incident body have changed places.
+/// Takes over slip and rest gap from the old patch; `sign` is -1 when reference and incident body have changed
+/// places.
 /// @param sheared share of the patch that the old one was: what has only now come into touch has no elastic slip,
 /// and the mean is taken, so that the shear force does not jump
 /// @param extent of the patch: the root of its area, or its length [m]
 template <int D>
-void inherit_slip(const History<D>& history, bool same_features, double sign, double sheared, double extent,
-                  ContactPointIn<D>& point)
+void inherit(const History<D>& history, bool same_features, double sign, double sheared, double extent,
+             ContactPointIn<D>& point)
 {
     const ContactPointIn<D>* source = nullptr;
     if (same_features)
@@ -172,6 +173,7 @@ void inherit_slip(const History<D>& history, bool same_features, double sign, do
     if (source) {
         point.elastic_slip = sign * sheared * source->elastic_slip;
         point.plastic_slip = sign * source->plastic_slip;
+        point.rest_gap = source->rest_gap;
         point.status = source->status;
         return;
     }
@@ -180,10 +182,12 @@ void inherit_slip(const History<D>& history, bool same_features, double sign, do
         area += old.area;
         point.elastic_slip += sign * old.area * old.elastic_slip;
         point.plastic_slip += sign * old.area * old.plastic_slip;
+        point.rest_gap += old.area * old.rest_gap;
     }
     if (area > 0) {
         point.elastic_slip *= sheared / area;
         point.plastic_slip /= area;
+        point.rest_gap /= area;
         point.status = history.points.front().status;
     }
 }
@@ -246,9 +250,13 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
         ContactPointIn<D> point;
         point.feature = corner.feature;
         point.position = corner.position;
-        point.gap = corner.gap;
         point.area = corner.area * depth_of<D>(model);
-        if (history.patch) inherit_slip(history, same_features, same_sides ? 1 : -1, sheared, extent, point);
+        if (history.patch)
+            inherit(history, same_features, same_sides ? 1 : -1, sheared, extent, point);
+        else if (patch.intact)
+            // Mortar fills what the model leaves between the stones; where they overlap by more it is a fault.
+            point.rest_gap = std::max(corner.gap, -closed_at_start * size);
+        point.gap = corner.gap - point.rest_gap;
         point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
         found.points.push_back(point);
     }

@@ -6,10 +6,15 @@
 namespace voussoir
 {
 
+double EnergyLedger::scale() const
+{
+    return std::max({std::abs(input()), dissipated(), peak_stored, start_kinetic + start_strain + start_contact});
+}
+
 double EnergyLedger::relative_residual() const
 {
-    const double scale = std::max(std::abs(input()), dissipated());
-    return scale > 0 ? std::abs(residual()) / scale : (residual() == 0 ? 0 : 1);
+    const double whole = scale();
+    return whole > 0 || std::isnan(residual()) ? std::abs(residual()) / whole : (residual() == 0 ? 0 : 1);
 }
 
 std::string_view name_of(Part part)

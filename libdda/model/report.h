@@ -22,7 +22,7 @@ struct EnergyLedger {
     double load_work = 0;             // by body accelerations
     double friction = 0;              // dissipated
     double damping_kinetic = 0;       // dissipated by the kinetic damping rate or factor
-    double damping_static = 0;        // velocity removed in static stages
+    double damping_static = 0;        // velocity removed in static stages, and springs of contacts found in them
     double damping_contact = 0;       // dissipated by contact dashpots
     double fracture = 0;              // elastic energy lost when an intact joint breaks
     double algorithmic = 0;           // loss of the integrator, from its own identity
@@ -43,7 +43,9 @@ struct EnergyLedger {
         return kinetic - start_kinetic + strain - start_strain + contact - start_contact;
     }
     double residual() const { return input() - dissipated() - stored_change(); }
-    /// |residual| / max(|input|, dissipated): what share of the energy is unaccounted for. 0 for 0/0.
+    /// All that was put in, lost, stored or there at the start, whichever is largest [J].
+    double scale() const;
+    /// |residual| / scale: what share of the energy is unaccounted for. 0 for 0/0.
     double relative_residual() const;
 };
 

@@ -61,7 +61,7 @@ void add_contacts(const ContactSetIn<D>& contacts, Fnv1a& fnv)
     for (const ContactPointIn<D>& point : contacts.points) {
         fnv.add(point.feature);
         fnv.add(static_cast<int>(point.status));
-        for (const double x : {point.gap, point.area, point.normal_force}) fnv.add(x);
+        for (const double x : {point.gap, point.rest_gap, point.area, point.normal_force}) fnv.add(x);
         for (const VectorIn<D>& v : {point.position, point.shear_force, point.elastic_slip, point.plastic_slip})
             fnv.add(v);
     }

@@ -117,8 +117,9 @@ bool fail_inverted(const StepSystem<K>& system, StepReport& report)
 /// First guess: the solution of the linear problem in which every contact keeps the state it had at the end of the
 /// last step. Right when no state changes; kept only if it leaves less unbalanced force than the free flight D =
 /// 0.
+/// @param[out] evaluated whether contacts and residual are those of system.d
 template <class K>
-bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report)
+bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report, bool& evaluated)
 {
     evaluate_published(system.d, system.contacts);
     if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
@@ -129,8 +130,9 @@ bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report
     const double flight = unbalance(system, control.force_tolerance).worst;
     system.trial = system.direction;
     evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
-    if (evaluate_residual(system.trial, system) && unbalance(system, control.force_tolerance).worst < flight)
-        system.d = system.trial;
+    evaluated =
+        evaluate_residual(system.trial, system) && unbalance(system, control.force_tolerance).worst < flight;
+    if (evaluated) system.d = system.trial;
     return true;
 }
 
@@ -145,10 +147,14 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
     double last_slope = -std::numeric_limits<double>::infinity();
     int stalled = 0, rises = 0;
     report.trouble = Trouble::none;
-    if (!system.contacts.patches.empty() && !guess(control, system, report)) return false;
+    bool evaluated = false;
+    if (!system.contacts.patches.empty() && !guess(control, system, report, evaluated)) return false;
     for (int iteration = 0;; ++iteration) {
-        evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
-        if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
+        if (!evaluated) {
+            evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
+            if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
+        }
+        evaluated = false;
         if (!system.residual.allFinite()) return fail(Trouble::inaccurate_solution, report);
         const Unbalance now = unbalance(system, control.force_tolerance);
         report.unbalanced = now.ratio;

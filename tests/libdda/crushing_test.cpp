@@ -19,13 +19,32 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, Crushing, every_kinematics(), test_name);
 
 constexpr double width = 1, height = 2;
 
-/// A pillar 1 m wide and 2 m high on a held base, all of one stone.
-Model pillar(Kinematics kinematics, double strength)
+struct Box {
+    Eigen::Vector3d lower, upper;
+};
+
+/// A block of boxes glued together.
+int add_glued(Model& model, const std::string& name, const std::vector<Box>& boxes)
+{
+    std::vector<ConvexPolyhedron> parts;
+    std::vector<ConvexPolygon> outlines;
+    for (const Box& box : boxes) {
+        parts.push_back(make_box(box.lower, box.upper));
+        outlines.push_back(make_rectangle(from_space<2>(box.lower), from_space<2>(box.upper)));
+    }
+    model.blocks.push_back(is_planar(model.kinematics) ? make_planar_block(name, 0, 0, outlines, model.thickness)
+                                                       : make_block(name, 0, 0, parts));
+    return static_cast<int>(model.blocks.size()) - 1;
+}
+
+/// A pillar 1 m wide and 2 m high on a held base of one or more boxes, all of one stone.
+Model pillar(Kinematics kinematics, double strength, double friction_degrees = 40,
+             const std::vector<Box>& base = {{{-2, -2, -1}, {2, 2, 0}}})
 {
     BlockMaterial material = stone();
     material.compressive_strength = strength;
-    Model model = make_model(kinematics, material, dry(40));
-    hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+    Model model = make_model(kinematics, material, dry(friction_degrees));
+    hold(model, add_glued(model, "base", base));
     add_box(model, "pillar", {-width / 2, -width / 2, 0}, {width / 2, width / 2, height});
     return model;
 }
@@ -51,8 +70,35 @@ TEST_P(Crushing, edge_stress_is_the_resultant_over_the_effective_area)
         const double eccentricity = slope * height / 2;
         const double area = model.mass(1) * gravity / joints[0].normal_force * width;  // a strip if planar
         const double exact = model.mass(1) * gravity / (joints[0].area * (1 - 2 * eccentricity / width));
-        EXPECT_NEAR(edge_stress(joints[0]), exact, 0.02 * exact) << slope << " " << area;
+        EXPECT_NEAR(joints[0].edge_stress, exact, 0.02 * exact) << slope << " " << area;
     }
+}
+
+// The base is glued of two parts that meet under the pillar: one bed all the same.
+TEST_P(Crushing, patches_in_one_plane_are_one_bed)
+{
+    const Model model = pillar(GetParam(), 0, 40, {{{-2, -2, -1}, {0.1, 2, 0}}, {{0.1, -2, -1}, {2, 2, 0}}});
+    State state = initial_state(model);
+    const RunReport report = run_quietly(model, {static_stage(0.1, leaning(0.2))}, state);
+    ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+    const std::vector<JointResultant> joints = joint_resultants(model, state);
+    ASSERT_EQ(joints.size(), 1);
+    const double exact = model.mass(1) * gravity / (joints[0].area * (1 - 2 * 0.2 * height / 2 / width));
+    EXPECT_NEAR(joints[0].edge_stress, exact, 0.02 * exact);
+}
+
+// A pillar in the corner of floor and wall, which are one block, pushed against the wall without friction: the
+// floor carries its weight on the width, the wall half of it on twice the width.
+TEST_P(Crushing, beds_in_different_planes_are_judged_each)
+{
+    const Model model = pillar(GetParam(), 0, 0, {{{-2, -2, -1}, {2, 2, 0}}, {{width / 2, -2, 0}, {2, 2, 3}}});
+    State state = initial_state(model);
+    const RunReport report = run_quietly(model, {static_stage(0.1, leaning(0.5))}, state);
+    ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+    const std::vector<JointResultant> joints = joint_resultants(model, state);
+    ASSERT_EQ(joints.size(), 1);
+    const double exact = model.mass(1) * gravity / (joints[0].area * width / (width + height));
+    EXPECT_NEAR(joints[0].edge_stress, exact, 0.02 * exact);
 }
 
 // A square bed has no principal axes of its own: its sides count, however it is turned in plan.
@@ -90,7 +136,7 @@ TEST_P(Crushing, a_rocking_stone_bears_on_a_tenth_of_its_joint)
     ASSERT_GT(joints[0].max_opening, 1e-3);
     ASSERT_GT(joints[0].normal_force, 0);
     const double exact = 10 * joints[0].normal_force / joints[0].area;
-    EXPECT_NEAR(edge_stress(joints[0]), exact, 1e-6 * exact);
+    EXPECT_NEAR(joints[0].edge_stress, exact, 1e-6 * exact);
     EXPECT_TRUE(report.crushed.empty()) << crushed_in_words(model, report);
 }
 

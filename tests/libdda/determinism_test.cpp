@@ -188,6 +188,7 @@ TEST(Hash, sees_the_last_bit_of_everything_that_changes)
     EXPECT_TRUE(changes(scene.state.velocities[17]));
     EXPECT_TRUE(changes(scene.state.foundation_anchors[0]));
     EXPECT_TRUE(changes(scene.state.contacts.patches.back().stiffness));
+    EXPECT_TRUE(changes(scene.state.contacts.points.back().rest_gap));
     EXPECT_TRUE(changes(scene.state.contacts.points.back().elastic_slip[1]));
     EXPECT_TRUE(changes(scene.state.contacts.points.back().plastic_slip[2]));
     EXPECT_EQ(hash_of(scene.state), before);

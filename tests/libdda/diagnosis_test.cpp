@@ -107,6 +107,36 @@ TEST(DiagnosisOfEnergy, that_contacts_found_anew_gave_is_worth_a_warning_though_
     EXPECT_FALSE(energy_warning(energy));
 }
 
+// Ground that starts or stops dead strikes the structure: a stage that ends while it moves, and one that does not
+// start from rest. Only held directions count, and a smooth start is none.
+TEST_P(Diagnosis, of_ground_that_jumps_between_two_stages)
+{
+    Model model = make_model(GetParam(), stone(), dry(30));
+    hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+    add_box(model, "stone", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
+    const auto pushed = std::make_shared<GroundMotion>(
+        GroundMotion::from_acceleration({0.0, 1.0, 1.0, 1.0}, 0.05, "push"));  // 0.125 m/s at its end
+    const auto jerked =
+        std::make_shared<GroundMotion>(GroundMotion::from_velocity({0.02, 0.02, 0.02}, 0.05, "jerk"));
+    const auto warnings_of = [&](std::shared_ptr<const GroundMotion> motion, int stages) {
+        std::vector<Stage> all(stages, dynamic_stage(0.05, 0.01));
+        all.insert(all.begin(), dynamic_stage(0.15, 0.01));
+        if (motion) all[0].motions = {{0, 0, motion}};
+        State state = initial_state(model);
+        return run_quietly(model, all, state).warnings;
+    };
+    EXPECT_TRUE(warnings_of(nullptr, 1).empty());
+    EXPECT_TRUE(warnings_of(pushed, 0).empty());
+    const std::vector<std::string> stopped = warnings_of(pushed, 2);
+    ASSERT_EQ(stopped.size(), 1);
+    expect_in(stopped[0], "starts with a blow: the ground of block 'base' changes its velocity by 0.125 m/s");
+    const std::vector<std::string> started = warnings_of(jerked, 0);
+    ASSERT_EQ(started.size(), 1);
+    expect_in(started[0], "by 0.02 m/s");
+    model.foundations[0].translation_held = {false, true, true};
+    EXPECT_TRUE(warnings_of(jerked, 0).empty());
+}
+
 // Beyond a tenth it is no answer any more.
 TEST_P(Diagnosis, of_energy_that_contacts_made)
 {

@@ -1,6 +1,7 @@
 // The energy ledger: each term against its own closed form, and a residual that notices what is missing.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 
 #include "tests/libdda/whole_scenes.h"
@@ -165,7 +166,7 @@ TEST_P(Energy, residual_is_small_and_notices_a_missing_term)
     }
 }
 
-TEST(EnergyLedger, relative_residual_is_a_share_of_what_was_put_in_or_lost)
+TEST(EnergyLedger, relative_residual_is_a_share_of_what_was_put_in_lost_or_stored)
 {
     EnergyLedger energy;
     EXPECT_EQ(energy.relative_residual(), 0);
@@ -176,6 +177,14 @@ TEST(EnergyLedger, relative_residual_is_a_share_of_what_was_put_in_or_lost)
     EXPECT_NEAR(energy.relative_residual(), 0.01, 1e-12);
     energy.start_kinetic = 1;
     EXPECT_NEAR(energy.relative_residual(), 0.02, 1e-12);
+    energy.start_kinetic = energy.kinetic = 200;  // a block that flies in
+    energy.friction = 98;
+    EXPECT_NEAR(energy.residual(), 2, 1e-12);
+    EXPECT_NEAR(energy.relative_residual(), 0.01, 1e-12);
+    energy.peak_stored = 400;  // thrown up, and as high again now
+    EXPECT_NEAR(energy.relative_residual(), 0.005, 1e-12);
+    energy.kinetic = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(energy.relative_residual()));
 }
 
 }  // namespace voussoir::testing

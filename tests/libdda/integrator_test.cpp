@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "libdda/step/advance.h"
 #include "tests/libdda/scenes.h"
 
 namespace voussoir::testing
@@ -30,6 +31,7 @@ Eigen::Vector2d oscillate(Integrator integrator, double omega_h, int steps, doub
     const int block = add_box(model, "block", {-0.5, -0.5, 0}, {0.5, 0.5, 1});
     const double omega = std::sqrt(1e9 / model.mass(block)), h = omega_h / omega;
     State state = initial_state(model);
+    find_initial_contacts(model, state);  // bonded where it rests
     state.coordinates[block * coordinates_per_block(model.kinematics) + 2] += height;
     set_velocity(model, state, block, {0, 0, velocity * omega});
     Stage stage = with_integrator(dynamic_stage(steps * h, h, Eigen::Vector3d::Zero()), integrator);

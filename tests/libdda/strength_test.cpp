@@ -1,8 +1,12 @@
 // Joints with cohesion and tensile strength: where they break, and what is left.
 #include <gtest/gtest.h>
 
+#include "libdda/analysis/diagnosis.h"
+#include "libdda/analysis/joint_resultants.h"
 #include "libdda/step/advance.h"
+#include "tests/libdda/poses.h"
 #include "tests/libdda/scenes.h"
+#include "tests/libdda/whole_scenes.h"
 
 namespace voussoir::testing
 {
@@ -82,6 +86,11 @@ class Strength : public ::testing::TestWithParam<Kinematics>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Kinematics, Strength, spatial_kinematics(), test_name);
+
+class BondedAsItStands : public ::testing::TestWithParam<Kinematics>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Kinematics, BondedAsItStands, every_kinematics(), test_name);
 
 }  // namespace
 
@@ -233,6 +242,54 @@ TEST_P(Strength, cohesion_alone_holds_in_an_unloaded_joint)
         else
             EXPECT_GT(fallen, 0.1);
     }
+}
+
+// The model leaves a wedge between the stones, 0 to 60 micrometres wide, or lets them overlap by as much: mortar
+// fills it, and nothing moves or presses until there is a load. Then the joint yields by W / (k A), from there on.
+TEST_P(BondedAsItStands, has_no_stress_of_its_own)
+{
+    for (const double gap : {60e-6, -60e-6}) {
+        Model model = make_model(GetParam(), stone(), mortar(35, 50e4, 30e4));
+        hold(model, add_box(model, "above", {-2, -2, 0}, {2, 2, 1}));
+        const int block = add_box(model, "block", {-0.5, -0.4, -1}, {0.5, 0.4, 0});
+        State state = initial_state(model);
+        const Eigen::Matrix3d tilt = turned(gap, Vector3d::UnitY());
+        set_pose(model, state, block, {0, 0, -0.5 - 0.5 * gap}, tilt);
+        begin_stage(model, 0, state);
+        const double start = centroid(model, state, block).z();
+        const double weight = model.mass(block) * gravity;
+        const RunReport alone = run_quietly(model, {static_stage(0.1, {0, 0, -1e-2 * gravity})}, state);
+        ASSERT_EQ(alone.outcome, Outcome::completed) << alone.message;
+        ASSERT_EQ(joint_resultants(model, state).size(), 1);
+        const JointResultant still = joint_resultants(model, state)[0];
+        EXPECT_NEAR(still.normal_force, -1e-2 * weight, 1e-6 * weight);
+        EXPECT_LT(still.moment.norm(), 1e-6 * weight);
+        EXPECT_LT(alone.energy.start_contact, 1e-9);
+
+        begin_stage(model, 0, state);
+        const RunReport hanging = run_quietly(model, {static_stage(0.1)}, state);
+        ASSERT_EQ(hanging.outcome, Outcome::completed) << hanging.message;
+        const JointResultant loaded = joint_resultants(model, state)[0];
+        EXPECT_NEAR(loaded.normal_force, -weight, 1e-6 * weight);
+        EXPECT_LT(loaded.moment.norm(), 1e-3 * weight);
+        if (!is_deformable(GetParam())) {
+            const double yield = weight / (1e10 * loaded.area);
+            EXPECT_NEAR(start - centroid(model, state, block).z(), yield, 1e-3 * yield);
+        }
+    }
+}
+
+// An overlap that no mortar could be is not hidden by the bond.
+TEST_P(BondedAsItStands, still_shows_stones_that_overlap)
+{
+    Model model = make_model(GetParam(), stone(), mortar(35, 50e4, 30e4));
+    hold(model, add_box(model, "below", {-2, -2, -1}, {2, 2, 0}));
+    add_box(model, "block", {-0.5, -0.4, -0.02}, {0.5, 0.4, 1});
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    RunReport report;
+    note_overlap(least_widths(model), state, report);
+    EXPECT_NEAR(report.deepest.depth, 0.02 - 1e-4 * size_of(model, 1), 1e-6);
 }
 
 // Only joints closed at the start of the run are bonded: a stone that falls on another does not stick to it.
