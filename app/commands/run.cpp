@@ -109,8 +109,9 @@ void print_report(const RunReport& report, double wall_time)
     fmt::print("  {} steps cut, {} not converged, {} open-close iterations, {} factorisations\n", report.step_cuts,
                report.unconverged_steps, report.open_close_iterations, report.factorisations);
     const EnergyLedger& e = report.energy;
-    fmt::print("  largest penetration {:.2e} m; energy unaccounted for {:.1e} of what went in or was lost\n",
-               report.max_penetration, e.relative_residual());
+    fmt::print(
+        "  largest penetration {:.2e} m; energy unaccounted for {:.1e} of what went in, was stored or lost\n",
+        report.max_penetration, e.relative_residual());
     fmt::print(
         "  energy: {:.4g} kJ in; {:.4g} stored, {:.4g} taken out while settling, {:.4g} friction, {:.4g} damping, "
         "{:.4g} lost by the integrator\n",

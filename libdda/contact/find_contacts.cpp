@@ -148,6 +148,21 @@ History<D> history_of(const ContactSetIn<D>& old, const std::map<PairKey, int>& 
     return {&patch, std::span(old.points).subspan(patch.first_point, patch.point_count)};
 }
 
+/// At a place where there was no corner: unlike the slip the rest gap is linear over the patch, so that near
+/// corners count more, by the inverse square of their distance.
+template <int D>
+double rest_gap_between(std::span<const ContactPointIn<D>> old, const VectorIn<D>& place)
+{
+    double sum = 0, weights = 0;
+    for (const ContactPointIn<D>& point : old) {
+        const double square = (point.position - place).squaredNorm();
+        if (square == 0) return point.rest_gap;
+        sum += point.rest_gap / square;
+        weights += 1 / square;
+    }
+    return weights > 0 ? sum / weights : 0;
+}
+
 /// Takes over slip and rest gap from the old patch; `sign` is -1 when reference and incident body have changed
 /// places.
 /// @param sheared share of the patch that the old one was: what has only now come into touch has no elastic slip,
@@ -182,14 +197,13 @@ void inherit(const History<D>& history, bool same_features, double sign, double 
         area += old.area;
         point.elastic_slip += sign * old.area * old.elastic_slip;
         point.plastic_slip += sign * old.area * old.plastic_slip;
-        point.rest_gap += old.area * old.rest_gap;
     }
     if (area > 0) {
         point.elastic_slip *= sheared / area;
         point.plastic_slip /= area;
-        point.rest_gap /= area;
         point.status = history.points.front().status;
     }
+    point.rest_gap = rest_gap_between(history.points, point.position);
 }
 
 /// Of a patch with the normal stiffness `stiffness` in all [N/m], how much the old patch had: at most 1.
@@ -254,8 +268,7 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
         if (history.patch)
             inherit(history, same_features, same_sides ? 1 : -1, sheared, extent, point);
         else if (patch.intact)
-            // Mortar fills what the model leaves between the stones; where they overlap by more it is a fault.
-            point.rest_gap = std::max(corner.gap, -closed_at_start * size);
+            point.rest_gap = std::clamp(corner.gap, -closed_at_start * size, closed_at_start * size);
         point.gap = corner.gap - point.rest_gap;
         point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
         found.points.push_back(point);

@@ -181,7 +181,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
             p.shear_stiffness = joint.shear_to_normal_stiffness * p.normal_stiffness;
             // A contact that was open or sliding keeps the end-of-step force: impacts and slips dissipate.
             p.normal_blend = point.gap < 0 || found.intact ? blend : 1;
-            p.shear_blend = point.gap < 0 && point.status == ContactStatus::locked ? blend : 1;
+            p.shear_blend = found.intact || (point.gap < 0 && point.status == ContactStatus::locked) ? blend : 1;
             p.status = point.gap > 0 && !found.intact
                            ? ContactStatus::open
                            : (point.status == ContactStatus::open ? ContactStatus::locked : point.status);

@@ -13,6 +13,7 @@
 #include "app/results/packed.h"
 #include "app/results/restart_file.h"
 #include "app/results/results_writer.h"
+#include "app/results/state_file.h"
 #include "libdda/analysis/run.h"
 #include "libdda/errors.h"
 #include "tests/app_results/synthetic.h"
@@ -185,6 +186,17 @@ TEST(RestartSeed, has_the_layout_of_today)
         std::ofstream(seed, std::ios::binary) << '\3' << payload_of(good, mark);
     write_packed(file, mark, content_of(seed).substr(1));
     EXPECT_NO_THROW(load_restart(file)) << "run this test once with VOUSSOIR_RENEW_SEEDS=1";
+}
+
+TEST(StateSeed, has_the_layout_of_today)
+{
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "state", seed = fs::path(VOUSSOIR_FUZZ_SEEDS) / "results/state";
+    save_state(State{}, file);
+    write_packed(file, mark_of(content_of(file)), content_of(seed).substr(1));
+    const State state = load_state(file);
+    ASSERT_EQ(state.contacts.points.size(), 1);
+    EXPECT_EQ(state.contacts.points[0].area, 0.1);
 }
 
 TEST_P(DamagedRestart, damage_without_a_fitting_checksum_is_refused)

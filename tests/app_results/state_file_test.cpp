@@ -28,6 +28,7 @@ State odd_state(Kinematics kinematics)
     state.contacts.points[5].status = ContactStatus::sliding;
     state.contacts.points[5].shear_force = {1, -0.0, 3};
     state.contacts.points[6].elastic_slip = {1e-9, 2e-9, 3e-9};
+    state.contacts.points[7].rest_gap = 1e-7;
     return state;
 }
 

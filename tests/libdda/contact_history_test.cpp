@@ -218,6 +218,79 @@ TEST(ContactHistory, slip_changes_sign_when_the_bodies_change_places)
     }
 }
 
+/// A rest gap that is linear over the patch: 50 um at its middle, and as much more or less at x = +-0.5 from
+/// there.
+double rest_gap_at(const Vector3d& place, const Vector3d& middle)
+{
+    return 5e-5 + 1e-4 * (place.x() - middle.x());
+}
+
+void give_rest_gap(State& state, const Vector3d& middle)
+{
+    state.contacts.patches[0].intact = true;
+    for (ContactPoint& p : state.contacts.points) p.rest_gap = rest_gap_at(p.position, middle);
+}
+
+// Corners keep their rest gap while they slide and when the bodies change places, and gaps count from there.
+TEST(ContactHistory, rest_gaps_stay_with_their_corners)
+{
+    Scene scene;
+    scene.put({0.3, 0, 1 + 5e-5});
+    scene.remember(scene.find());
+    give_rest_gap(scene.state, {0.3, 0, 0});
+    for (const bool swapped : {false, true}) {
+        if (swapped) {
+            std::swap(scene.state.contacts.patches[0].block_a, scene.state.contacts.patches[0].block_b);
+            std::swap(scene.state.contacts.patches[0].feature_a, scene.state.contacts.patches[0].feature_b);
+        }
+        scene.put({0.31, 0, 1 + 5e-5});
+        const ContactSet found = scene.find();
+        ASSERT_EQ(found.points.size(), 4);
+        for (const ContactPoint& p : found.points) {
+            const double rest = rest_gap_at(p.position, {0.31, 0, 0});
+            EXPECT_NEAR(p.rest_gap, rest, 1e-18);
+            EXPECT_NEAR(p.gap, 5e-5 - rest, 1e-15);
+        }
+    }
+}
+
+// A box that leaves the floor by its edge: the new corners there lie between the old ones, and so do their gaps.
+TEST(ContactHistory, rest_gaps_of_new_corners_lie_between_those_of_the_old)
+{
+    Scene scene;
+    scene.put({1.4, 0, 1 - 1e-4});
+    scene.remember(scene.find());
+    give_rest_gap(scene.state, {1.4, 0, 0});
+    scene.put({1.7, 0, 1 - 1e-4});
+    int fresh = 0;
+    for (const ContactPoint& p : scene.find().points) {
+        if (p.position.x() < 2 - 1e-9) continue;
+        ++fresh;
+        EXPECT_NEAR(p.rest_gap, rest_gap_at({2, 0, 0}, {1.7, 0, 0}), 2e-5);
+    }
+    EXPECT_EQ(fresh, 2);
+}
+
+// Mortar fills up to 1e-4 of the stone; wider gaps are springs that are stretched, as before they were bonded.
+TEST(ContactHistory, rest_gaps_are_no_wider_than_a_closed_joint)
+{
+    Scene scene;
+    scene.model.joints[0].cohesion = scene.model.joints[0].tensile_strength = 1e6;
+    const double limit = 1e-4 * size_of(scene.model, 1);
+    for (const double sign : {1.0, -1.0}) {
+        scene.put({0, 0, 1 + sign * 10 * limit * 0.5}, turned(sign * 10 * limit, Vector3d::UnitY()));
+        const ContactSet found = scene.find();
+        ASSERT_EQ(found.points.size(), 4);
+        EXPECT_TRUE(found.patches[0].intact);
+        double most = 0;
+        for (const ContactPoint& p : found.points) {
+            EXPECT_LE(std::abs(p.rest_gap), limit);
+            most = std::max(most, sign * p.gap);
+        }
+        EXPECT_NEAR(most, 10 * limit - limit, 0.1 * limit);
+    }
+}
+
 // Half of a box's face slides over the edge in a run; its stored shear must not depend on corners that die.
 TEST(ContactHistory, contact_that_ends_is_forgotten)
 {

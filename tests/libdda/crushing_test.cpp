@@ -87,6 +87,53 @@ TEST_P(Crushing, patches_in_one_plane_are_one_bed)
     EXPECT_NEAR(joints[0].edge_stress, exact, 0.02 * exact);
 }
 
+// The same where it rocks, until the patch under the lifted side is out of reach.
+TEST_P(Crushing, one_bed_stays_one_when_the_stone_rocks)
+{
+    const Model whole = pillar(GetParam(), 0);
+    const Model glued = pillar(GetParam(), 0, 40, {{{-2, -2, -1}, {0.1, 2, 0}}, {{0.1, -2, -1}, {2, 2, 0}}});
+    double largest_turn = 0;
+    for (const double duration : {0.04, 0.06, 0.08}) {
+        double stress[2] = {}, area[2] = {};
+        for (const Model* model : {&whole, &glued}) {
+            State state = initial_state(*model);
+            const std::vector<Stage> stages = {static_stage(0.1), dynamic_stage(duration, 1e-3, leaning(0.7))};
+            ASSERT_EQ(run_quietly(*model, stages, state).outcome, Outcome::completed);
+            const std::vector<JointResultant> joints = joint_resultants(*model, state);
+            ASSERT_EQ(joints.size(), 1);
+            stress[model == &glued] = joints[0].edge_stress * joints[0].area / joints[0].normal_force;
+            area[model == &glued] = joints[0].bearing_area;
+            const Eigen::Matrix3d map = pose_of(model->kinematics, state, 1).map;
+            largest_turn = std::max(largest_turn, std::asin(std::abs(map(0, 2))));
+        }
+        EXPECT_NEAR(stress[1], stress[0], 0.02 * stress[0]) << duration;
+        EXPECT_NEAR(area[1], area[0], 0.02 * area[0]) << duration;
+    }
+    EXPECT_GT(largest_turn, 0.2 * degrees);
+}
+
+// Two treads of one stair, 2 cm apart in height, under a stone of two feet: each foot bears half the weight on its
+// own tread, however thick the planar scene is.
+TEST_P(Crushing, treads_of_different_heights_are_beds_of_their_own)
+{
+    for (const double thickness : {1e-3, 1.0, 10.0}) {
+        BlockMaterial material = stone();
+        Model model = make_model(GetParam(), material, dry(40));
+        model.thickness = thickness;
+        hold(model, add_glued(model, "stair", {{{-2, -2, -1}, {0, 2, 0}}, {{0, -2, -1}, {2, 2, 0.02}}}));
+        add_glued(model, "stone", {{{-0.5, -0.5, 0}, {0, 0.5, 1}}, {{0, -0.5, 0.02}, {0.5, 0.5, 1}}});
+        State state = initial_state(model);
+        const RunReport report = run_quietly(model, {static_stage(0.1, leaning(0.2))}, state);
+        ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+        const std::vector<JointResultant> joints = joint_resultants(model, state);
+        ASSERT_EQ(joints.size(), 1);
+        // The tread on the side of the lean carries 1/2 + e / (half the width) of the weight on half the area, at
+        // an eccentricity of its own.
+        EXPECT_LT(joints[0].bearing_area, 0.5 * joints[0].area);
+        EXPECT_GT(joints[0].edge_stress, 1.2 * joints[0].normal_force / joints[0].area) << thickness;
+    }
+}
+
 // A pillar in the corner of floor and wall, which are one block, pushed against the wall without friction: the
 // floor carries its weight on the width, the wall half of it on twice the width.
 TEST_P(Crushing, beds_in_different_planes_are_judged_each)
@@ -117,7 +164,7 @@ TEST(SquareBed, is_judged_along_its_sides)
         ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
         const std::vector<JointResultant> joints = joint_resultants(model, state);
         ASSERT_EQ(joints.size(), 1);
-        EXPECT_NEAR(joints[0].effective_area, width * (width - 2 * 0.35 * height / 2), 0.02) << turn;
+        EXPECT_NEAR(joints[0].bearing_area, width * (width - 2 * 0.35 * height / 2), 0.02) << turn;
     }
 }
 

@@ -20,8 +20,10 @@ Stage with_integrator(Stage stage, Integrator integrator)
     return stage;
 }
 
-/// Height and velocity of a block on a bonded elastic joint after n steps of omega h.
-Eigen::Vector2d oscillate(Integrator integrator, double omega_h, int steps, double height, double velocity)
+/// Displacement along an axis and velocity / omega of a block that does not turn on a bonded elastic joint, after
+/// n steps of omega h.
+Eigen::Vector2d oscillate(Integrator integrator, int axis, double omega_h, int steps, double displacement,
+                          double velocity)
 {
     JointMaterial glued = dry(30);
     glued.cohesion = glued.tensile_strength = 1e15;
@@ -29,26 +31,36 @@ Eigen::Vector2d oscillate(Integrator integrator, double omega_h, int steps, doub
     Model model = make_model(Kinematics::spatial_rigid, stone(), glued);
     hold(model, add_box(model, "base", {-1, -1, -1}, {1, 1, 0}));
     const int block = add_box(model, "block", {-0.5, -0.5, 0}, {0.5, 0.5, 1});
-    const double omega = std::sqrt(1e9 / model.mass(block)), h = omega_h / omega;
+    Foundation guide;
+    guide.block = block;
+    guide.translation_held = {false, false, false};
+    model.foundations.push_back(guide);
+    const double stiffness = axis == 2 ? 1e9 : glued.shear_to_normal_stiffness * 1e9;
+    const double omega = std::sqrt(stiffness / model.mass(block)), h = omega_h / omega;
+    const Eigen::Vector3d start = 0.5 * Eigen::Vector3d::UnitZ();
     State state = initial_state(model);
     find_initial_contacts(model, state);  // bonded where it rests
-    state.coordinates[block * coordinates_per_block(model.kinematics) + 2] += height;
-    set_velocity(model, state, block, {0, 0, velocity * omega});
+    state.coordinates[block * coordinates_per_block(model.kinematics) + axis] += displacement;
+    const double sign = state.contacts.patches[0].block_a == block ? 1 : -1;
+    if (axis != 2)  // shear springs know how far they were stretched
+        for (ContactPoint& p : state.contacts.points) p.elastic_slip[axis] = sign * displacement;
+    set_velocity(model, state, block, velocity * omega * Eigen::Vector3d::Unit(axis));
     Stage stage = with_integrator(dynamic_stage(steps * h, h, Eigen::Vector3d::Zero()), integrator);
     stage.control.force_tolerance = 1e-12;
     run_quietly(model, {stage}, state);
-    return {centroid(model, state, block).z() - 0.5, velocity_of(model.kinematics, state, block).z() / omega};
+    return {(centroid(model, state, block) - start)[axis],
+            velocity_of(model.kinematics, state, block)[axis] / omega};
 }
 
 /// Damping ratio of a linear mode: n steps shrink areas of the (displacement, velocity / omega) plane by
 /// exp(-2 xi omega h n), whatever the phase.
-double measured_damping(Integrator integrator, double omega_h)
+double measured_damping(Integrator integrator, int axis, double omega_h)
 {
     constexpr int steps = 20;
     constexpr double size = 1e-6;
     Eigen::Matrix2d area;
-    area.col(0) = oscillate(integrator, omega_h, steps, size, 0);
-    area.col(1) = oscillate(integrator, omega_h, steps, 0, size);
+    area.col(0) = oscillate(integrator, axis, omega_h, steps, size, 0);
+    area.col(1) = oscillate(integrator, axis, omega_h, steps, 0, size);
     return -std::log(area.determinant() / (size * size)) / (2 * omega_h * steps);
 }
 
@@ -117,14 +129,15 @@ TEST(Integrator, damping_ratio_against_omega_h)
         return -std::log((1 + w * w * (1 - theta) / 4) / (1 + w * w * (1 + theta) / 4)) / (2 * w);
     };
     std::printf("damping ratio of a linear mode\n  omega h   newmark   exact   energy_decaying   exact\n");
-    for (const double omega_h : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) {
-        const double newmark = measured_damping(Integrator::newmark, omega_h);
-        const double decaying = measured_damping(Integrator::energy_decaying, omega_h);
-        std::printf("  %7.2f %9.5f %9.5f %13.5f %9.5f\n", omega_h, newmark, exact(1, omega_h), decaying,
-                    exact(0.1, omega_h));
-        EXPECT_NEAR(newmark, exact(1, omega_h), 1e-3 * exact(1, omega_h));
-        EXPECT_NEAR(decaying, exact(0.1, omega_h), 1e-3 * exact(0.1, omega_h));
-    }
+    for (const int axis : {2, 0})  // normal and shear springs
+        for (const double omega_h : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) {
+            const double newmark = measured_damping(Integrator::newmark, axis, omega_h);
+            const double decaying = measured_damping(Integrator::energy_decaying, axis, omega_h);
+            std::printf("  %7.2f %9.5f %9.5f %13.5f %9.5f\n", omega_h, newmark, exact(1, omega_h), decaying,
+                        exact(0.1, omega_h));
+            EXPECT_NEAR(newmark, exact(1, omega_h), 1e-3 * exact(1, omega_h));
+            EXPECT_NEAR(decaying, exact(0.1, omega_h), 1e-3 * exact(0.1, omega_h));
+        }
 }
 
 TEST(Integrator, impact_never_gains_energy)

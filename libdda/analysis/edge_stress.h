@@ -1,0 +1,46 @@
+// The stress at the edge of a joint, from its resultant.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voussoir
+{
+
+/// A corner of a contact polygon, in space.
+struct BedPoint {
+    Eigen::Vector3d position;  // m
+    double area = 0;           // m2, tributary
+    double normal_force = 0;   // N, > 0 pressing
+};
+
+/// One contact patch of a joint, and the plane of the face that one of the two blocks brings to it: that of the
+/// block's own reference shape, so that patches of one face stay together however the stones rock.
+struct BedPatch {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();       // unit, as it is now
+    Eigen::Vector3d face_normal = Eigen::Vector3d::Zero();  // unit, in the reference shape
+    Eigen::Vector3d face_middle = Eigen::Vector3d::Zero();  // m, in the reference shape
+    bool edge_edge = false;                                 // has no face
+    std::vector<BedPoint> points;                           // a polygon in turn
+};
+
+/// What bears most.
+struct Bearing {
+    double stress = 0;  // Pa
+    double area = 0;    // m2, of the part that the normal force acts in the middle of
+};
+
+/// The largest edge stress of the beds of a joint. A bed is all patches whose faces lie in one plane; stones glued
+/// of several parts may meet in several.
+///
+/// The edge stress is the mean on the part of a bed that its normal force acts in the middle of. Of a rectangular
+/// bed b x l with eccentricities e: N / ((b - 2 e_b) (l - 2 e_l)). Source: Meyerhof (1953), as in EN 1996-1-1,
+/// 6.1.2.2; of other shapes with b and l the sides of the smallest rectangle around them, times the share of it
+/// that they fill. A bed that bears on its edge bears on a tenth of its extent (ibid., annex C (4)): corner
+/// springs put the resultant of a rocking stone on the very edge, where any force would crush.
+/// Patches that have opened so far that contacts are no longer looked for do not count, and a bed that has lost
+/// some bears on a tenth of the rest: there the stress errs upwards.
+/// @param size of the smaller block [m]
+Bearing hardest_bearing(const std::vector<BedPatch>& patches, double size);
+
+}  // namespace voussoir
