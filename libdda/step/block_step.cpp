@@ -78,6 +78,13 @@ void follow_ground(const Model& model, const Stage& stage, const State& state, i
     }
 }
 
+/// Share of the forces of the end of the step that is taken beyond the mean: theta of the integrator.
+double end_share(const Stage& stage)
+{
+    const bool newmark = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic;
+    return newmark ? 1 : stage.control.dissipation;
+}
+
 /// Velocities at the start of the step, and the spin that carries the angular momentum.
 /// @returns dA/dt
 template <class K>
@@ -167,17 +174,9 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
     predict(state, block, h, step);
     follow_ground(model, stage, state, block, end_time, step);
 
-    const bool newmark = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic;
-    const double blend = newmark ? 1 : stage.control.dissipation;
+    const double blend = end_share(stage);
     step.gravity = step.mass * from_space<dimension>(stage.gravity);
     step.body_force = step.gravity;
-    for (const BodyAcceleration& load : stage.body_accelerations) {
-        if (load.block != block) continue;
-        const double before = load.motion->acceleration(end_time - h), after = load.motion->acceleration(end_time);
-        for (int k = 0; k < dimension; ++k)
-            if (load.component == axis_in_space<dimension>(k))
-                step.body_force[k] += step.mass * (0.5 * (1 - blend) * before + 0.5 * (1 + blend) * after);
-    }
     step.steady.setZero();
     step.steady.template head<dimension>() = step.body_force;
     step.inertia = 2 / (h * h) * K::mass_matrix(step.mass, step.spread);
@@ -192,6 +191,20 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
         Map<typename K::Matrix>(step.steady.data() + dimension) = -0.5 * (pull + pull.transpose());
     }
     if (step.rotation_held()) step.steady.template tail<K::unknowns - dimension>().setZero();
+}
+
+template <class K>
+void add_body_accelerations(const Stage& stage, double h, double end_time, std::vector<BlockStep<K>>& blocks)
+{
+    const double blend = end_share(stage);
+    for (const BodyAcceleration& load : stage.body_accelerations) {
+        BlockStep<K>& step = blocks[load.block];
+        const double before = load.motion->acceleration(end_time - h), after = load.motion->acceleration(end_time);
+        for (int k = 0; k < K::dimension; ++k)
+            if (load.component == axis_in_space<K::dimension>(k))
+                step.body_force[k] += step.mass * (0.5 * (1 - blend) * before + 0.5 * (1 + blend) * after);
+        step.steady.template head<K::dimension>() = step.body_force;
+    }
 }
 
 template <class K>
@@ -276,6 +289,7 @@ typename K::Matrix rotation_of_step(const BlockStep<K>& step, const typename K::
 #define VOUSSOIR_INSTANTIATE(K)                                                                               \
     template struct BlockStep<K>;                                                                             \
     template void begin_block(const Model&, const Stage&, const State&, int, double, double, BlockStep<K>&);  \
+    template void add_body_accelerations(const Stage&, double, double, std::vector<BlockStep<K>>&);           \
     template InternalForce<K> internal_force(const BlockStep<K>&, const K::Unknowns&);                        \
     template void update_block(const BlockStep<K>&, const K::Unknowns&, const K::Spin&, double, int, State&); \
     template double kinetic_energy_of(const BlockStep<K>&, const State&, int);                                \

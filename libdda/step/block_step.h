@@ -63,10 +63,14 @@ struct InternalForce {
     bool admissible = true;                            // false when the block would turn inside out
 };
 
-/// Prepares one block for a step of length h. @param end_time stage time at the end of the step [s]
+/// Prepares one block for a step of length h, body accelerations aside. @param end_time stage time at its end [s]
 template <class K>
 void begin_block(const Model& model, const Stage& stage, const State& state, int block, double h, double end_time,
                  BlockStep<K>& step);
+
+/// Adds the body accelerations of the stage to the blocks, which are prepared; each once, however many blocks.
+template <class K>
+void add_body_accelerations(const Stage& stage, double h, double end_time, std::vector<BlockStep<K>>& blocks);
 
 template <class K>
 InternalForce<K> internal_force(const BlockStep<K>& step, const typename K::Unknowns& d);

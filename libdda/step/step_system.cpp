@@ -25,6 +25,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         block.row = all_held ? -1 : static_cast<int>(system.block_of_row.size());
         if (!all_held) system.block_of_row.push_back(b);
     }
+    add_body_accelerations(stage, h, end_time, system.blocks);
     begin_contacts(model, stage, h, contacts, system.blocks, system.contacts);
 
     const int rows = static_cast<int>(system.block_of_row.size());
