@@ -291,6 +291,64 @@ TEST(ContactHistory, rest_gaps_are_no_wider_than_a_closed_joint)
     }
 }
 
+double pressed_energy(const ContactSet& contacts)
+{
+    double energy = 0;
+    for (const ContactPoint& p : contacts.points)
+        energy += 0.5 * contacts.patches[0].stiffness * p.area * std::pow(std::min(p.gap, 0.0), 2);
+    return energy;
+}
+
+// A contact that presses and goes over to another face has another area and depth from one step to the next. The
+// springs must not store more than they did; when they have let go, they are as stiff as ever.
+TEST(ContactHistory, a_contact_that_changes_its_face_gives_no_energy)
+{
+    Scene scene;
+    const double nominal = [&] {
+        scene.put({0, 0, 1 - 1e-3});
+        return scene.find().patches[0].stiffness;
+    }();
+    for (const double share : {1e-4, 0.02, 0.5, 50.0}) {  // of the area that the contact had on the other face
+        scene.put({0, 0, 1 - 1e-3});
+        scene.state.contacts = {};
+        scene.remember(scene.find());
+        ContactPatch& patch = scene.state.contacts.patches[0];
+        patch.feature_b = (patch.feature_b + 1) % 6;
+        for (ContactPoint& p : scene.state.contacts.points) p.area *= share;
+        const double stored = pressed_energy(scene.state.contacts);
+        scene.remember(scene.find());
+        const double kept = std::clamp(share, 0.01, 1.0) * nominal;
+        EXPECT_NEAR(scene.state.contacts.patches[0].stiffness, kept, 1e-9 * nominal) << share;
+        if (share >= 0.01) {
+            EXPECT_LE(pressed_energy(scene.state.contacts), stored * (1 + 1e-12)) << share;
+        }
+        scene.remember(scene.find());  // it stays on this face
+        EXPECT_NEAR(scene.state.contacts.patches[0].stiffness, kept, 1e-9 * nominal) << share;
+        scene.put({0, 0, 1 + 1e-4});
+        scene.remember(scene.find());  // lets go
+        EXPECT_NEAR(scene.find().patches[0].stiffness, nominal, 1e-9 * nominal) << share;
+    }
+}
+
+// What is bonded, or did not press, is as stiff on every face.
+TEST(ContactHistory, a_contact_that_did_not_press_is_as_stiff_on_another_face)
+{
+    for (const bool intact : {false, true}) {
+        Scene scene;
+        scene.put({0, 0, 1 - 1e-3});
+        const ContactSet first = scene.find();
+        scene.remember(first);
+        ContactPatch& patch = scene.state.contacts.patches[0];
+        patch.feature_b = (patch.feature_b + 1) % 6;
+        patch.intact = intact;
+        for (ContactPoint& p : scene.state.contacts.points) {
+            p.area *= 0.02;
+            if (!intact) p.gap = 1e-5;
+        }
+        EXPECT_EQ(scene.find().patches[0].stiffness, first.patches[0].stiffness) << intact;
+    }
+}
+
 // Half of a box's face slides over the edge in a run; its stored shear must not depend on corners that die.
 TEST(ContactHistory, contact_that_ends_is_forgotten)
 {
