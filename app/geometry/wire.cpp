@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "libdda/errors.h"
@@ -48,6 +50,25 @@ std::vector<Eigen::Vector3d> points_from(const json& value)
     return points;
 }
 
+/// json would convert a number of any size and kind to an int, whatever comes out.
+int index_from(const json& value)
+{
+    const auto index = value.is_number_integer() ? value.get<std::int64_t>() : -1;
+    if (index < 0 || index > std::numeric_limits<int>::max())
+        throw InputError("mesh", value.dump() + " is no place in a list", "the answer was damaged on the way");
+    return static_cast<int>(index);
+}
+
+std::vector<std::vector<int>> loops_from(const json& value)
+{
+    std::vector<std::vector<int>> loops;
+    for (const json& loop : value) {
+        loops.emplace_back();
+        for (const json& corner : loop) loops.back().push_back(index_from(corner));
+    }
+    return loops;
+}
+
 json to_json_value(const ConvexPolyhedron& part)
 {
     return {{"vertices", to_json_value(part.vertices)}, {"faces", part.faces}, {"glued", part.glued}};
@@ -55,9 +76,8 @@ json to_json_value(const ConvexPolyhedron& part)
 
 ConvexPolyhedron part_from(const json& value, const std::string& name)
 {
-    ConvexPolyhedron part = make_convex_polyhedron(points_from(value.at("vertices")),
-                                                   value.at("faces").get<std::vector<std::vector<int>>>(), name,
-                                                   largest_planarity_tolerance);
+    ConvexPolyhedron part = make_convex_polyhedron(
+        points_from(value.at("vertices")), loops_from(value.at("faces")), name, largest_planarity_tolerance);
     part.glued = value.at("glued").get<std::vector<bool>>();
     if (!part.glued.empty() && part.glued.size() != part.faces.size())
         throw InputError(name, "marks of glued faces do not fit the faces", "one mark a face");
@@ -146,7 +166,7 @@ Stone stone_from(const json& value)
     stone.volume_error = value.at("volume_error");
     for (const json& feature : value.at("features")) stone.features.push_back(feature_from(feature));
     stone.vertices = points_from(value.at("vertices"));
-    stone.faces = value.at("faces").get<std::vector<std::vector<int>>>();
+    stone.faces = loops_from(value.at("faces"));
     check(stone);
     return stone;
 }

@@ -43,10 +43,16 @@ TEST(DamagedAnswers, are_not_believed_or_hold)
 // Pictures draw the surfaces of refused stones by these numbers.
 TEST(DamagedAnswers, corners_that_are_not_there)
 {
-    std::string answer = content_of(fs::path(VOUSSOIR_MESH_SEEDS).parent_path() / "answer/two_stones.json");
-    const std::string good = "\"faces\":[[0,1,2],[0,2,3],[2,1,3]]", bad = "\"faces\":[[0,1,9],[0,2,3],[2,1,3]]";
-    ASSERT_NE(answer.find(good), std::string::npos);
-    EXPECT_THROW(geometry_from_json(answer.replace(answer.find(good), good.size(), bad)), InputError);
+    const std::string sound = content_of(fs::path(VOUSSOIR_MESH_SEEDS).parent_path() / "answer/two_stones.json");
+    // Of the surface of the refused stone, and of the polyhedron of the other; json takes any number for an int.
+    for (const std::string good : {"\"faces\":[[0,1,2],[0,2,3],[2,1,3]]", "\"faces\":[[0,1,2],[0,2,3],[1,3,2]"}) {
+        const std::size_t place = sound.find(good), corner = place + std::string("\"faces\":[[0,1,").size();
+        ASSERT_NE(place, std::string::npos);
+        for (const char* bad : {"9", "-1", "2.5", "true", "6e63", "4294967298", "18446744073709551615"}) {
+            std::string answer = sound;
+            EXPECT_THROW(geometry_from_json(answer.replace(corner, 1, bad)), InputError) << bad;
+        }
+    }
 }
 
 /// The program itself must live whatever happens to the helper, and say something of every file.
