@@ -70,7 +70,7 @@ void look_for_overlap(const ContactSetIn<D>& contacts, const std::vector<double>
     for (const ContactPatchIn<D>& patch : contacts.patches) {
         const double width = std::min(widths[patch.block_a], widths[patch.block_b]);
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            const double depth = -contacts.points[i].gap;
+            const double depth = -(contacts.points[i].gap + contacts.points[i].rest_gap);
             if (depth > deepest.share * width)
                 deepest = {depth / width, depth, time, patch.block_a, patch.block_b};
         }

@@ -19,7 +19,6 @@ namespace
 constexpr double deformable_stiffness_factor = 10;  // ten times as stiff as a block: a tenth more compliance
 constexpr double rigid_stiffness_factor = 1;        // the joint carries the block's own compliance
 constexpr double closed_at_start = 1e-4;            // of the part size: a smaller gap is a closed joint
-constexpr double least_share = 1e-2;                // of the stiffness of a contact that changes its face
 constexpr double nearest_point_reach = 0.05;        // of the patch's extent
 
 using PairKey = std::pair<int, int>;  // global part indices, ascending
@@ -220,30 +219,39 @@ double sheared_share(const History<D>& history, double stiffness)
 
 /// In the normal springs that press [J].
 template <int D>
-double pressed_energy(const History<D>& history)
+double pressed_energy(double stiffness, std::span<const ContactPointIn<D>> points)
 {
     double energy = 0;
-    for (const ContactPointIn<D>& old : history.points)
-        if (old.gap < 0) energy += 0.5 * history.patch->stiffness * old.area * old.gap * old.gap;
+    for (const ContactPointIn<D>& p : points)
+        if (p.gap < 0) energy += 0.5 * stiffness * p.area * p.gap * p.gap;
     return energy;
 }
 
-/// @param stiffness per unit of the polygon's measure
+/// A dry contact that was forgiven an overlap presses from there on; as its stones part, so does what is forgiven
+/// shrink, and where they are apart nothing is left of it.
+/// @param gap of the stones themselves [m]
 template <int D>
-double pressed_energy(double stiffness, const ContactPolygonIn<D>& polygon)
+void follow_out(double gap, NewOverlap overlap, ContactPointIn<D>& point)
 {
-    double energy = 0;
-    for (const PolygonPointIn<D>& corner : polygon.points)
-        if (corner.gap < 0) energy += 0.5 * stiffness * corner.area * corner.gap * corner.gap;
-    return energy;
+    const bool forgiven = overlap == NewOverlap::forgiven;
+    if (point.rest_gap < 0) point.rest_gap = forgiven ? std::max(point.rest_gap, std::min(gap, 0.0)) : 0;
 }
 
-/// Where a contact that presses goes over to another face or to a pair of edges, area and depth jump: a needle of
-/// 10 mm2 that is 3 mm deep has nothing to do with the hundredth of a face that two edges get. It goes on with as
-/// much of its stiffness as holds what was stored, until it lets go; else it would throw the blocks apart.
-double share_without_blow(double stored, double found)
+/// Where a contact goes over to another face or to a pair of edges, or is found late, area and depth jump: a
+/// needle of 10 mm2 that is 3 mm deep has nothing to do with the hundredth of a face that two edges get, and would
+/// throw the blocks apart. The overlap that no work has been done for is forgiven: the springs store what they
+/// stored.
+template <int D>
+void forgive_overlap(double stiffness, double stored, std::vector<ContactPointIn<D>>& points)
 {
-    return found > stored ? std::max(stored / found, least_share) : 1;
+    const double found = pressed_energy<D>(stiffness, points);
+    if (found <= stored) return;
+    const double share = std::sqrt(stored / found);
+    for (ContactPointIn<D>& p : points) {
+        if (p.gap >= 0) continue;
+        p.rest_gap += (1 - share) * p.gap;
+        p.gap *= share;
+    }
 }
 
 template <int D>
@@ -255,7 +263,7 @@ struct FoundPatch {
 template <int D>
 FoundPatch<D> attach_history(const Model& model, const State& state, const std::vector<PlacedPartIn<D>>& parts,
                              const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
-                             const ContactPolygonIn<D>& polygon, const History<D>& history)
+                             const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap)
 {
     const PlacedPartIn<D>& reference = polygon.second_is_reference ? second : first;
     const PlacedPartIn<D>& incident = polygon.second_is_reference ? first : second;
@@ -279,21 +287,15 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
         measure += corner.area;
         nearest = std::min(nearest, corner.gap);
     }
-    const double stored = pressed_energy(history);
-    if (same_features && (stored > 0 || history.patch->intact)) {
-        patch.stiffness = history.patch->stiffness;
-    } else {
-        patch.stiffness = normal_stiffness(model, parts, polygon, reference, incident);
-        if (stored > 0 && !history.patch->intact)
-            patch.stiffness *=
-                share_without_blow(stored, pressed_energy(patch.stiffness * depth_of<D>(model), polygon));
-    }
+    patch.stiffness =
+        same_features ? history.patch->stiffness : normal_stiffness(model, parts, polygon, reference, incident);
     const JointMaterial& joint = model.joint_between(patch.block_a, patch.block_b);
     const bool has_strength = joint.cohesion > 0 || joint.tensile_strength > 0;
     const double size = std::min(first.size, second.size);
     patch.intact = history.patch ? history.patch->intact
                                  : has_strength && state.step == 0 && nearest < closed_at_start * size;
 
+    const double stored = history.patch ? pressed_energy(history.patch->stiffness, history.points) : 0;
     const double extent = D == 3 ? std::sqrt(measure) : measure;
     const double sheared = sheared_share(history, patch.stiffness * measure * depth_of<D>(model));
     for (const PolygonPointIn<D>& corner : polygon.points) {
@@ -305,10 +307,16 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
             inherit(history, same_features, same_sides ? 1 : -1, sheared, extent, point);
         else if (patch.intact)
             point.rest_gap = std::clamp(corner.gap, -closed_at_start * size, closed_at_start * size);
+        if (!patch.intact) {
+            if (!same_features) point.rest_gap = std::max(point.rest_gap, 0.0);
+            follow_out(corner.gap, overlap, point);
+        }
         point.gap = corner.gap - point.rest_gap;
         point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
         found.points.push_back(point);
     }
+    if (overlap == NewOverlap::forgiven && !patch.intact && !same_features)
+        forgive_overlap(patch.stiffness, stored, found.points);
     return found;
 }
 
@@ -317,7 +325,7 @@ template <int D>
 std::optional<FoundPatch<D>> find_patch(const Model& model, const State& state,
                                         const std::vector<PlacedPartIn<D>>& parts,
                                         const std::vector<double>& reach, const PairKey& pair,
-                                        const History<D>& history)
+                                        const History<D>& history, NewOverlap overlap)
 {
     const PlacedPartIn<D>& first = parts[pair.first];
     const PlacedPartIn<D>& second = parts[pair.second];
@@ -328,14 +336,14 @@ std::optional<FoundPatch<D>> find_patch(const Model& model, const State& state,
     const double margin = reach[first.block] + reach[second.block];
     const std::optional<ContactPolygonIn<D>> polygon = contact_polygon(first, second, margin, last);
     if (!polygon) return std::nullopt;
-    return attach_history(model, state, parts, first, second, *polygon, history);
+    return attach_history(model, state, parts, first, second, *polygon, history, overlap);
 }
 
 }  // namespace
 
 template <int D>
 void find_contacts(const Model& model, const State& state, const std::vector<double>& reach, int threads,
-                   std::vector<PlacedPartIn<D>>& parts, ContactSetIn<D>& found)
+                   std::vector<PlacedPartIn<D>>& parts, ContactSetIn<D>& found, NewOverlap overlap)
 {
     place_parts(model, state, parts);
     std::vector<bool> fully_held(model.blocks.size(), false);
@@ -358,7 +366,8 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
 #pragma omp parallel for num_threads(threads) schedule(static) if (pairs.size() > 256)
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         try {
-            slots[i] = find_patch(model, state, parts, reach, pairs[i], history_of(old, old_patches, pairs[i]));
+            slots[i] =
+                find_patch(model, state, parts, reach, pairs[i], history_of(old, old_patches, pairs[i]), overlap);
         } catch (...) {
 #pragma omp critical
             failure = std::current_exception();
@@ -393,9 +402,9 @@ double spring_energy(const Model& model, const ContactSetIn<D>& contacts)
     return energy;
 }
 
-#define VOUSSOIR_INSTANTIATE(D)                                                              \
-    template void find_contacts(const Model&, const State&, const std::vector<double>&, int, \
-                                std::vector<PlacedPartIn<D>>&, ContactSetIn<D>&);            \
+#define VOUSSOIR_INSTANTIATE(D)                                                               \
+    template void find_contacts(const Model&, const State&, const std::vector<double>&, int,  \
+                                std::vector<PlacedPartIn<D>>&, ContactSetIn<D>&, NewOverlap); \
     template double spring_energy(const Model&, const ContactSetIn<D>&)
 VOUSSOIR_INSTANTIATE(3);
 VOUSSOIR_INSTANTIATE(2);

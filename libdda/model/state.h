@@ -20,12 +20,12 @@ template <int D>
 struct ContactPointIn {
     std::uint32_t feature = 0;  // which vertex, or which edge crosses which side: survives sliding
     ContactStatus status = ContactStatus::open;
-    double gap = 0;                                 // m, > 0 open; from rest_gap on
-    double rest_gap = 0;                            // m, gap of a bonded joint as the model has it: without stress
-    double area = 0;                                // m2, tributary
-    double normal_force = 0;                        // N, > 0 pressing
-    VectorIn<D> position = VectorIn<D>::Zero();     // m, on block a at the end of the step
-    VectorIn<D> shear_force = VectorIn<D>::Zero();  // N, resisting: block a receives -shear_force
+    double gap = 0;                                  // m, > 0 open; from rest_gap on
+    double rest_gap = 0;                             // m, without stress: of a bonded joint, or a forgiven overlap
+    double area = 0;                                 // m2, tributary
+    double normal_force = 0;                         // N, > 0 pressing
+    VectorIn<D> position = VectorIn<D>::Zero();      // m, on block a at the end of the step
+    VectorIn<D> shear_force = VectorIn<D>::Zero();   // N, resisting: block a receives -shear_force
     VectorIn<D> elastic_slip = VectorIn<D>::Zero();  // m, shear_force / shear stiffness at step end
     VectorIn<D> plastic_slip = VectorIn<D>::Zero();  // m, accumulated sliding of a over b
 };
