@@ -37,16 +37,18 @@ double farthest(const StepSystem<K>& system, int block, double radius)
     return moved.norm() + turned * radius;
 }
 
+using PartOfBlock = std::pair<int, int>;
+
 template <int D>
-std::pair<int, int> parts_of(const ContactPatchIn<D>& patch)
+std::pair<PartOfBlock, PartOfBlock> parts_of(const ContactPatchIn<D>& patch)
 {
-    return std::minmax({patch.part_a, patch.part_b});
+    return std::minmax({PartOfBlock(patch.block_a, patch.part_a), PartOfBlock(patch.block_b, patch.part_b)});
 }
 
 template <int D>
-std::vector<std::pair<int, int>> pairs_in(const ContactSetIn<D>& contacts)
+std::vector<std::pair<PartOfBlock, PartOfBlock>> pairs_in(const ContactSetIn<D>& contacts)
 {
-    std::vector<std::pair<int, int>> pairs;
+    std::vector<std::pair<PartOfBlock, PartOfBlock>> pairs;
     for (const ContactPatchIn<D>& patch : contacts.patches) pairs.push_back(parts_of(patch));
     std::sort(pairs.begin(), pairs.end());
     return pairs;
@@ -84,7 +86,7 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
     std::vector<PlacedPartIn<D>> parts;
     ContactSetIn<D> all;
     find_contacts(model, state, went, threads, parts, all);
-    const std::vector<std::pair<int, int>> known = pairs_in(contacts);
+    const auto known = pairs_in(contacts);
     for (const ContactPatchIn<D>& patch : all.patches) {
         if (std::binary_search(known.begin(), known.end(), parts_of(patch))) continue;
         const double allowed =

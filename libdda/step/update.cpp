@@ -94,7 +94,7 @@ void update_contacts(const Stage& stage, const StepSystem<K>& system, const Cont
             point.normal_force = p.normal;
             point.shear_force = p.shear;
             point.position = incident.predicted.centroid + p.lever_a + K::displacement(d_a, p.lever_a);
-            report.max_penetration = std::max(report.max_penetration, -p.gap);
+            report.max_penetration = std::max(report.max_penetration, -(p.gap + point.rest_gap));
             report.closed_points += p.status != ContactStatus::open;
         }
     }

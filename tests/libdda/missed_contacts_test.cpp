@@ -24,6 +24,7 @@ Model stone_above_shelf(Kinematics kinematics, double gap)
     Model model = make_model(kinematics, stone(), dry(35));
     hold(model, add_box(model, "shelf", {-1, -1, -0.3}, {1, 1, 0}));
     add_box(model, "stone", {0, 0, gap}, {side, side, gap + side});
+    add_box(model, "another", {-0.9, 0, 0}, {-0.4, side, side});  // its contact is no other's
     return model;
 }
 
@@ -47,6 +48,8 @@ TEST_P(MissedContacts, a_stone_that_is_pushed_hard_stops_at_a_thin_wall)
     Model model = make_model(GetParam(), stone(), dry(0));
     hold(model, add_box(model, "wall", {1, -2, -2}, {1.01, 2, 2}));
     const int ball = add_box(model, "ball", {0, 0, 0}, {0.2, 0.2, 0.2});
+    add_box(model, "bystander", {-9, 0, 0}, {-8, 1, 1});
+    add_box(model, "another", {-8, 0, 0}, {-7, 1, 1});
     Stage stage = dynamic_stage(0.2, 0.05, Eigen::Vector3d::Zero());
     const auto push = std::make_shared<GroundMotion>(
         GroundMotion::from_acceleration(std::vector<double>(11, 2000.0), 0.02, "a steady push"));
