@@ -49,6 +49,7 @@ Json deepest_overlap(const Model& model, const DeepestOverlap& overlap)
     if (overlap.block_a < 0) return nullptr;
     return {{"blocks", {model.blocks[overlap.block_a].name, model.blocks[overlap.block_b].name}},
             {"depth_m", overlap.depth},
+            {"forgiven_m", overlap.forgiven},
             {"share_of_width", overlap.share},
             {"time_s", overlap.time}};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <sstream>
 
 namespace voussoir
@@ -63,16 +64,40 @@ double least_width_of(const ConvexPolygon& outline)
     return least;
 }
 
+/// No shift along the face need be longer to part two stones that overlap in a strip or a corner of it [m]: twice
+/// the area over the longest diagonal; of a contact of edges without bound.
+template <int D>
+double width_of(const ContactPatchIn<D>& patch, std::span<const ContactPointIn<D>> points)
+{
+    if (patch.edge_edge) return std::numeric_limits<double>::infinity();
+    double area = 0, longest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        area += points[i].area;
+        for (std::size_t j = 0; j < i; ++j)
+            longest = std::max(longest, (points[i].position - points[j].position).norm());
+    }
+    return D == 3 ? 2 * area / longest : longest;
+}
+
+/// A stone that slides over the edge of another is found on the side of that edge before it is above it, and goes
+/// on within the step: a strip that is thinner than the stones is no deeper than it is wide.
 template <int D>
 void look_for_overlap(const ContactSetIn<D>& contacts, const std::vector<double>& widths, double time,
-                      DeepestOverlap& deepest)
+                      RunReport& report)
 {
+    DeepestOverlap& deepest = report.deepest;
     for (const ContactPatchIn<D>& patch : contacts.patches) {
         const double width = std::min(widths[patch.block_a], widths[patch.block_b]);
-        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            const double depth = -(contacts.points[i].gap + contacts.points[i].rest_gap);
+        const auto points = std::span(contacts.points).subspan(patch.first_point, patch.point_count);
+        for (const ContactPointIn<D>& point : points) {
+            double depth = -(point.gap + point.rest_gap);
+            if (depth <= report.max_penetration && depth <= deepest.share * width) continue;
+            const double strip = width_of(patch, points);
+            if (strip < width) depth = std::min(depth, strip);
+            report.max_penetration = std::max(report.max_penetration, depth);
             if (depth > deepest.share * width)
-                deepest = {depth / width, depth, time, patch.block_a, patch.block_b};
+                deepest = {depth / width, depth,         std::clamp(-point.rest_gap, 0.0, depth),
+                           time,          patch.block_a, patch.block_b};
         }
     }
 }
@@ -91,16 +116,23 @@ int fastest_block(const Model& model, const State& state)
     return fastest;
 }
 
-/// "blocks 'a' and 'b' overlap by 0.02 m, 4 % of the thinner one's width", and how much stiffer a contact would
-/// do.
+/// "blocks 'a' and 'b' overlap by 0.02 m, 4 % of the thinner one's width", and the remedy: a stiffer contact, or,
+/// where contacts were forgiven most of it, a shorter step.
+/// @param why of contacts that are too soft
 std::string overlap_in_words(const Model& model, const DeepestOverlap& overlap, const std::string& what,
                              const std::string& why)
 {
     std::ostringstream words;
     words << "blocks " << name_of(model, overlap.block_a) << " and " << name_of(model, overlap.block_b) << " "
-          << what << " by " << overlap.depth << " m, " << 100 * overlap.share << " % of the thinner one's width"
-          << why << "give the joint a contact_stiffness " << std::ceil(overlap.share / good_share)
-          << " times as large";
+          << what << " by " << overlap.depth << " m, " << 100 * overlap.share
+          << " % of the thinner one's width, at "
+          << "t = " << overlap.time << " s: ";
+    if (2 * overlap.forgiven > overlap.depth)
+        words << overlap.forgiven << " m of it came about in one step, where their contact was found late or went "
+              << "over to another face; try a smaller time_step";
+    else
+        words << why << "; give the joint a contact_stiffness " << std::ceil(overlap.share / good_share)
+              << " times as large";
     return words.str();
 }
 
@@ -176,8 +208,8 @@ std::vector<double> least_widths(const Model& model)
 
 void note_overlap(const std::vector<double>& widths, const State& state, RunReport& report)
 {
-    look_for_overlap(state.contacts, widths, state.time, report.deepest);
-    look_for_overlap(state.planar_contacts, widths, state.time, report.deepest);
+    look_for_overlap(state.contacts, widths, state.time, report);
+    look_for_overlap(state.planar_contacts, widths, state.time, report);
 }
 
 std::optional<std::string> diagnose(const Model& model, const State& state, const RunReport& report)
@@ -187,7 +219,7 @@ std::optional<std::string> diagnose(const Model& model, const State& state, cons
                " has a place or velocity that is no number; look at its mass, its joints and its motion";
     if (report.deepest.share > deepest_share)
         return overlap_in_words(model, report.deepest, "overlap",
-                                ": the contact is too soft for its load or its impact; ");
+                                "the contact is too soft for its load or its impact");
     const double share = report.energy.relative_residual();
     if (!std::isfinite(share))
         return "an energy is no number; the fastest block is " + name_of(model, fastest_block(model, state)) +
@@ -214,11 +246,9 @@ std::optional<std::string> energy_warning(const EnergyLedger& energy)
 std::optional<std::string> overlap_warning(const Model& model, const RunReport& report)
 {
     if (!(report.deepest.share > visible_share)) return std::nullopt;
-    std::ostringstream when;
-    when << " at t = " << report.deepest.time
-         << " s: contacts so soft are part of the answer, and the integrator damps "
-         << "their vibration, newmark most; ";
-    return overlap_in_words(model, report.deepest, "overlapped", when.str());
+    return overlap_in_words(model, report.deepest, "overlapped",
+                            "contacts so soft are part of the answer, and the integrator damps their vibration, "
+                            "newmark most");
 }
 
 std::optional<std::string> ground_jump_warning(const Model& model, const Stage& stage, const State& state)

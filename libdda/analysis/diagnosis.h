@@ -16,7 +16,8 @@ namespace voussoir
 /// slender stone. Of glued parts the least.
 std::vector<double> least_widths(const Model& model);
 
-/// Keeps the deepest overlap of the run in `report.deepest`. @param widths least_widths(model)
+/// Keeps the deepest overlaps of the run in `report.deepest` and `report.max_penetration`. @param widths
+/// least_widths(model)
 void note_overlap(const std::vector<double>& widths, const State& state, RunReport& report);
 
 /// What is wrong with a step that converged, after which to go on would be nonsense: blocks deep within one

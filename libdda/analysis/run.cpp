@@ -48,7 +48,6 @@ void add_step(const StepReport& step, RunReport& report)
     report.factorisations += step.factorisations;
     report.linear_iterations += step.linear_iterations;
     if (step.factor_entries > 0) report.factor_entries = step.factor_entries;
-    report.max_penetration = std::max(report.max_penetration, step.max_penetration);
     for (std::size_t i = 0; i < step.seconds.size(); ++i) report.seconds[i] += step.seconds[i];
 }
 

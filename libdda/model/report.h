@@ -79,7 +79,7 @@ struct StepReport {
     Trouble trouble = Trouble::none;     // of the last attempt that failed
     double unbalanced = 0;               // largest block residual / block load at acceptance
     int worst_block = -1;                // the block of `unbalanced`, or the one that inverted
-    double max_penetration = 0;          // m
+    double max_penetration = 0;          // m, of the contact points at the end of the step
     double max_displacement = 0;         // m, of a block centroid in this step
     double inertia_ratio = 0;            // static: largest unbalanced force / load of a block
     bool contact_state_changed = false;  // of a point that carries more than the unbalanced tolerance
@@ -108,6 +108,7 @@ struct CrushedJoint {
 /// Two blocks within one another, at a corner of their contact.
 struct DeepestOverlap {
     double share = 0, depth = 0;  // -, of the thinner block's least width; m
+    double forgiven = 0;          // m of the depth, without stress: of a contact found late or on another face
     double time = 0;              // s since the run's start
     int block_a = -1, block_b = -1;
 };
@@ -120,7 +121,7 @@ struct RunReport {
     std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;
     std::int64_t factor_entries = 0;  // of the last factorisation
     double simulated_time = 0;        // s, dynamic stages only
-    double max_penetration = 0;       // m
+    double max_penetration = 0;       // m, as note_overlap counts it
     DeepestOverlap deepest;           // by its share
     double static_unbalanced = 0;     // of the last static stage
     EnergyLedger energy;

@@ -145,8 +145,8 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
         const Stopwatch watch(report, Part::contact_search);
         if (work.radii.empty()) work.radii = radii_of<K::dimension>(model);
         find_reach<K>(model, stage, state, h, work.radii, work.reach);
-        // Static stages push stones out of one another; what that gives is gone with the velocity. The published
-        // iteration knows no offsets.
+        // In static stages a new overlap presses; what that gives is gone with the velocity. The published
+        // iteration takes contacts as they are.
         const bool forgives = stage.type == StageType::dynamic && stage.control.open_close == OpenClose::newton;
         find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts,
                       forgives && state.step > 0 ? NewOverlap::forgiven : NewOverlap::presses);

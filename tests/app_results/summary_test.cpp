@@ -98,7 +98,7 @@ TEST(Summary, TellsWhatFellWasCrushedAndOverlapped)
     the_case.model.materials[0].compressive_strength = 1e6;
     report.fallen = {{2, 0.5, true}, {1, 0.75, false}};
     report.crushed = {{1, 2, 1e6, 0.25, 0.3, 3e6}};
-    report.deepest = {0.02, 0.01, 0.4, 1, 2};
+    report.deepest = {0.02, 0.01, 0.006, 0.4, 1, 2};
     ResultsWriter(the_case, folder.path()).finish(synthetic::swaying(the_case, 0), report, {0, 0});
     const nlohmann::json json = summary_in(folder.path());
     EXPECT_EQ(json["fallen_blocks"], (nlohmann::json{{{"block", third}, {"time_s", 0.5}, {"left", true}},
@@ -108,9 +108,11 @@ TEST(Summary, TellsWhatFellWasCrushedAndOverlapped)
                                                        {"first_time_s", 0.25},
                                                        {"worst_time_s", 0.3},
                                                        {"worst_edge_stress_Pa", 3e6}}}));
-    EXPECT_EQ(json["deepest_overlap"],
-              (nlohmann::json{
-                  {"blocks", {second, third}}, {"depth_m", 0.01}, {"share_of_width", 0.02}, {"time_s", 0.4}}));
+    EXPECT_EQ(json["deepest_overlap"], (nlohmann::json{{"blocks", {second, third}},
+                                                       {"depth_m", 0.01},
+                                                       {"forgiven_m", 0.006},
+                                                       {"share_of_width", 0.02},
+                                                       {"time_s", 0.4}}));
 }
 
 TEST(Summary, EveryKeyIsInTheDocument)

@@ -69,6 +69,27 @@ TEST_P(Diagnosis, of_a_contact_too_soft_for_its_load)
     EXPECT_TRUE(run_quietly(model, {static_stage(0.01)}, state).warnings.empty());
 }
 
+// Where contacts were forgiven most of an overlap, a stiffer contact is no remedy.
+TEST_P(Diagnosis, of_an_overlap_that_was_forgiven)
+{
+    Model model = make_model(GetParam(), stone(), dry(30));
+    add_box(model, "one", {0, 0, 0}, {1, 1, 1});
+    add_box(model, "another", {0, 0, 0.8}, {1, 1, 1.8});
+    const State state = initial_state(model);
+    RunReport report;
+    report.deepest = {0.2, 0.2, 0.05, 3, 0, 1};
+    expect_in(diagnose(model, state, report).value(), "too soft for its load or its impact; give the joint");
+    expect_in(overlap_warning(model, report).value(), "t = 3 s: contacts so soft are part of the answer");
+    report.deepest.forgiven = 0.15;
+    for (const std::string& words :
+         {diagnose(model, state, report).value(), overlap_warning(model, report).value()}) {
+        expect_in(words,
+                  "by 0.2 m, 20 % of the thinner one's width, at t = 3 s: 0.15 m of it came about in one step");
+        expect_in(words, "try a smaller time_step");
+        EXPECT_EQ(words.find("stiffness"), std::string::npos) << words;
+    }
+}
+
 TEST_P(Diagnosis, of_energy_that_nothing_accounts_for)
 {
     Model model = make_model(GetParam(), stone(), dry(30));

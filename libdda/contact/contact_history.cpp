@@ -1,0 +1,210 @@
+#include "libdda/contact/contact_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libdda/contact/normal_stiffness.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr double closed_at_start = 1e-4;      // of the part size: a smaller gap is a closed joint
+constexpr double nearest_point_reach = 0.05;  // of the patch's extent
+
+/// At a place where there was no corner: unlike the slip the rest gap is linear over the patch, so that near
+/// corners count more, by the inverse square of their distance.
+template <int D>
+double rest_gap_between(std::span<const ContactPointIn<D>> old, const VectorIn<D>& place)
+{
+    double sum = 0, weights = 0;
+    for (const ContactPointIn<D>& point : old) {
+        const double square = (point.position - place).squaredNorm();
+        if (square == 0) return point.rest_gap;
+        sum += point.rest_gap / square;
+        weights += 1 / square;
+    }
+    return weights > 0 ? sum / weights : 0;
+}
+
+/// Takes over slip and rest gap from the old patch; `sign` is -1 when reference and incident body have changed
+/// places.
+/// @param sheared share of the patch that the old one was: what has only now come into touch has no elastic slip,
+/// and the mean is taken, so that the shear force does not jump
+/// @param extent of the patch: the root of its area, or its length [m]
+template <int D>
+void inherit(const History<D>& history, bool same_features, double sign, double sheared, double extent,
+             ContactPointIn<D>& point)
+{
+    const ContactPointIn<D>* source = nullptr;
+    if (same_features)
+        for (const ContactPointIn<D>& old : history.points)
+            if (old.feature == point.feature) source = &old;
+    if (!source) {
+        double nearest = nearest_point_reach * extent;
+        for (const ContactPointIn<D>& old : history.points) {
+            const double distance = (old.position - point.position).norm();
+            if (distance > nearest) continue;
+            nearest = distance;
+            source = &old;
+        }
+    }
+    if (source) {
+        point.elastic_slip = sign * sheared * source->elastic_slip;
+        point.plastic_slip = sign * source->plastic_slip;
+        point.rest_gap = source->rest_gap;
+        point.status = source->status;
+        return;
+    }
+    double area = 0;
+    for (const ContactPointIn<D>& old : history.points) {
+        area += old.area;
+        point.elastic_slip += sign * old.area * old.elastic_slip;
+        point.plastic_slip += sign * old.area * old.plastic_slip;
+    }
+    if (area > 0) {
+        point.elastic_slip *= sheared / area;
+        point.plastic_slip /= area;
+        point.status = history.points.front().status;
+    }
+    point.rest_gap = rest_gap_between(history.points, point.position);
+}
+
+/// Of a patch with the normal stiffness `stiffness` in all [N/m], how much the old patch had: at most 1.
+template <int D>
+double sheared_share(const History<D>& history, double stiffness)
+{
+    if (!history.patch) return 1;
+    double area = 0;
+    for (const ContactPointIn<D>& old : history.points) area += old.area;
+    const double before = history.patch->stiffness * area;
+    return before < stiffness ? before / stiffness : 1;
+}
+
+/// In the normal springs that press [J].
+template <int D>
+double pressed_energy(double stiffness, std::span<const ContactPointIn<D>> points)
+{
+    double energy = 0;
+    for (const ContactPointIn<D>& p : points)
+        if (p.gap < 0) energy += 0.5 * stiffness * p.area * p.gap * p.gap;
+    return energy;
+}
+
+/// Where a contact goes over to another face or to a pair of edges, or is found late, area and depth jump: a
+/// needle of 10 mm2 that is 3 mm deep has nothing to do with the hundredth of a face that two edges get, and would
+/// throw the blocks apart. The overlap that no work has been done for is forgiven: the springs store what they
+/// stored.
+template <int D>
+void forgive_overlap(double stiffness, double stored, std::vector<ContactPointIn<D>>& points)
+{
+    const double found = pressed_energy<D>(stiffness, points);
+    if (found <= stored) return;
+    const double share = std::sqrt(stored / found);
+    for (ContactPointIn<D>& p : points) {
+        if (p.gap >= 0) continue;
+        p.rest_gap += (1 - share) * p.gap;
+        p.gap *= share;
+    }
+}
+
+/// What the point of a dry joint keeps of an overlap that was forgiven: as the stones part it shrinks, and where
+/// they are apart nothing is left of it.
+/// @param gap of the stones themselves [m]
+double kept_rest_gap(double rest_gap, double gap)
+{
+    return rest_gap < 0 ? std::max(rest_gap, std::min(gap, 0.0)) : rest_gap;
+}
+
+/// The sides and features of a polygon, still without stiffness, bond or place in a set.
+template <int D>
+ContactPatchIn<D> patch_of(const PlacedPartIn<D>& reference, const PlacedPartIn<D>& incident,
+                           const ContactPolygonIn<D>& polygon)
+{
+    ContactPatchIn<D> patch;
+    patch.block_a = incident.block;
+    patch.part_a = incident.part;
+    patch.block_b = reference.block;
+    patch.part_b = reference.part;
+    patch.feature_a = polygon.incident_feature;
+    patch.feature_b = polygon.reference_feature;
+    patch.edge_edge = polygon.edge_edge;
+    patch.normal = polygon.normal;
+    return patch;
+}
+
+template <int D>
+bool has_same_features(const ContactPatchIn<D>& patch, const ContactPatchIn<D>& old)
+{
+    return old.block_b == patch.block_b && old.edge_edge == patch.edge_edge && old.feature_a == patch.feature_a &&
+           old.feature_b == patch.feature_b;
+}
+
+/// A joint with strength is a bond if it is closed when the run begins.
+template <int D>
+bool is_bonded(const Model& model, const State& state, const ContactPatchIn<D>& patch,
+               const std::vector<PolygonPointIn<D>>& corners, double size)
+{
+    if (state.step != 0) return false;
+    const JointMaterial& joint = model.joint_between(patch.block_a, patch.block_b);
+    if (!(joint.cohesion > 0 || joint.tensile_strength > 0)) return false;
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const PolygonPointIn<D>& corner) { return corner.gap < closed_at_start * size; });
+}
+
+}  // namespace
+
+template <int D>
+FoundPatch<D> attach_history(const Model& model, const State& state, const std::vector<bool>& fully_held,
+                             const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
+                             const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap)
+{
+    const PlacedPartIn<D>& reference = polygon.second_is_reference ? second : first;
+    const PlacedPartIn<D>& incident = polygon.second_is_reference ? first : second;
+    const double size = std::min(first.size, second.size);
+    FoundPatch<D> found{patch_of(reference, incident, polygon), {}};
+    ContactPatchIn<D>& patch = found.patch;
+    const bool same_features = history.patch && has_same_features(patch, *history.patch);
+    patch.stiffness = same_features ? history.patch->stiffness
+                                    : normal_stiffness(model, fully_held, polygon, reference, incident);
+    patch.intact = history.patch ? history.patch->intact : is_bonded(model, state, patch, polygon.points, size);
+
+    double measure = 0;
+    for (const PolygonPointIn<D>& corner : polygon.points) measure += corner.area;
+    const double extent = D == 3 ? std::sqrt(measure) : measure;
+    const double sheared = sheared_share(history, patch.stiffness * measure * depth_of<D>(model));
+    const double sign = history.patch && history.patch->block_b != patch.block_b ? -1 : 1;
+    const bool forgives = overlap == NewOverlap::forgiven && !patch.intact && !same_features;
+    for (const PolygonPointIn<D>& corner : polygon.points) {
+        ContactPointIn<D> point;
+        point.feature = corner.feature;
+        point.position = corner.position;
+        point.area = corner.area * depth_of<D>(model);
+        if (history.patch)
+            inherit(history, same_features, sign, sheared, extent, point);
+        else if (patch.intact)
+            point.rest_gap = std::clamp(corner.gap, -closed_at_start * size, closed_at_start * size);
+        if (forgives) point.rest_gap = std::max(point.rest_gap, 0.0);  // forgiven anew, by the energy
+        if (!patch.intact) point.rest_gap = kept_rest_gap(point.rest_gap, corner.gap);
+        point.gap = corner.gap - point.rest_gap;
+        point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
+        found.points.push_back(point);
+    }
+    if (forgives)
+        forgive_overlap(patch.stiffness,
+                        history.patch ? pressed_energy(history.patch->stiffness, history.points) : 0,
+                        found.points);
+    return found;
+}
+
+#define VOUSSOIR_INSTANTIATE(D)                                                                 \
+    template FoundPatch<D> attach_history(const Model&, const State&, const std::vector<bool>&, \
+                                          const PlacedPartIn<D>&, const PlacedPartIn<D>&,       \
+                                          const ContactPolygonIn<D>&, const History<D>&, NewOverlap)
+VOUSSOIR_INSTANTIATE(3);
+VOUSSOIR_INSTANTIATE(2);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir

@@ -1,0 +1,43 @@
+// What a contact remembers from one step to the next: its slip, its stiffness, its bond, what it was forgiven.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "libdda/contact/narrow_phase.h"
+
+namespace voussoir
+{
+
+/// What becomes of an overlap that no force has made: of a contact that goes over to another face, or is found
+/// late.
+enum class NewOverlap {
+    presses,   // the contact springs push the stones apart
+    forgiven,  // they store no more than before; what is too much is kept as the points' rest_gap until the stones
+               // part
+};
+
+/// The old patch of a pair of parts and its points; none if they did not touch.
+template <int D>
+struct History {
+    const ContactPatchIn<D>* patch = nullptr;
+    std::span<const ContactPointIn<D>> points;
+};
+
+template <int D>
+struct FoundPatch {
+    ContactPatchIn<D> patch;  // without place in a set of points
+    std::vector<ContactPointIn<D>> points;
+};
+
+/// The contact of two parts with what it remembers. Every point takes over the slip of the point of the same
+/// feature, or of the nearest old point of its pair, or the pair's area-weighted mean, in this order; slips are
+/// projected on the new tangent plane.
+/// @param polygon of the two parts, as contact_polygon found it
+/// @param fully_held (blocks)
+template <int D>
+FoundPatch<D> attach_history(const Model& model, const State& state, const std::vector<bool>& fully_held,
+                             const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
+                             const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap);
+
+}  // namespace voussoir

@@ -1,0 +1,117 @@
+#include "libdda/contact/normal_stiffness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr double deformable_stiffness_factor = 10;  // ten times as stiff as a block: a tenth more compliance
+constexpr double rigid_stiffness_factor = 1;        // the joint carries the block's own compliance
+
+/// Extent along the normal of the block that the part belongs to [m].
+template <int D>
+double depth_along(const Model& model, const PlacedPartIn<D>& part, const VectorIn<D>& normal)
+{
+    const std::size_t count = ShapeIn<D>::of(model.blocks[part.block]).size();
+    double high = -INFINITY, low = INFINITY;
+    for (const PlacedPartIn<D>& own : std::span(&part - part.part, count)) {
+        high = std::max(high, own.support(normal));
+        low = std::min(low, -own.support(-normal));
+    }
+    return high - low;
+}
+
+template <int D>
+double stiffness_from_modulus(const Model& model, const std::vector<bool>& fully_held,
+                              const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
+                              const VectorIn<D>& normal)
+{
+    double compliance = 0;
+    for (const PlacedPartIn<D>* part : {&first, &second}) {
+        if (fully_held[part->block]) continue;
+        const Block& block = model.blocks[part->block];
+        compliance += depth_along(model, *part, normal) / model.materials[block.material].young;
+    }
+    const double factor = is_deformable(model.kinematics) ? deformable_stiffness_factor : rigid_stiffness_factor;
+    return 2 * factor / compliance;
+}
+
+double face_measure(const PlacedPart& part, int face)
+{
+    const std::vector<int>& loop = part.shape->faces[face];
+    double twice = 0;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+        twice += part.normals[face].dot((part.vertices[loop[i]] - part.vertices[loop[0]])
+                                            .cross(part.vertices[loop[i + 1]] - part.vertices[loop[0]]));
+    return twice / 2;
+}
+
+double face_measure(const PlacedOutline& part, int edge)
+{
+    return (part.vertices[(edge + 1) % part.vertices.size()] - part.vertices[edge]).norm();
+}
+
+std::size_t corners_of(const PlacedPart& part, int face)
+{
+    return part.shape->faces[face].size();
+}
+
+std::size_t corners_of(const PlacedOutline&, int)
+{
+    return 2;
+}
+
+/// Shi's penalty per contact point, spread over the smaller of the two faces: value x corners / area.
+/// @returns N/m per unit of measure (m2, planar m)
+template <int D>
+double stiffness_from_points(double value, const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
+                             const PlacedPartIn<D>& incident)
+{
+    if (polygon.edge_edge) return value / polygon.points.front().area;
+    const int f = static_cast<int>(polygon.reference_feature), g = static_cast<int>(polygon.incident_feature);
+    const double of_reference = face_measure(reference, f), of_incident = face_measure(incident, g);
+    const std::size_t corners = of_reference < of_incident ? corners_of(reference, f) : corners_of(incident, g);
+    return value * static_cast<double>(corners) / std::min(of_reference, of_incident);
+}
+
+template <int D>
+double stiffness_as_given(const Model& model, const std::vector<bool>& fully_held,
+                          const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
+                          const PlacedPartIn<D>& incident)
+{
+    const ContactStiffness& given = model.joint_between(reference.block, incident.block).stiffness;
+    switch (given.kind) {
+        case ContactStiffness::Kind::per_area:
+            return given.value;
+        case ContactStiffness::Kind::per_point:
+            return stiffness_from_points(given.value, polygon, reference, incident) / depth_of<D>(model);
+        case ContactStiffness::Kind::from_modulus:
+            break;
+    }
+    return stiffness_from_modulus<D>(model, fully_held, reference, incident, polygon.normal);
+}
+
+}  // namespace
+
+template <int D>
+double normal_stiffness(const Model& model, const std::vector<bool>& fully_held,
+                        const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
+                        const PlacedPartIn<D>& incident)
+{
+    return model.joint_between(reference.block, incident.block).stiffness.factor *
+           stiffness_as_given(model, fully_held, polygon, reference, incident);
+}
+
+#define VOUSSOIR_INSTANTIATE(D)                                                                          \
+    template double normal_stiffness(const Model&, const std::vector<bool>&, const ContactPolygonIn<D>&, \
+                                     const PlacedPartIn<D>&, const PlacedPartIn<D>&)
+VOUSSOIR_INSTANTIATE(3);
+VOUSSOIR_INSTANTIATE(2);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir

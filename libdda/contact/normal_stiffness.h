@@ -1,0 +1,26 @@
+// How stiff the normal springs of a contact are.
+#pragma once
+
+#include "libdda/contact/narrow_phase.h"
+
+namespace voussoir
+{
+
+/// What turns a measure of a contact into an area [m]: lengths of a planar scene count times its thickness.
+template <int D>
+double depth_of(const Model& model)
+{
+    return D == 3 ? 1 : model.thickness;
+}
+
+/// Of a contact that is new, or new to its face [Pa/m]: as the joint of the two blocks has it, times its factor.
+/// The default is the series modulus of the two half blocks on either side of the joint,
+/// k = 2 f / (L_a/E_a + L_b/E_b), which is f E / L for equal blocks; a held block adds no compliance.
+/// @param reference, incident parts of a scene in order of block and part, as place_parts leaves them
+/// @param fully_held (blocks)
+template <int D>
+double normal_stiffness(const Model& model, const std::vector<bool>& fully_held,
+                        const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
+                        const PlacedPartIn<D>& incident);
+
+}  // namespace voussoir
