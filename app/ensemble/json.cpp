@@ -42,7 +42,8 @@ Json to_json(const EnsembleStudy& study, const MemberRun& run)
             {"damping_share", run.energy.damping},
             {"collapse_time_s", run.collapse ? Json(run.collapse->time) : Json(nullptr)},
             {"collapse_block", run.collapse ? Json(run.collapse->block) : Json(nullptr)},
-            {"failure", run.failure}};
+            {"failure", run.failure},
+            {"warnings", run.warnings}};
 }
 
 Json to_json(const MeasureStudy& study)

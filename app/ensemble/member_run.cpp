@@ -107,6 +107,7 @@ MemberRun run_member(const Case& member, const ConvergeSetting& setting, double 
     result.cpu = thread_time() - start;
     result.cpu_dynamic = thread_time() - rest;
     if (report.outcome == Outcome::gave_up) result.failure = report.message;
+    result.warnings = report.warnings;
     result.steps = report.steps;
     result.step_cuts = report.step_cuts;
     result.iterations = report.open_close_iterations;

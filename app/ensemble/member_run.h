@@ -26,6 +26,7 @@ struct MemberRun {
     Recording recording;                  // of the points' drift, a channel each
     std::optional<Collapse> collapse;     // the run ended there
     std::string failure;                  // why the run gave up; empty when it did not
+    std::vector<std::string> warnings;    // of the run itself
     double largest_opening = 0;           // m, of any joint at any output time
     int opened = 0, open = 0;             // joints that were open at any output time, and at the end
     int joints = 0;

@@ -58,6 +58,18 @@ std::string runs_table(const EnsembleStudy& study)
     return text;
 }
 
+/// What the runs themselves warn of, a line each; nothing if none does.
+std::string warnings_of(const EnsembleStudy& study)
+{
+    std::string text;
+    for (const auto& runs : study.runs)
+        for (const MemberRun& run : runs)
+            for (const std::string& warning : run.warnings)
+                text += fmt::format("- {}, {}: {}\n", setting_in_words(study, run.setting),
+                                    study.variation.values[run.member], warning);
+    return text.empty() ? "" : "\nWarnings of the runs:\n\n" + text;
+}
+
 }  // namespace
 
 std::string ensemble_page(const EnsembleStudy& study, const std::string& command,
@@ -78,7 +90,7 @@ std::string ensemble_page(const EnsembleStudy& study, const std::string& command
     for (const std::string& figure : figures)
         text += fmt::format("\n![Drift of the points](ensemble/{}.png)\n", figure);
     if (study.settings.size() > 2) text += "\nThe changed contact stiffness is a sensitivity, not judged.\n";
-    return text + "\n" + measures_table(study) + "\n" + runs_table(study);
+    return text + "\n" + measures_table(study) + "\n" + runs_table(study) + warnings_of(study);
 }
 
 }  // namespace voussoir

@@ -70,7 +70,10 @@ std::string ensemble_table(const EnsembleStudy& study)
     std::string text =
         fmt::format("{}; {} = {}\n\n", study.title, study.variation.key, fmt::join(study.variation.values, ", "));
     for (const auto& runs : study.runs)
-        for (const MemberRun& run : runs) text += "  " + run_in_words(study, run) + "\n";
+        for (const MemberRun& run : runs) {
+            text += "  " + run_in_words(study, run) + "\n";
+            for (const std::string& warning : run.warnings) text += "    warning: " + warning + "\n";
+        }
     for (const MeasureStudy& each : study.measures) {
         text += fmt::format("\n{}{}\n", each.measure.name,
                             each.measure.unit.empty() ? "" : " [" + each.measure.unit + "]");

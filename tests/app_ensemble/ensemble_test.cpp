@@ -143,6 +143,28 @@ TEST(Ensemble, a_run_that_gives_up_leaves_nothing_to_judge)
     EXPECT_TRUE(json["measures"][0]["medians"][0].is_null());
 }
 
+// A wave that presses the stone more than 10 mm into its soft joint: what a run says of itself is not lost among
+// the others.
+TEST(Ensemble, passes_on_what_its_runs_warn_of)
+{
+    const EnsembleStudy study =
+        study_of(shaken_stone("z: {sine: {acceleration: 20 m/s2, frequency: 3 Hz}}", "1 ms"));
+    const std::string page = ensemble_page(study, "", {}), table = ensemble_table(study);
+    const nlohmann::json json = nlohmann::json::parse(ensemble_json(study));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const MemberRun& run = study.runs[0][i];
+        ASSERT_EQ(run.warnings.size(), 1u);
+        EXPECT_NE(run.warnings[0].find("blocks 'stone' and 'floor' overlapped by"), std::string::npos);
+        EXPECT_NE(page.find("- 1 ms, " + study.variation.values[i] + ": " + run.warnings[0] + "\n"),
+                  std::string::npos);
+        EXPECT_NE(table.find("warning: " + run.warnings[0]), std::string::npos);
+        EXPECT_EQ(json["runs"][i]["warnings"], nlohmann::json{run.warnings[0]});
+    }
+    const EnsembleStudy quiet = study_of(shaken_stone(gentle_wave, "1 ms"));
+    EXPECT_EQ(ensemble_page(quiet, "", {}).find("arning"), std::string::npos);
+    EXPECT_EQ(ensemble_table(quiet).find("arning"), std::string::npos);
+}
+
 // The spread of members of which some collapsed is infinite: that is no licence.
 TEST(Ensemble, a_collapse_widens_no_tolerance)
 {
