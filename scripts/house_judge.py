@@ -1,0 +1,179 @@
+"""Whether the figures of scripts/house_study keep what is asked of the house.
+
+    scripts/house_study --judge     judges the figures that are kept
+    scripts/house_judge.py          breaks sound figures one by one and checks that each is found
+"""
+
+import copy
+import math
+import sys
+
+MOST_RESIDUAL = 0.01  # of the energy that moved, was stored, put in or lost
+MOST_DAMPING = 1e-6  # of the energy put in: what settling under self-weight takes
+LEAST_OPENING = 5  # mm
+LEAST_TIME_STEP = 1e-3  # s, at h
+LONGEST_SHORT_RUN = 300  # s
+LONGEST_STUDY = 7200  # s, on two cores
+MEMBERS = 5  # whose medians are compared
+DISTRUST = ("unaccounted for", "came from contacts")  # in what a run warns of
+JUDGED_SETTINGS = (0, 1)  # h and h / 2; the third, a stiffer contact, is a sensitivity
+
+CRITERIA = (f"every run gets to its end without giving up or collapse, at a step h of {1000 * LEAST_TIME_STEP:g} ms or more; "
+            f"energy residual below {100 * MOST_RESIDUAL:g} %, damping below {MOST_DAMPING:g} of the energy put in; joints open "
+            f"by more than {LEAST_OPENING} mm; medians of {MEMBERS} members at h and h / 2 differ by less than their spread or "
+            f"10 %; 5 s in one run within {LONGEST_SHORT_RUN / 60:g} min, all within {LONGEST_STUDY / 3600:g} h")
+
+
+def number(value, unknown=math.inf):
+    """Null stands for what is beyond all bounds or is no number: no criterion is kept by it."""
+    return unknown if value is None else value
+
+
+def median_of(figures, name, setting=0, unknown=math.inf):
+    for each in figures["measures"]:
+        if name in each["measure"]:
+            return number(each["medians"][setting], unknown)
+    raise KeyError(name)
+
+
+def faults_of_run(name, run, duration):
+    """Of a run of an ensemble, or of the summary of a single one told in the same words."""
+    if run["failure"]:
+        yield f"{name} gave up: {run['failure']}"
+    if run["collapse_time_s"] is not None:
+        yield f"{name} collapsed at {run['collapse_time_s']:.3g} s"
+    if not abs(number(run["simulated_time_s"]) - duration) < 1e-6:
+        yield f"{name} ended after {run['simulated_time_s']} of {duration} s"
+    if not number(run["energy_residual"]) < MOST_RESIDUAL:
+        yield f"{name} cannot account for {run['energy_residual']} of its energy"
+    if not 0 <= number(run["algorithmic_share"]) < 1:
+        yield f"{name} lost {run['algorithmic_share']} of its energy in the integrator"
+    if not number(run["damping_share"]) < MOST_DAMPING:
+        yield f"{name} lost {run['damping_share']} of its energy in dampers: there should be none"
+    for warning in run["warnings"]:
+        if any(words in warning for words in DISTRUST):
+            yield f"{name} warns: {warning}"
+
+
+def faults_of_ensemble(part, figures, duration, members):
+    settings = figures["settings"]
+    if len(figures["members"]) != members or len(figures["runs"]) != members * len(settings):
+        yield f"{part}: {len(figures['runs'])} runs of {len(figures['members'])} members, not of {members}"
+    if not number(settings[0]["time_step_s"], 0) >= LEAST_TIME_STEP:
+        yield f"{part}: the time step is {settings[0]['time_step_s']} s"
+    for run in figures["runs"]:
+        if run["setting"] in JUDGED_SETTINGS:
+            yield from faults_of_run(f"{part}: member {run['member']}, setting {run['setting']}", run, duration)
+    opening = median_of(figures, "largest opening", unknown=0)
+    if not opening > LEAST_OPENING:
+        yield f"{part}: no joint opens by more than {opening:.3g} mm: the house hardly moves"
+    if members == MEMBERS:
+        for each in figures["measures"]:
+            if not each["agrees"]:
+                yield (f"{part}, {each['measure']}: medians {each['medians'][0]} at h and {each['medians'][1]} at h / 2 "
+                       f"differ by more than {each['allowed']}")
+
+
+def run_in_words_of_ensembles(figures):
+    """The summary of a single run with the names that the runs of ensembles have."""
+    energy = figures["energy"]
+    put_in = sum(energy[f"{source}_work_J"] for source in ("gravity", "foundation", "boundary", "load"))
+    losses = sum(energy[f"{loss}_J"] for loss in ("algorithmic", "algorithmic_rotation", "redetection"))
+    damped = sum(energy[f"damping_{kind}_J"] for kind in ("kinetic", "static", "contact"))
+    stopped = figures["outcome"] if figures["outcome"] != "completed" or figures["unconverged_steps"] else ""
+    return {"failure": stopped and f"{stopped}, {figures['unconverged_steps']} steps not converged; {figures['message']}",
+            "collapse_time_s": None, "simulated_time_s": figures["simulated_time_s"],
+            "energy_residual": energy["residual"], "algorithmic_share": losses / put_in,
+            "damping_share": damped / put_in, "warnings": figures["warnings"]}
+
+
+def faults(found, expected):
+    """What the figures do not keep, one sentence each.
+
+    found: figures by part; expected: by part "command", "judged", "members" and "duration" [s].
+    """
+    for part, asked in expected.items():
+        if part not in found:
+            yield f"{part} was not run"
+            continue
+        figures = found[part]
+        if figures["study"]["command"] != asked["command"]:
+            yield f"{part}: the figures are of another command than scripts/house_study has now; run it again"
+        if not asked["judged"]:
+            continue
+        if "runs" in figures:
+            yield from faults_of_ensemble(part, figures, asked["duration"], asked["members"])
+            continue
+        yield from faults_of_run(part, run_in_words_of_ensembles(figures), asked["duration"])
+        if not figures["study"]["wall_time_s"] < LONGEST_SHORT_RUN:
+            yield f"{part} took {figures['study']['wall_time_s']} s"
+    total = sum(figures["study"]["wall_time_s"] for figures in found.values())
+    if not total < LONGEST_STUDY:
+        yield f"all parts together took {total / 60:.0f} minutes"
+
+
+def sound_figures():
+    """A house that keeps everything: one ensemble of five members, one run of 5 s."""
+    runs = [{"member": str(member), "setting": setting, "failure": "", "collapse_time_s": None, "simulated_time_s": 20.0,
+             "energy_residual": 1e-5, "algorithmic_share": 0.1, "damping_share": 1e-9, "warnings": ["3 joints ..."]}
+            for setting in range(3) for member in range(5)]
+    measures = [{"measure": "largest opening", "medians": [9.0, 9.1, 8.0], "allowed": 1.0, "agrees": True}]
+    energy = {f"{name}_J": 0.0 for name in ("gravity_work", "boundary_work", "load_work", "algorithmic_rotation", "redetection",
+                                            "damping_kinetic", "damping_static", "damping_contact")}
+    energy.update({"foundation_work_J": 100.0, "algorithmic_J": 9.0, "residual": 1e-5})
+    found = {"many": {"study": {"command": "many", "wall_time_s": 1800}, "members": ["1", "2", "3", "4", "5"],
+                      "settings": [{"time_step_s": 1e-3}, {"time_step_s": 5e-4}, {"time_step_s": 1e-3}],
+                      "runs": runs, "measures": measures},
+             "one": {"study": {"command": "one", "wall_time_s": 40}, "outcome": "completed", "message": "",
+                     "unconverged_steps": 0, "simulated_time_s": 5.0, "energy": energy, "warnings": []}}
+    expected = {"many": {"command": "many", "judged": True, "members": 5, "duration": 20},
+                "one": {"command": "one", "judged": True, "members": 1, "duration": 5}}
+    return found, expected
+
+
+# How a figure is broken, and what must be said of it.
+DAMAGES = (
+    (lambda f: f.pop("many"), "was not run"),
+    (lambda f: f["many"]["study"].update(command="other"), "another command"),
+    (lambda f: f["many"]["study"].update(wall_time_s=7200), "took 121 minutes"),
+    (lambda f: f["many"]["runs"].pop(), "14 runs"),
+    (lambda f: f["many"]["settings"][0].update(time_step_s=9e-4), "time step"),
+    (lambda f: f["many"]["runs"][7].update(failure="it broke"), "gave up: it broke"),
+    (lambda f: f["many"]["runs"][0].update(collapse_time_s=3.0), "collapsed at 3 s"),
+    (lambda f: f["many"]["runs"][0].update(simulated_time_s=19.9), "ended after 19.9"),
+    (lambda f: f["many"]["runs"][0].update(energy_residual=0.011), "cannot account"),
+    (lambda f: f["many"]["runs"][0].update(energy_residual=None), "cannot account"),
+    (lambda f: f["many"]["runs"][0].update(algorithmic_share=-0.01), "in the integrator"),
+    (lambda f: f["many"]["runs"][0].update(damping_share=1e-3), "in dampers"),
+    (lambda f: f["many"]["runs"][0].update(warnings=["5 % of the energy came from contacts"]), "warns"),
+    (lambda f: f["many"]["measures"][0].update(medians=[4.9, 4.9, 4.9]), "hardly moves"),
+    (lambda f: f["many"]["measures"][0].update(medians=[None, None, None]), "hardly moves"),
+    (lambda f: f["many"]["measures"][0].update(agrees=False), "differ by more"),
+    (lambda f: f["one"].update(outcome="gave_up"), "gave up"),
+    (lambda f: f["one"].update(unconverged_steps=1), "1 steps not converged"),
+    (lambda f: f["one"]["energy"].update(damping_kinetic_J=1.0), "in dampers"),
+    (lambda f: f["one"]["energy"].update(residual=0.5), "cannot account"),
+    (lambda f: f["one"]["study"].update(wall_time_s=301), "took 301 s"),
+)
+
+
+def self_test():
+    found, expected = sound_figures()
+    wrong = [f"sound figures: {sentence}" for sentence in faults(found, expected)]
+    found["many"]["runs"][12].update(failure="a sensitivity")  # is not judged
+    wrong += [f"the sensitivity is judged: {sentence}" for sentence in faults(found, expected)]
+    for damage, words in DAMAGES:
+        found, expected = copy.deepcopy(sound_figures())
+        damage(found)
+        told = list(faults(found, expected))
+        if not any(words in sentence for sentence in told):
+            wrong.append(f"'{words}' is not said: {told}")
+    for sentence in wrong:
+        print(f"house_judge: {sentence}", file=sys.stderr)
+    if not wrong:
+        print(f"house_judge: sound figures pass, and each of {len(DAMAGES)} damages is found")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(self_test())
