@@ -14,6 +14,7 @@
 #include "app/stability/maps.h"
 #include "app/stability/page.h"
 #include "app/stability/runner.h"
+#include "app/stability/sound_range.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -109,10 +110,21 @@ int stability_command(const StabilityArguments& arguments)
     if (on_terminal) fmt::print(stderr, "\r\033[K");
     const auto failed = std::count_if(results.begin(), results.end(),
                                       [](const CellResult& result) { return is_failure(result.outcome); });
+    bool too_little = false;
+    for (const StabilityScene& scene : scenes) {
+        const std::string range = sound_range_in_words(scene, results);
+        if (holds_too_little(scene, results)) {
+            too_little = true;
+            fmt::print(stderr, "{}: {:g} and {:g} are asked for\n", range, least_decades_of_stiffness,
+                       least_decades_of_step);
+        } else if (!range.empty() && !to_stdout) {
+            fmt::print("{}\n", range);
+        }
+    }
     if (!to_stdout) fmt::print("{} of {} cells failed\n", failed, results.size());
     if (arguments.json) write_json_text(*arguments.json, stability_json(results));
     if (arguments.folder) write_page(arguments, scenes, results);
-    return failed == 0 ? exit_done : exit_failure;
+    return failed == 0 && !too_little ? exit_done : exit_failure;
 }
 
 }  // namespace voussoir

@@ -7,6 +7,7 @@
 
 #include "app/plots/words.h"
 #include "app/stability/maps.h"
+#include "app/stability/sound_range.h"
 
 namespace voussoir
 {
@@ -81,6 +82,8 @@ std::string section_of(const StabilityScene& scene, const std::vector<CellResult
     std::string text = fmt::format("\n## {}\n\n{}. {}\n\nError: {}. Reference: {}.\n", scene.name, scene.title,
                                    scene.text, scene.quantity, own->cell.reference);
     if (pictured) text += fmt::format("\n![{}](stability/{}.png)\n", scene.title, scene.name);
+    const std::string range = sound_range_in_words(scene, results);
+    if (!range.empty()) text += fmt::format("\nWithin {}, {}.\n", error_in_words(own->cell.tolerance), range);
     return text + table_of(scene, results) + words_of(scene, results);
 }
 

@@ -63,7 +63,10 @@ CellOutcome judge(const StabilityCell& cell, const CellRun& run)
     if (!run.refusal.empty()) return CellOutcome::refused;
     if (!run.diagnosis.empty()) return CellOutcome::stopped;
     if (run.error <= cell.tolerance) return CellOutcome::passed;  // NaN is not
-    return run.warning.empty() ? CellOutcome::wrong : CellOutcome::warned;
+    // A warning says that figures are rough; it excuses no run that has none, or whose blocks fell through the
+    // ground.
+    const bool excused = std::isfinite(run.error) && !run.warning.empty();
+    return excused ? CellOutcome::warned : CellOutcome::wrong;
 }
 
 namespace

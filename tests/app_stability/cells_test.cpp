@@ -9,6 +9,7 @@
 #include "app/stability/maps.h"
 #include "app/stability/page.h"
 #include "app/stability/runner.h"
+#include "app/stability/sound_range.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -77,6 +78,64 @@ TEST(StabilityCells, are_judged_by_their_tolerance)
     EXPECT_EQ(judge(cell, with_error(0.0201)), CellOutcome::wrong);
     EXPECT_EQ(judge(cell, with_error(NAN)), CellOutcome::wrong);
     EXPECT_EQ(judge(cell, with_error(INFINITY)), CellOutcome::wrong);
+    CellRun warned = with_error(0.0201);
+    warned.warning = "contacts so soft are part of the answer";
+    EXPECT_EQ(judge(cell, warned), CellOutcome::warned);
+    for (const double no_answer : {double(NAN), double(INFINITY)}) {
+        warned.error = no_answer;
+        EXPECT_EQ(judge(cell, warned), CellOutcome::wrong) << "a warning excuses no missing answer";
+    }
+}
+
+/// A map of eleven stiffnesses and steps of 1e-5 to 1e-1 s, in which `fails` says what does not pass.
+std::vector<CellResult> map_results(StabilityScene& scene, const std::function<bool(double, double)>& fails)
+{
+    scene.name = "map";
+    scene.over_stiffness_and_step = true;
+    std::vector<CellResult> results;
+    for (int decade = 4; decade <= 14; ++decade)
+        for (int step = -5; step <= -1; ++step) {
+            CellResult result;
+            result.cell.scene = scene.name;
+            result.cell.parameters = {{"contact stiffness", std::pow(10, decade), "N/m"}};
+            result.cell.time_step = std::pow(10, step);
+            result.outcome = fails(decade, step) ? CellOutcome::stopped : CellOutcome::passed;
+            scene.cells.push_back(result.cell);
+            results.push_back(result);
+        }
+    return results;
+}
+
+TEST(StabilityRange, is_the_rectangle_in_which_all_cells_passed)
+{
+    StabilityScene scene, hole;
+    const auto results = map_results(
+        scene, [](int decade, int step) { return decade < 6 || step > -3 || (decade == 14 && step == -5); });
+    const SoundRange range = sound_range(scene, results).value();
+    EXPECT_NEAR(range.softest, 1e6, 1);
+    EXPECT_NEAR(range.stiffest, 1e13, 1e6);
+    EXPECT_NEAR(range.shortest, 1e-5, 1e-12);
+    EXPECT_NEAR(range.longest, 1e-3, 1e-12);
+    EXPECT_EQ(sound_range_in_words(scene, results),
+              "map holds from 1e+06 to 1e+13 N/m and from 0.01 ms to 1 ms (7 and 2 decades)");
+    EXPECT_TRUE(holds_too_little(scene, results)) << "three decades of time step are asked for";
+    std::vector<CellResult> some(results.begin(), results.end() - 1);
+    EXPECT_FALSE(holds_too_little(scene, some)) << "a part of a map tells nothing";
+    EXPECT_EQ(sound_range_in_words(scene, some), "");
+    const auto ring = map_results(hole, [](int decade, int step) { return decade == 9 && step == -3; });
+    EXPECT_TRUE(holds_too_little(hole, ring)) << "a hole in the middle";
+}
+
+TEST(StabilityRange, is_enough_with_eight_decades_of_stiffness_and_three_of_time_step)
+{
+    StabilityScene enough, nothing;
+    const auto good = map_results(enough, [](int decade, int step) { return decade > 12 || step > -2; });
+    EXPECT_FALSE(holds_too_little(enough, good));
+    EXPECT_EQ(sound_range_in_words(enough, good),
+              "map holds from 1e+04 to 1e+12 N/m and from 0.01 ms to 10 ms (8 and 3 decades)");
+    const auto bad = map_results(nothing, [](int, int) { return true; });
+    EXPECT_TRUE(holds_too_little(nothing, bad));
+    EXPECT_EQ(sound_range_in_words(nothing, bad), "map holds nowhere");
 }
 
 TEST(StabilityCells, what_said_why_it_has_no_answer_is_not_wrong)
