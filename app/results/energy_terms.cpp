@@ -23,6 +23,8 @@ std::vector<std::pair<std::string, double>> energy_terms(const EnergyLedger& ene
             {"start_kinetic_J", energy.start_kinetic},
             {"start_strain_J", energy.start_strain},
             {"start_contact_J", energy.start_contact},
+            {"peak_stored_J", energy.peak_stored},
+            {"peak_given_J", energy.peak_given},
             {"residual_J", energy.residual()}};
 }
 

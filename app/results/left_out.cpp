@@ -36,9 +36,8 @@ std::vector<std::string> left_out(const Case& the_case)
               "ground motion (no foundation is moved)");
     leave_out(!any_stage(the_case, [](const Stage& s) { return !s.body_accelerations.empty(); }),
               "body accelerations (no stage has one)");
-    leave_out(
-        !any_joint(the_case, [](const JointMaterial& j) { return j.cohesion > 0 || j.tensile_strength > 0; }),
-        "cohesion and tensile strength (all joints are dry)");
+    leave_out(!any_joint(the_case, [](const JointMaterial& j) { return j.has_strength(); }),
+              "cohesion and tensile strength (all joints are dry)");
     leave_out(!any_joint(the_case, [](const JointMaterial& j) { return j.dashpot > 0; }),
               "contact dashpots (no joint has one)");
     leave_out(

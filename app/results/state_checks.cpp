@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/results/counts.h"
+#include "libdda/contact/placed_part.h"
 
 namespace voussoir
 {
@@ -24,16 +25,28 @@ bool is_sound(const ContactSetIn<D>& contacts)
            std::all_of(contacts.points.begin(), contacts.points.end(), has_status);
 }
 
+std::size_t faces_of(const ConvexPolyhedron& part)
+{
+    return part.faces.size();
+}
+
+std::size_t faces_of(const ConvexPolygon& part)
+{
+    return part.vertices.size();
+}
+
 template <int D>
 bool fits(const ContactSetIn<D>& contacts, const Model& model)
 {
-    const auto is_part = [&](int block, int part) {
+    const auto is_side = [&](const ContactPatchIn<D>& patch, int block, int part, std::uint32_t face) {
         if (block < 0 || static_cast<std::size_t>(block) >= model.blocks.size()) return false;
-        const std::size_t parts = D == 3 ? model.blocks[block].parts.size() : model.blocks[block].outlines.size();
-        return part >= 0 && static_cast<std::size_t>(part) < parts;
+        const auto& parts = ShapeIn<D>::of(model.blocks[block]);
+        if (part < 0 || static_cast<std::size_t>(part) >= parts.size()) return false;
+        return patch.edge_edge || face < faces_of(parts[part]);
     };
     return std::all_of(contacts.patches.begin(), contacts.patches.end(), [&](const ContactPatchIn<D>& patch) {
-        return is_part(patch.block_a, patch.part_a) && is_part(patch.block_b, patch.part_b);
+        return is_side(patch, patch.block_a, patch.part_a, patch.feature_a) &&
+               is_side(patch, patch.block_b, patch.part_b, patch.feature_b);
     });
 }
 

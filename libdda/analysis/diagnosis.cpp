@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <sstream>
 
 namespace voussoir
@@ -27,81 +25,6 @@ std::string name_of(const Model& model, int block)
     return "'" + model.blocks[block].name + "'";
 }
 
-/// Extent of the vertices along the normal of the face or edge through the first points given.
-template <class Vector>
-double width_along(const Vector& normal, const std::vector<Vector>& vertices)
-{
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Vector& x : vertices) {
-        low = std::min(low, normal.dot(x));
-        high = std::max(high, normal.dot(x));
-    }
-    return high - low;
-}
-
-double least_width_of(const ConvexPolyhedron& part)
-{
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::vector<int>& face : part.faces) {
-        Vector3d twice_area = Vector3d::Zero();
-        for (std::size_t i = 0; i < face.size(); ++i)
-            twice_area += part.vertices[face[i]].cross(part.vertices[face[(i + 1) % face.size()]]);
-        if (twice_area.norm() > 0)
-            least = std::min(least, width_along(Vector3d(twice_area.normalized()), part.vertices));
-    }
-    return least;
-}
-
-double least_width_of(const ConvexPolygon& outline)
-{
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < outline.vertices.size(); ++i) {
-        const Eigen::Vector2d side = outline.vertices[(i + 1) % outline.vertices.size()] - outline.vertices[i];
-        if (side.norm() > 0)
-            least = std::min(
-                least, width_along(Eigen::Vector2d(-side.y(), side.x()).normalized().eval(), outline.vertices));
-    }
-    return least;
-}
-
-/// No shift along the face need be longer to part two stones that overlap in a strip or a corner of it [m]: twice
-/// the area over the longest diagonal; of a contact of edges without bound.
-template <int D>
-double width_of(const ContactPatchIn<D>& patch, std::span<const ContactPointIn<D>> points)
-{
-    if (patch.edge_edge) return std::numeric_limits<double>::infinity();
-    double area = 0, longest = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        area += points[i].area;
-        for (std::size_t j = 0; j < i; ++j)
-            longest = std::max(longest, (points[i].position - points[j].position).norm());
-    }
-    return D == 3 ? 2 * area / longest : longest;
-}
-
-/// A stone that slides over the edge of another is found on the side of that edge before it is above it, and goes
-/// on within the step: a strip that is thinner than the stones is no deeper than it is wide.
-template <int D>
-void look_for_overlap(const ContactSetIn<D>& contacts, const std::vector<double>& widths, double time,
-                      RunReport& report)
-{
-    DeepestOverlap& deepest = report.deepest;
-    for (const ContactPatchIn<D>& patch : contacts.patches) {
-        const double width = std::min(widths[patch.block_a], widths[patch.block_b]);
-        const auto points = std::span(contacts.points).subspan(patch.first_point, patch.point_count);
-        for (const ContactPointIn<D>& point : points) {
-            double depth = -(point.gap + point.rest_gap);
-            if (depth <= report.max_penetration && depth <= deepest.share * width) continue;
-            const double strip = width_of(patch, points);
-            if (strip < width) depth = std::min(depth, strip);
-            report.max_penetration = std::max(report.max_penetration, depth);
-            if (depth > deepest.share * width)
-                deepest = {depth / width, depth,         std::clamp(-point.rest_gap, 0.0, depth),
-                           time,          patch.block_a, patch.block_b};
-        }
-    }
-}
-
 int fastest_block(const Model& model, const State& state)
 {
     int fastest = 0;
@@ -117,7 +40,7 @@ int fastest_block(const Model& model, const State& state)
 }
 
 /// "blocks 'a' and 'b' overlap by 0.02 m, 4 % of the thinner one's width", and the remedy: a stiffer contact, or,
-/// where contacts were forgiven most of it, a shorter step.
+/// where contacts were forgiven most of it, a shorter step and a look at them.
 /// @param why of contacts that are too soft
 std::string overlap_in_words(const Model& model, const DeepestOverlap& overlap, const std::string& what,
                              const std::string& why)
@@ -128,19 +51,21 @@ std::string overlap_in_words(const Model& model, const DeepestOverlap& overlap, 
           << " % of the thinner one's width, at "
           << "t = " << overlap.time << " s: ";
     if (2 * overlap.forgiven > overlap.depth)
-        words << overlap.forgiven << " m of it came about in one step, where their contact was found late or went "
-              << "over to another face; try a smaller time_step";
+        words << overlap.forgiven
+              << " m of it is without stress, because their contact was found late or goes to and "
+              << "fro between two faces; try a smaller time_step, and look at edges and corners that bear";
     else
         words << why << "; give the joint a contact_stiffness " << std::ceil(overlap.share / good_share)
               << " times as large";
     return words.str();
 }
 
-/// What contacts gave when they were found anew.
+/// The most that contacts had given, on balance, by any moment of the run: what they took later gives nothing
+/// back.
 double given_share(const EnergyLedger& energy)
 {
     const double scale = energy.scale();
-    return scale > 0 ? -energy.redetection / scale : 0;
+    return scale > 0 ? energy.peak_given / scale : 0;
 }
 
 std::string given_in_words(double share)
@@ -193,24 +118,6 @@ std::string cause_of(Trouble trouble)
 }
 
 }  // namespace
-
-std::vector<double> least_widths(const Model& model)
-{
-    std::vector<double> widths;
-    for (const Block& block : model.blocks) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const ConvexPolyhedron& part : block.parts) least = std::min(least, least_width_of(part));
-        for (const ConvexPolygon& outline : block.outlines) least = std::min(least, least_width_of(outline));
-        widths.push_back(least);
-    }
-    return widths;
-}
-
-void note_overlap(const std::vector<double>& widths, const State& state, RunReport& report)
-{
-    look_for_overlap(state.contacts, widths, state.time, report);
-    look_for_overlap(state.planar_contacts, widths, state.time, report);
-}
 
 std::optional<std::string> diagnose(const Model& model, const State& state, const RunReport& report)
 {

@@ -12,14 +12,6 @@
 namespace voussoir
 {
 
-/// Least width of every block over the directions of its faces [m]: the thickness of a slab, the shorter side of a
-/// slender stone. Of glued parts the least.
-std::vector<double> least_widths(const Model& model);
-
-/// Keeps the deepest overlaps of the run in `report.deepest` and `report.max_penetration`. @param widths
-/// least_widths(model)
-void note_overlap(const std::vector<double>& widths, const State& state, RunReport& report);
-
 /// What is wrong with a step that converged, after which to go on would be nonsense: blocks deep within one
 /// another (as noted in the report), energy that nothing accounts for or that contacts made when they were found
 /// anew, places that are no numbers. @returns nothing when all is well

@@ -95,8 +95,13 @@ double effective_area(const Bed& bed)
 
 bool in_one_plane(const BedPatch& a, const BedPatch& b, double size)
 {
-    return a.face_normal.dot(b.face_normal) > same_direction &&
-           std::abs(a.face_normal.dot(b.face_middle - a.face_middle)) < same_plane * size;
+    for (int side = 0; side < 2; ++side) {
+        const FacePlane &of_a = a.faces[side], &of_b = b.faces[side];
+        if (of_a.normal.dot(of_b.normal) > same_direction &&
+            std::abs(of_a.normal.dot(of_b.middle - of_a.middle)) < same_plane * size)
+            return true;
+    }
+    return false;
 }
 
 /// The patches sorted by the planes of their faces. Where two edges cross there is no face: they go with the bed

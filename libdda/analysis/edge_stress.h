@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 namespace voussoir
@@ -14,14 +15,18 @@ struct BedPoint {
     double normal_force = 0;   // N, > 0 pressing
 };
 
-/// One contact patch of a joint, and the plane of the face that one of the two blocks brings to it: that of the
-/// block's own reference shape, so that patches of one face stay together however the stones rock.
+/// The plane of a face in the reference shape of its own block, where faces do not rock.
+struct FacePlane {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // m
+};
+
+/// One contact patch of a joint.
 struct BedPatch {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();       // unit, as it is now
-    Eigen::Vector3d face_normal = Eigen::Vector3d::Zero();  // unit, in the reference shape
-    Eigen::Vector3d face_middle = Eigen::Vector3d::Zero();  // m, in the reference shape
-    bool edge_edge = false;                                 // has no face
-    std::vector<BedPoint> points;                           // a polygon in turn
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, as it is now
+    std::array<FacePlane, 2> faces;                    // that the two blocks bring to it
+    bool edge_edge = false;                            // has no faces
+    std::vector<BedPoint> points;                      // a polygon in turn
 };
 
 /// What bears most.
@@ -30,8 +35,8 @@ struct Bearing {
     double area = 0;    // m2, of the part that the normal force acts in the middle of
 };
 
-/// The largest edge stress of the beds of a joint. A bed is all patches whose faces lie in one plane; stones glued
-/// of several parts may meet in several.
+/// The largest edge stress of the beds of a joint. A bed is all patches whose faces lie in one plane on either of
+/// the blocks; stones glued of several parts may meet in several.
 ///
 /// The edge stress is the mean on the part of a bed that its normal force acts in the middle of. Of a rectangular
 /// bed b x l with eccentricities e: N / ((b - 2 e_b) (l - 2 e_l)). Source: Meyerhof (1953), as in EN 1996-1-1,

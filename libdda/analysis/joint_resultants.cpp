@@ -58,24 +58,19 @@ JointResultant resultant(int block_a, int block_b, const std::vector<JointPoint>
     return joint;
 }
 
-/// The plane of a face, or of an edge of an outline, in the block's reference shape.
-void read_face(const ConvexPolyhedron& part, std::uint32_t face, BedPatch& patch)
+FacePlane plane_of(const ConvexPolyhedron& part, std::uint32_t face)
 {
+    FacePlane plane{face_normal(part, static_cast<int>(face)), Vector3d::Zero()};
     const std::vector<int>& loop = part.faces[face];
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vector3d &p = part.vertices[loop[i]], &q = part.vertices[loop[(i + 1) % loop.size()]];
-        patch.face_normal += p.cross(q);
-        patch.face_middle += p / static_cast<double>(loop.size());
-    }
-    patch.face_normal.normalize();
+    for (const int corner : loop) plane.middle += part.vertices[corner] / static_cast<double>(loop.size());
+    return plane;
 }
 
-void read_face(const ConvexPolygon& outline, std::uint32_t edge, BedPatch& patch)
+FacePlane plane_of(const ConvexPolygon& outline, std::uint32_t edge)
 {
     const Eigen::Vector2d &p = outline.vertices[edge], &q = outline.vertices[(edge + 1) % outline.vertices.size()];
     const Eigen::Vector2d along = (q - p).normalized();
-    patch.face_normal = to_space(Eigen::Vector2d(along.y(), -along.x()));
-    patch.face_middle = to_space(Eigen::Vector2d(0.5 * (p + q)));
+    return {to_space(Eigen::Vector2d(along.y(), -along.x())), to_space(Eigen::Vector2d(0.5 * (p + q)))};
 }
 
 template <int D>
@@ -89,10 +84,13 @@ void collect(const Model& model, const ContactSetIn<D>& contacts, Joints& joints
         BedPatch bed;
         bed.normal = to_space(VectorIn<D>(sign * patch.normal));
         bed.edge_edge = patch.edge_edge;
-        const Block& lower = model.blocks[a_is_lower ? patch.block_a : patch.block_b];
-        if (!patch.edge_edge)
-            read_face(ShapeIn<D>::of(lower)[a_is_lower ? patch.part_a : patch.part_b],
-                      a_is_lower ? patch.feature_a : patch.feature_b, bed);
+        if (!patch.edge_edge) {
+            const FacePlane of_a =
+                plane_of(ShapeIn<D>::of(model.blocks[patch.block_a])[patch.part_a], patch.feature_a);
+            const FacePlane of_b =
+                plane_of(ShapeIn<D>::of(model.blocks[patch.block_b])[patch.part_b], patch.feature_b);
+            bed.faces = a_is_lower ? std::array{of_a, of_b} : std::array{of_b, of_a};
+        }
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const ContactPointIn<D>& point = contacts.points[i];
             const VectorIn<D> force = sign * (point.normal_force * patch.normal - point.shear_force);

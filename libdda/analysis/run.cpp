@@ -9,7 +9,9 @@
 #include "libdda/analysis/collapse.h"
 #include "libdda/analysis/crushing.h"
 #include "libdda/analysis/diagnosis.h"
+#include "libdda/analysis/dry_joints.h"
 #include "libdda/analysis/energies.h"
+#include "libdda/analysis/overlaps.h"
 #include "libdda/step/advance.h"
 
 namespace voussoir
@@ -74,7 +76,7 @@ std::string explain_repeated_cuts(const Progress& progress, const Stage& stage, 
 /// Takes back a step after which to go on would be nonsense, and says why; false then.
 bool is_sound(const Stage& stage, Progress& progress)
 {
-    note_overlap(progress.widths, progress.state, progress.report);
+    note_overlap(progress.model, progress.widths, progress.state, progress.report);
     const auto wrong = diagnose(progress.model, progress.state, progress.report);
     if (!wrong) return true;
     std::ostringstream message;
@@ -170,12 +172,10 @@ bool step_at_rest(const Stage& stage, Stage& loaded, Progress& progress)
         std::min(stage.control.force_tolerance,
                  std::max(inexactness * at.step_unbalanced, 0.1 * stage.unbalanced_tolerance));
     StepReport step;
-    const double start_time = state.time;
     const double grown = state.next_time_step;
     const double h = grown > 0 ? std::min(grown, stage.control.time_step) : stage.control.time_step;
     if (!step_once(loaded, h, progress, step)) return false;
     state.next_time_step = regrowth * step.time_step;
-    state.time = start_time;
     progress.report.static_unbalanced = at.step_unbalanced = step.inertia_ratio;
     const bool balanced = step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
     at.quiet_steps = balanced ? at.quiet_steps + 1 : 0;
@@ -287,6 +287,8 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
     progress.judges_crushing = has_compressive_strength(model);
     progress.report.outcome = Outcome::completed;
     progress.report.message.clear();
+    if (is_new)
+        if (const auto warning = dry_joints_warning(model, state)) progress.report.warnings.push_back(*warning);
     if (progress.position.frames == 0) show(progress);
     for (int s = state.stage; s < static_cast<int>(stages.size()); ++s) {
         if (s == state.stage && progress.position.stage_done) continue;

@@ -142,15 +142,15 @@ bool has_same_features(const ContactPatchIn<D>& patch, const ContactPatchIn<D>& 
            old.feature_b == patch.feature_b;
 }
 
-/// A joint with strength is a bond if it is closed when the run begins.
+/// A joint with strength is a bond if it is closed when the run begins, at every corner.
 template <int D>
 bool is_bonded(const Model& model, const State& state, const ContactPatchIn<D>& patch,
                const std::vector<PolygonPointIn<D>>& corners, double size)
 {
     if (state.step != 0) return false;
     const JointMaterial& joint = model.joint_between(patch.block_a, patch.block_b);
-    if (!(joint.cohesion > 0 || joint.tensile_strength > 0)) return false;
-    return std::any_of(corners.begin(), corners.end(),
+    if (!joint.has_strength()) return false;
+    return std::all_of(corners.begin(), corners.end(),
                        [&](const PolygonPointIn<D>& corner) { return corner.gap < closed_at_start * size; });
 }
 
@@ -185,7 +185,7 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
         if (history.patch)
             inherit(history, same_features, sign, sheared, extent, point);
         else if (patch.intact)
-            point.rest_gap = std::clamp(corner.gap, -closed_at_start * size, closed_at_start * size);
+            point.rest_gap = std::max(corner.gap, -closed_at_start * size);
         if (forgives) point.rest_gap = std::max(point.rest_gap, 0.0);  // forgiven anew, by the energy
         if (!patch.intact) point.rest_gap = kept_rest_gap(point.rest_gap, corner.gap);
         point.gap = corner.gap - point.rest_gap;

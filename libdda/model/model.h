@@ -53,6 +53,8 @@ struct JointMaterial {
     ContactStiffness stiffness;
     double shear_to_normal_stiffness = 0.5;  // -; Shi's 1/h2
     double dashpot = 0;  // s, stiffness-proportional contact damping (eta of N = -k(g + eta dg/dt))
+
+    bool has_strength() const { return cohesion > 0 || tensile_strength > 0; }
 };
 
 /// A block: one or more glued convex parts with one set of unknowns.

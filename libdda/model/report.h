@@ -30,7 +30,8 @@ struct EnergyLedger {
     double redetection = 0;           // spring energy that changed when contacts were found anew
     double start_kinetic = 0, start_strain = 0, start_contact = 0;
     double peak_stored =
-        0;  // largest kinetic + strain + contact so far: the scale when all has come to rest again
+        0;                  // largest kinetic + strain + contact so far: the scale when all has come to rest again
+    double peak_given = 0;  // largest -redetection so far
 
     double input() const { return gravity_work + foundation_work + boundary_work + load_work; }
     double dissipated() const

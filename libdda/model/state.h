@@ -26,7 +26,7 @@ struct ContactPointIn {
     double normal_force = 0;                         // N, > 0 pressing
     VectorIn<D> position = VectorIn<D>::Zero();      // m, on block a at the end of the step
     VectorIn<D> shear_force = VectorIn<D>::Zero();   // N, resisting: block a receives -shear_force
-    VectorIn<D> elastic_slip = VectorIn<D>::Zero();  // m, shear_force / shear stiffness at step end
+    VectorIn<D> elastic_slip = VectorIn<D>::Zero();  // m, of the shear springs at step end
     VectorIn<D> plastic_slip = VectorIn<D>::Zero();  // m, accumulated sliding of a over b
 };
 

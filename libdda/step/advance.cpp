@@ -88,6 +88,15 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
         reach[b] = (h + dashpot) * speed + h * h * stage.gravity.norm() * (stage.type == StageType::dynamic) +
                    contact_distance * size_of(model, static_cast<int>(b));
     }
+    // A bond lasts until its strength breaks it, however soft it is: it is looked for as far as it has stretched.
+    const auto& contacts = contacts_in<dimension>(state);
+    for (const ContactPatchIn<dimension>& patch : contacts.patches) {
+        if (!patch.intact) continue;
+        double stretched = 0;
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
+            stretched = std::max(stretched, contacts.points[i].gap + contacts.points[i].rest_gap);
+        reach[patch.block_a] += stretched;
+    }
     for (const FoundationMotion& motion : stage.motions) {
         const double from = motion.motion->displacement(state.stage_time);
         const double to = motion.motion->displacement(state.stage_time + h);
@@ -186,7 +195,7 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
     update_blocks(system, state);
     book_step(state, system, work.contacts, energy);
     update_contacts(stage, system, work.contacts, state, report);
-    state.time += h;
+    if (stage.type == StageType::dynamic) state.time += h;
     state.stage_time += h;
     ++state.step;
     damp_velocities(model, stage, system, state, energy);

@@ -78,13 +78,6 @@ void follow_ground(const Model& model, const Stage& stage, const State& state, i
     }
 }
 
-/// Share of the forces of the end of the step that is taken beyond the mean: theta of the integrator.
-double end_share(const Stage& stage)
-{
-    const bool newmark = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic;
-    return newmark ? 1 : stage.control.dissipation;
-}
-
 /// Velocities at the start of the step, and the spin that carries the angular momentum.
 /// @returns dA/dt
 template <class K>
@@ -191,6 +184,13 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
         Map<typename K::Matrix>(step.steady.data() + dimension) = -0.5 * (pull + pull.transpose());
     }
     if (step.rotation_held()) step.steady.template tail<K::unknowns - dimension>().setZero();
+}
+
+double end_share(const Stage& stage)
+{
+    const bool at_end = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic ||
+                        stage.control.open_close == OpenClose::published;
+    return at_end ? 1 : stage.control.dissipation;
 }
 
 template <class K>

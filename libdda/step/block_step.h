@@ -63,6 +63,10 @@ struct InternalForce {
     bool admissible = true;                            // false when the block would turn inside out
 };
 
+/// Share of the forces of the end of the step that is taken beyond the mean: theta of the integrator. Newmark,
+/// static stages and the published springs know the end of the step only.
+double end_share(const Stage& stage);
+
 /// Prepares one block for a step of length h, body accelerations aside. @param end_time stage time at its end [s]
 template <class K>
 void begin_block(const Model& model, const Stage& stage, const State& state, int block, double h, double end_time,

@@ -137,10 +137,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
                     const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step)
 {
     using Vector = typename K::Vector;
-    // The published springs know the end of the step only.
-    const bool at_end = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic ||
-                        stage.control.open_close == OpenClose::published;
-    const double blend = at_end ? 1 : stage.control.dissipation;
+    const double blend = end_share(stage);
     step.patches.resize(contacts.patches.size());
     step.points.resize(contacts.points.size());
     for (std::size_t k = 0; k < contacts.patches.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace voussoir
@@ -34,7 +35,9 @@ double farthest(const StepSystem<K>& system, int block, double radius)
         moved += d.template head<K::dimension>();
         turned += (K::gradient(d) * step.predicted.map).norm();
     }
-    return moved.norm() + turned * radius;
+    // Of the difference of two rotations no vector grows by more than its Frobenius norm over the root of two.
+    constexpr bool is_rigid = K::unknowns < K::dimension * (1 + K::dimension);
+    return moved.norm() + (is_rigid ? std::numbers::sqrt2 / 2 : 1) * turned * radius;
 }
 
 using PartOfBlock = std::pair<int, int>;

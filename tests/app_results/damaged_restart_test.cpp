@@ -276,6 +276,15 @@ TEST_P(DamagedRestart, what_would_lead_outside_arrays_or_counts_is_refused)
     EXPECT_TRUE(state([](State& s) { s.contacts.patches.push_back({.point_count = huge_int}); }));
     EXPECT_TRUE(state([](State& s) { s.contacts.patches.push_back({.block_b = 2}); }));
     EXPECT_TRUE(state([](State& s) { s.planar_contacts.patches.push_back({.block_b = 1, .part_a = 1}); }));
+    // Joints are judged by the planes of their faces: none may be beyond those that the stones have.
+    const auto faces = [](std::uint32_t a, std::uint32_t b) {
+        return [=](State& s) {
+            s.contacts.patches.push_back({.block_b = 1, .feature_a = a, .feature_b = b});
+            s.planar_contacts.patches.push_back({.block_b = 1, .feature_a = a, .feature_b = b});
+        };
+    };
+    EXPECT_TRUE(state(faces(1U << 30U, 0)));
+    EXPECT_TRUE(state(faces(0, 6)));
     const auto in_static = [&](auto change) {
         return refused([&](Restart& r) { r.state.stage = 0, change(r.position); });
     };

@@ -40,7 +40,8 @@ EnergyLedger run_with(const Mistake<K>& mistake)
     const std::vector<double> reach(scene.model.blocks.size(), 0.05);
     StepReport report;
     for (int step = 0; step < 300; ++step) {
-        find_contacts(scene.model, state, reach, 1, parts, contacts);
+        find_contacts(scene.model, state, reach, 1, parts, contacts,
+                      step > 0 ? NewOverlap::forgiven : NewOverlap::presses);
         assemble_blocks(scene.model, stage, state, contacts, h, system);
         mistake.in_equations(system);
         EXPECT_TRUE(iterate_newton(scene.model, stage, contacts, system, report)) << "step " << step;

@@ -271,23 +271,25 @@ TEST(ContactHistory, rest_gaps_of_new_corners_lie_between_those_of_the_old)
     EXPECT_EQ(fresh, 2);
 }
 
-// Mortar fills up to 1e-4 of the stone; wider gaps are springs that are stretched, as before they were bonded.
-TEST(ContactHistory, rest_gaps_are_no_wider_than_a_closed_joint)
+// Mortar fills a gap of up to 1e-4 of the stone. A joint that gapes by more at a corner is none: springs that
+// begin stretched would pull the stones together. An overlap that no mortar could be presses.
+TEST(ContactHistory, a_joint_is_bonded_if_it_is_closed_at_every_corner)
 {
     Scene scene;
     scene.model.joints[0].cohesion = scene.model.joints[0].tensile_strength = 1e6;
     const double limit = 1e-4 * size_of(scene.model, 1);
-    for (const double sign : {1.0, -1.0}) {
-        scene.put({0, 0, 1 + sign * 10 * limit * 0.5}, turned(sign * 10 * limit, Vector3d::UnitY()));
+    for (const double share : {0.9, 1.1, 10.0, -10.0}) {  // of the limit, at the two corners on one side
+        scene.put({0, 0, 1 + 0.5 * share * limit}, turned(share * limit, Vector3d::UnitY()));
         const ContactSet found = scene.find();
         ASSERT_EQ(found.points.size(), 4);
-        EXPECT_TRUE(found.patches[0].intact);
+        EXPECT_EQ(found.patches[0].intact, share < 1) << share;
         double most = 0;
         for (const ContactPoint& p : found.points) {
             EXPECT_LE(std::abs(p.rest_gap), limit);
-            most = std::max(most, sign * p.gap);
+            EXPECT_LE(p.rest_gap == 0 ? 0 : p.gap, 1e-12) << "nothing is stretched";
+            most = std::max(most, -p.gap);
         }
-        EXPECT_NEAR(most, 10 * limit - limit, 0.1 * limit);
+        EXPECT_NEAR(most, share < 0 ? 9 * limit : 0, 0.1 * limit);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "libdda/analysis/joint_resultants.h"
+#include "libdda/step/advance.h"
 #include "tests/libdda/whole_scenes.h"
 
 namespace voussoir::testing
@@ -134,6 +135,57 @@ TEST_P(Crushing, treads_of_different_heights_are_beds_of_their_own)
     }
 }
 
+// A stone of two feet whose soles are tilted by two degrees, on a flat floor: one bed, whichever block comes
+// first.
+TEST_P(Crushing, the_same_bed_whatever_the_order_of_the_blocks)
+{
+    double stress[2] = {}, area[2] = {};
+    for (const int stone_first : {0, 1}) {
+        Model model = make_model(GetParam(), stone(), dry(40));
+        const auto add_stone = [&] {
+            const double rise = 0.5 * std::tan(2 * degrees);
+            const auto foot = [&](double outer) {
+                const double left = std::min(outer, 0.0), right = std::max(outer, 0.0);
+                const double z0 = left < 0 ? rise : 0, z1 = right > 0 ? rise : 0;
+                return make_convex_polyhedron(
+                    {{left, -0.5, z0},
+                     {right, -0.5, z1},
+                     {right, -0.5, 1},
+                     {left, -0.5, 1},
+                     {left, 0.5, z0},
+                     {right, 0.5, z1},
+                     {right, 0.5, 1},
+                     {left, 0.5, 1}},
+                    {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}});
+            };
+            double depth = 0;
+            if (is_planar(GetParam()))
+                model.blocks.push_back(
+                    make_planar_block("stone", 0, 0, {outline_of(foot(-0.5), depth), outline_of(foot(0.5), depth)},
+                                      model.thickness));
+            else
+                model.blocks.push_back(make_block("stone", 0, 0, {foot(-0.5), foot(0.5)}));
+        };
+        if (stone_first) add_stone();
+        hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+        if (!stone_first) add_stone();
+        State state = initial_state(model);
+        find_initial_contacts(model, state);
+        auto press = [](auto& points) {
+            for (auto& p : points) p.normal_force = p.gap < 1e-6 ? 1e3 : 10;
+        };
+        press(state.contacts.points);
+        press(state.planar_contacts.points);
+        const std::vector<JointResultant> joints = joint_resultants(model, state);
+        ASSERT_EQ(joints.size(), 1);
+        stress[stone_first] = joints[0].edge_stress;
+        area[stone_first] = joints[0].bearing_area;
+    }
+    EXPECT_NEAR(stress[0], stress[1], 5e-3 * stress[0]);
+    EXPECT_NEAR(area[0], area[1], 5e-3 * area[0]);
+    EXPECT_GT(area[0], 0.9) << "both feet are one bed, pressed in the middle";
+}
+
 // A pillar in the corner of floor and wall, which are one block, pushed against the wall without friction: the
 // floor carries its weight on the width, the wall half of it on twice the width.
 TEST_P(Crushing, beds_in_different_planes_are_judged_each)
@@ -197,6 +249,7 @@ TEST_P(Crushing, is_told_per_joint_with_its_time)
         ASSERT_EQ(report.crushed.size(), share < 1 ? 1 : 0) << report.message;
         if (share > 1) continue;
         EXPECT_EQ(report.crushed[0].block_b, 1);
+        EXPECT_EQ(report.crushed[0].first_time, 0) << "static steps take no time";
         EXPECT_NEAR(report.crushed[0].worst_stress, report.crushed[0].strength / share, 0.05 * weight_stress);
         ASSERT_EQ(report.warnings.size(), 1);
         EXPECT_NE(report.warnings[0].find("'base' on 'pillar'"), std::string::npos) << report.warnings[0];

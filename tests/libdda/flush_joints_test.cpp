@@ -55,6 +55,8 @@ TEST_P(FlushJoints, of_a_pavement_neither_hold_a_stone_nor_let_it_sink)
         EXPECT_NEAR(paved.end.x(), smooth.end.x(), 5e-4 * way) << stiffness;
         EXPECT_NEAR(paved.end.z(), smooth.end.z(), 1e-8) << stiffness;
         EXPECT_NEAR(paved.report.energy.redetection, 0, 1e-3 * energy) << stiffness;
+        EXPECT_GE(paved.report.energy.peak_given, -paved.report.energy.redetection) << stiffness;
+        EXPECT_GT(paved.report.energy.peak_given, 0) << "contacts gave a little, and took it again";
         // On a strip of a side, which it finds first, it is 2 mm deep for a step, and is not said to be.
         EXPECT_LT(paved.report.deepest.depth, 4 * smooth.report.deepest.depth) << stiffness;
         EXPECT_EQ(paved.report.max_penetration, paved.report.deepest.depth) << stiffness;

@@ -55,7 +55,8 @@ TEST_P(MissedContacts, a_stone_that_is_pushed_hard_stops_at_a_thin_wall)
         GroundMotion::from_acceleration(std::vector<double>(11, 2000.0), 0.02, "a steady push"));
     stage.body_accelerations = {{ball, 0, push}};
     State state = initial_state(model);
-    run_quietly(model, {stage}, state);
+    const RunReport report = run_quietly(model, {stage}, state);
+    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
     EXPECT_LT(centroid(model, state, ball).x(), 1) << "on the near side";
 }
 

@@ -1,0 +1,60 @@
+#include "libdda/analysis/dry_joints.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "libdda/step/advance.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+struct DryJoints {
+    int count = 0;
+    double widest = 0;  // m
+    int block_a = -1, block_b = -1;
+};
+
+template <int D>
+DryJoints dry_joints(const Model& model, const ContactSetIn<D>& contacts)
+{
+    DryJoints dry;
+    for (const ContactPatchIn<D>& patch : contacts.patches) {
+        if (patch.intact || !model.joint_between(patch.block_a, patch.block_b).has_strength()) continue;
+        double gap = 0;
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
+            gap = std::max(gap, contacts.points[i].gap);
+        if (dry.count++ == 0 || gap > dry.widest) {
+            dry.widest = gap;
+            dry.block_a = patch.block_a;
+            dry.block_b = patch.block_b;
+        }
+    }
+    return dry;
+}
+
+}  // namespace
+
+std::optional<std::string> dry_joints_warning(const Model& model, const State& start)
+{
+    if (start.step > 0) return std::nullopt;  // bonds are made at the start alone; what is dry now may have broken
+    if (std::none_of(model.joints.begin(), model.joints.end(),
+                     [](const JointMaterial& joint) { return joint.has_strength(); }))
+        return std::nullopt;
+    State touching = start;
+    find_initial_contacts(model, touching);
+    const DryJoints dry = is_planar(model.kinematics) ? dry_joints(model, touching.planar_contacts)
+                                                      : dry_joints(model, touching.contacts);
+    if (dry.count == 0) return std::nullopt;
+    std::ostringstream words;
+    words << dry.count << " contacts have cohesion or tensile strength but gape at a corner, the widest by "
+          << dry.widest << " m between '" << model.blocks[dry.block_a].name << "' and '"
+          << model.blocks[dry.block_b].name
+          << "': they are dry from the start; close them in the model to within a ten-thousandth of the stones' "
+             "size";
+    return words.str();
+}
+
+}  // namespace voussoir
