@@ -90,7 +90,7 @@ def run_in_words_of_ensembles(figures):
 def faults(found, expected):
     """What the figures do not keep, one sentence each.
 
-    found: figures by part; expected: by part "command", "judged", "members" and "duration" [s].
+    found: figures by part; expected: by part "command", "judged", "members", "duration" and, by the clock, "longest" [s].
     """
     for part, asked in expected.items():
         if part not in found:
@@ -105,7 +105,10 @@ def faults(found, expected):
             yield from faults_of_ensemble(part, figures, asked["duration"], asked["members"])
             continue
         yield from faults_of_run(part, run_in_words_of_ensembles(figures), asked["duration"])
-        if not figures["study"]["wall_time_s"] < LONGEST_SHORT_RUN:
+        for stage in figures["integrator"]:
+            if stage["type"] == "dynamic" and not stage["time_step_s"] >= LEAST_TIME_STEP:
+                yield f"{part}: the time step is {stage['time_step_s']} s"
+        if not figures["study"]["wall_time_s"] < asked["longest"]:
             yield f"{part} took {figures['study']['wall_time_s']} s"
     total = sum(figures["study"]["wall_time_s"] for figures in found.values())
     if not total < LONGEST_STUDY:
@@ -125,9 +128,10 @@ def sound_figures():
                       "settings": [{"time_step_s": 1e-3}, {"time_step_s": 5e-4}, {"time_step_s": 1e-3}],
                       "runs": runs, "measures": measures},
              "one": {"study": {"command": "one", "wall_time_s": 40}, "outcome": "completed", "message": "",
-                     "unconverged_steps": 0, "simulated_time_s": 5.0, "energy": energy, "warnings": []}}
+                     "unconverged_steps": 0, "simulated_time_s": 5.0, "energy": energy, "warnings": [],
+                     "integrator": [{"type": "dynamic", "time_step_s": 1e-3}]}}
     expected = {"many": {"command": "many", "judged": True, "members": 5, "duration": 20},
-                "one": {"command": "one", "judged": True, "members": 1, "duration": 5}}
+                "one": {"command": "one", "judged": True, "members": 1, "duration": 5, "longest": LONGEST_SHORT_RUN}}
     return found, expected
 
 
@@ -154,6 +158,7 @@ DAMAGES = (
     (lambda f: f["one"]["energy"].update(damping_kinetic_J=1.0), "in dampers"),
     (lambda f: f["one"]["energy"].update(residual=0.5), "cannot account"),
     (lambda f: f["one"]["study"].update(wall_time_s=301), "took 301 s"),
+    (lambda f: f["one"]["integrator"][0].update(time_step_s=1e-4), "time step is 0.0001"),
 )
 
 
