@@ -18,11 +18,11 @@ using Eigen::Vector3d;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double opposite = -0.99;  // cosine: two sides of a strip, within 8 degrees
 
-/// Extent of the vertices along the normal of the face or edge through the first points given.
+/// Extent of the vertices along a unit normal [m].
 template <class Vector>
 double width_along(const Vector& normal, const std::vector<Vector>& vertices)
 {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    double low = infinite, high = -infinite;
     for (const Vector& x : vertices) {
         low = std::min(low, normal.dot(x));
         high = std::max(high, normal.dot(x));
@@ -32,20 +32,15 @@ double width_along(const Vector& normal, const std::vector<Vector>& vertices)
 
 double least_width_of(const ConvexPolyhedron& part)
 {
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::vector<int>& face : part.faces) {
-        Vector3d twice_area = Vector3d::Zero();
-        for (std::size_t i = 0; i < face.size(); ++i)
-            twice_area += part.vertices[face[i]].cross(part.vertices[face[(i + 1) % face.size()]]);
-        if (twice_area.norm() > 0)
-            least = std::min(least, width_along(Vector3d(twice_area.normalized()), part.vertices));
-    }
+    double least = infinite;
+    for (int face = 0; face < static_cast<int>(part.faces.size()); ++face)
+        least = std::min(least, width_along(face_normal(part, face), part.vertices));
     return least;
 }
 
 double least_width_of(const ConvexPolygon& outline)
 {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinite;
     for (std::size_t i = 0; i < outline.vertices.size(); ++i) {
         const Eigen::Vector2d side = outline.vertices[(i + 1) % outline.vertices.size()] - outline.vertices[i];
         if (side.norm() > 0)
@@ -128,7 +123,7 @@ std::vector<double> least_widths(const Model& model)
 {
     std::vector<double> widths;
     for (const Block& block : model.blocks) {
-        double least = std::numeric_limits<double>::infinity();
+        double least = infinite;
         for (const ConvexPolyhedron& part : block.parts) least = std::min(least, least_width_of(part));
         for (const ConvexPolygon& outline : block.outlines) least = std::min(least, least_width_of(outline));
         widths.push_back(least);
