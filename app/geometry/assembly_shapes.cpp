@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "libdda/geometry/extent.h"
+
 namespace voussoir
 {
 namespace
@@ -30,16 +32,6 @@ double diameter_of(const std::vector<Vector3d>& vertices)
     return std::sqrt(most);
 }
 
-double width_along(const std::vector<Vector3d>& vertices, const Vector3d& direction)
-{
-    double low = infinity, high = -infinity;
-    for (const Vector3d& x : vertices) {
-        low = std::min(low, direction.dot(x));
-        high = std::max(high, direction.dot(x));
-    }
-    return high - low;
-}
-
 /// Least extent along the normals of the stone's own faces, and the face it was found on.
 void find_least_width(const AssemblyStone& stone, const std::vector<Vector3d>& vertices, SliverStone& sliver)
 {
@@ -47,7 +39,7 @@ void find_least_width(const AssemblyStone& stone, const std::vector<Vector3d>& v
     for (const ConvexPolyhedron& part : stone.parts)
         for (int face = 0; face < static_cast<int>(part.faces.size()); ++face) {
             if (part.is_glued(face)) continue;
-            const double width = width_along(vertices, face_normal(part, face));
+            const double width = extent_along(face_normal(part, face), vertices);
             if (width >= sliver.width) continue;
             sliver.width = width;
             sliver.marks = {{}};

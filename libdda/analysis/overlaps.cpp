@@ -6,6 +6,7 @@
 #include <span>
 
 #include "libdda/contact/placed_part.h"
+#include "libdda/geometry/extent.h"
 
 namespace voussoir
 {
@@ -18,23 +19,11 @@ using Eigen::Vector3d;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double opposite = -0.99;  // cosine: two sides of a strip, within 8 degrees
 
-/// Extent of the vertices along a unit normal [m].
-template <class Vector>
-double width_along(const Vector& normal, const std::vector<Vector>& vertices)
-{
-    double low = infinite, high = -infinite;
-    for (const Vector& x : vertices) {
-        low = std::min(low, normal.dot(x));
-        high = std::max(high, normal.dot(x));
-    }
-    return high - low;
-}
-
 double least_width_of(const ConvexPolyhedron& part)
 {
     double least = infinite;
     for (int face = 0; face < static_cast<int>(part.faces.size()); ++face)
-        least = std::min(least, width_along(face_normal(part, face), part.vertices));
+        least = std::min(least, extent_along(face_normal(part, face), part.vertices));
     return least;
 }
 
@@ -45,7 +34,7 @@ double least_width_of(const ConvexPolygon& outline)
         const Eigen::Vector2d side = outline.vertices[(i + 1) % outline.vertices.size()] - outline.vertices[i];
         if (side.norm() > 0)
             least = std::min(
-                least, width_along(Eigen::Vector2d(-side.y(), side.x()).normalized().eval(), outline.vertices));
+                least, extent_along(Eigen::Vector2d(-side.y(), side.x()).normalized().eval(), outline.vertices));
     }
     return least;
 }
@@ -80,12 +69,7 @@ double strip_width(const Model& model, const ContactPatch& patch, std::span<cons
         for (const Side& other : sides) {
             if (!own.of_incident || other.of_incident || own.along.dot(other.along) > opposite) continue;
             const Vector3d across = patch.normal.cross(own.along).normalized();
-            double low = infinite, high = -infinite;
-            for (const ContactPoint& point : points) {
-                low = std::min(low, across.dot(point.position));
-                high = std::max(high, across.dot(point.position));
-            }
-            width = std::min(width, high - low);
+            width = std::min(width, extent_along(across, points, &ContactPoint::position));
         }
     return width;
 }
