@@ -18,10 +18,12 @@ MEMBERS = 5  # whose medians are compared
 DISTRUST = ("unaccounted for", "came from contacts")  # in what a run warns of
 JUDGED_SETTINGS = (0, 1)  # h and h / 2; the third, a stiffer contact, is a sensitivity
 
-CRITERIA = (f"every run gets to its end without giving up or collapse, at a step h of {1000 * LEAST_TIME_STEP:g} ms or more; "
-            f"energy residual below {100 * MOST_RESIDUAL:g} %, damping below {MOST_DAMPING:g} of the energy put in; joints open "
-            f"by more than {LEAST_OPENING} mm; medians of {MEMBERS} members at h and h / 2 differ by less than their spread or "
-            f"10 %; 5 s in one run within {LONGEST_SHORT_RUN / 60:g} min, all within {LONGEST_STUDY / 3600:g} h")
+CRITERIA = (f"every run gets to its end without giving up or collapse, at a step h of {1000 * LEAST_TIME_STEP:g} ms or more, "
+            f"and warns of no energy that is unaccounted for or came from contacts; energy residual below "
+            f"{100 * MOST_RESIDUAL:g} %, damping below {MOST_DAMPING:g} of the energy put in, the integrator's loss neither "
+            f"negative nor all of it; in ensembles joints open by more than {LEAST_OPENING} mm; medians of {MEMBERS} members at "
+            f"h and h / 2 differ by less than their spread or 10 %; 5 s in one run within {LONGEST_SHORT_RUN / 60:g} min, all "
+            f"within {LONGEST_STUDY / 3600:g} h; all of one engine and of the case as it is")
 
 
 def number(value, unknown=math.inf):
@@ -80,17 +82,20 @@ def run_in_words_of_ensembles(figures):
     put_in = sum(energy[f"{source}_work_J"] for source in ("gravity", "foundation", "boundary", "load"))
     losses = sum(energy[f"{loss}_J"] for loss in ("algorithmic", "algorithmic_rotation", "redetection"))
     damped = sum(energy[f"damping_{kind}_J"] for kind in ("kinetic", "static", "contact"))
+    # Of nothing put in there is no share: null, which keeps no criterion.
+    share = (lambda joules: joules / put_in) if put_in > 0 else (lambda joules: None)
     stopped = figures["outcome"] if figures["outcome"] != "completed" or figures["unconverged_steps"] else ""
     return {"failure": stopped and f"{stopped}, {figures['unconverged_steps']} steps not converged; {figures['message']}",
             "collapse_time_s": None, "simulated_time_s": figures["simulated_time_s"],
-            "energy_residual": energy["residual"], "algorithmic_share": losses / put_in,
-            "damping_share": damped / put_in, "warnings": figures["warnings"]}
+            "energy_residual": energy["residual"], "algorithmic_share": share(losses),
+            "damping_share": share(damped), "warnings": figures["warnings"]}
 
 
 def faults(found, expected):
     """What the figures do not keep, one sentence each.
 
-    found: figures by part; expected: by part "command", "judged", "members", "duration" and, by the clock, "longest" [s].
+    found: figures by part; expected: by part "command", "case" (a checksum), "judged", "members", "duration" and, by the
+    clock, "longest" [s].
     """
     for part, asked in expected.items():
         if part not in found:
@@ -99,6 +104,8 @@ def faults(found, expected):
         figures = found[part]
         if figures["study"]["command"] != asked["command"]:
             yield f"{part}: the figures are of another command than scripts/house_study has now; run it again"
+        if figures["study"].get("case") != asked["case"]:
+            yield f"{part}: its case has changed since; run it again"
         if not asked["judged"]:
             continue
         if "runs" in figures:
@@ -110,6 +117,9 @@ def faults(found, expected):
                 yield f"{part}: the time step is {stage['time_step_s']} s"
         if not figures["study"]["wall_time_s"] < asked["longest"]:
             yield f"{part} took {figures['study']['wall_time_s']} s"
+    engines = sorted({figures["study"].get("engine", "unknown") for figures in found.values()})
+    if len(engines) > 1:
+        yield f"the parts are of different engines, {', '.join(engines)}: run all with one"
     total = sum(figures["study"]["wall_time_s"] for figures in found.values())
     if not total < LONGEST_STUDY:
         yield f"all parts together took {total / 60:.0f} minutes"
@@ -124,14 +134,17 @@ def sound_figures():
     energy = {f"{name}_J": 0.0 for name in ("gravity_work", "boundary_work", "load_work", "algorithmic_rotation", "redetection",
                                             "damping_kinetic", "damping_static", "damping_contact")}
     energy.update({"foundation_work_J": 100.0, "algorithmic_J": 9.0, "residual": 1e-5})
-    found = {"many": {"study": {"command": "many", "wall_time_s": 1800}, "members": ["1", "2", "3", "4", "5"],
+    found = {"many": {"study": {"command": "many", "case": "0a", "engine": "e1", "wall_time_s": 1800},
+                      "members": ["1", "2", "3", "4", "5"],
                       "settings": [{"time_step_s": 1e-3}, {"time_step_s": 5e-4}, {"time_step_s": 1e-3}],
                       "runs": runs, "measures": measures},
-             "one": {"study": {"command": "one", "wall_time_s": 40}, "outcome": "completed", "message": "",
+             "one": {"study": {"command": "one", "case": "0b", "engine": "e1", "wall_time_s": 40},
+                     "outcome": "completed", "message": "",
                      "unconverged_steps": 0, "simulated_time_s": 5.0, "energy": energy, "warnings": [],
                      "integrator": [{"type": "dynamic", "time_step_s": 1e-3}]}}
-    expected = {"many": {"command": "many", "judged": True, "members": 5, "duration": 20},
-                "one": {"command": "one", "judged": True, "members": 1, "duration": 5, "longest": LONGEST_SHORT_RUN}}
+    expected = {"many": {"command": "many", "case": "0a", "judged": True, "members": 5, "duration": 20},
+                "one": {"command": "one", "case": "0b", "judged": True, "members": 1, "duration": 5,
+                        "longest": LONGEST_SHORT_RUN}}
     return found, expected
 
 
@@ -139,6 +152,8 @@ def sound_figures():
 DAMAGES = (
     (lambda f: f.pop("many"), "was not run"),
     (lambda f: f["many"]["study"].update(command="other"), "another command"),
+    (lambda f: f["many"]["study"].update(case="0c"), "many: its case has changed"),
+    (lambda f: f["one"]["study"].update(engine="e2"), "different engines, e1, e2"),
     (lambda f: f["many"]["study"].update(wall_time_s=7200), "took 121 minutes"),
     (lambda f: f["many"]["runs"].pop(), "14 runs"),
     (lambda f: f["many"]["settings"][0].update(time_step_s=9e-4), "time step"),
@@ -157,6 +172,8 @@ DAMAGES = (
     (lambda f: f["one"].update(unconverged_steps=1), "1 steps not converged"),
     (lambda f: f["one"]["energy"].update(damping_kinetic_J=1.0), "in dampers"),
     (lambda f: f["one"]["energy"].update(residual=0.5), "cannot account"),
+    (lambda f: f["one"]["energy"].update(foundation_work_J=0.0), "lost None of its energy in dampers"),
+    (lambda f: f["one"]["study"].pop("engine"), "different engines, e1, unknown"),
     (lambda f: f["one"]["study"].update(wall_time_s=301), "took 301 s"),
     (lambda f: f["one"]["integrator"][0].update(time_step_s=1e-4), "time step is 0.0001"),
 )

@@ -74,6 +74,7 @@ std::string ensemble_json(const EnsembleStudy& study)
     const Json json = {{"case", study.case_file},
                        {"title", study.title},
                        {"overrides", study.overrides},
+                       {"warnings", study.warnings},
                        {"varied", study.variation.key},
                        {"members", study.variation.values},
                        {"open_limit_m", study.choices.limit},

@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "libdda/analysis/joint_openings.h"
@@ -28,7 +29,10 @@ EnergyShares shares_of(const EnergyLedger& energy)
     EnergyShares shares;
     shares.residual = energy.relative_residual();
     shares.input = energy.input() + energy.start_kinetic + energy.start_strain + energy.start_contact;
-    if (!(shares.input > 0)) return shares;
+    if (!(shares.input > 0)) {  // a share of nothing
+        shares.algorithmic = shares.friction = shares.damping = std::numeric_limits<double>::quiet_NaN();
+        return shares;
+    }
     shares.algorithmic = (energy.algorithmic + energy.algorithmic_rotation + energy.redetection) / shares.input;
     shares.friction = energy.friction / shares.input;
     shares.damping = (energy.damping_kinetic + energy.damping_static + energy.damping_contact) / shares.input;

@@ -14,7 +14,8 @@ namespace voussoir
 
 /// Shares of the energy that was put in: what is told of every run, not judged.
 struct EnergyShares {
-    double residual = 0;     // -, EnergyLedger::relative_residual
+    double residual = 0;  // -, EnergyLedger::relative_residual
+    // NaN when nothing was put in:
     double algorithmic = 0;  // -, (algorithmic + algorithmic_rotation + redetection) / (input + start)
     double friction = 0;     // -
     double damping = 0;      // -, kinetic, static and contact damping

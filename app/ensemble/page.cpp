@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/ensemble/report.h"
 
 namespace voussoir
@@ -30,6 +32,7 @@ std::string measures_table(const EnsembleStudy& study)
 
 std::string percent(double share)
 {
+    if (std::isnan(share)) return "-";
     return share != 0 && share < 1e-4 && share > -1e-4 ? fmt::format("{:.1e} %", 100 * share)
                                                        : fmt::format("{:.2f} %", 100 * share);
 }
@@ -58,16 +61,17 @@ std::string runs_table(const EnsembleStudy& study)
     return text;
 }
 
-/// What the runs themselves warn of, a line each; nothing if none does.
+/// What the case and the runs warn of, a line each; nothing if none does.
 std::string warnings_of(const EnsembleStudy& study)
 {
     std::string text;
+    for (const std::string& warning : study.warnings) text += fmt::format("- {}\n", warning);
     for (const auto& runs : study.runs)
         for (const MemberRun& run : runs)
             for (const std::string& warning : run.warnings)
                 text += fmt::format("- {}, {}: {}\n", setting_in_words(study, run.setting),
                                     study.variation.values[run.member], warning);
-    return text.empty() ? "" : "\nWarnings of the runs:\n\n" + text;
+    return text.empty() ? "" : "\nWarnings:\n\n" + text;
 }
 
 }  // namespace

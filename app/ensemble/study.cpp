@@ -114,6 +114,7 @@ EnsembleStudy begin_ensemble(const Case& member, const Variation& variation, con
     study.settings = settings_of(control.integrator, choices.stiffness_factor);
     for (const HistoryPoint& point : member.output.histories) study.points.push_back(point.name);
     for (const MotionNote& motion : member.motions) study.motions.push_back(motion.description);
+    study.warnings = member.warnings;
     for (const EnsembleMeasure& measure : measures_of(member, choices.limit))
         study.measures.emplace_back().measure = measure;
     return study;

@@ -46,7 +46,8 @@ struct EnsembleStudy {
     std::vector<std::string> points;           // of the histories
     std::vector<std::vector<MemberRun>> runs;  // (settings x members)
     std::vector<MeasureStudy> measures;
-    std::vector<std::string> motions;  // what shook it
+    std::vector<std::string> motions;   // what shook it
+    std::vector<std::string> warnings;  // of reading the case, repairs included
 
     int given_up() const;  // of the runs that are judged
     bool agrees() const;

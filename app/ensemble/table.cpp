@@ -69,6 +69,7 @@ std::string ensemble_table(const EnsembleStudy& study)
 {
     std::string text =
         fmt::format("{}; {} = {}\n\n", study.title, study.variation.key, fmt::join(study.variation.values, ", "));
+    for (const std::string& warning : study.warnings) text += "warning: " + warning + "\n";
     for (const auto& runs : study.runs)
         for (const MemberRun& run : runs) {
             text += "  " + run_in_words(study, run) + "\n";

@@ -11,7 +11,7 @@ namespace voussoir
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 7\n";  // its digit rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 8\n";  // its digit rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -20,10 +20,10 @@ void ledger_fields(Archive& archive, Ledger& ledger)
 {
     auto& [kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
            damping_static, damping_contact, fracture, algorithmic, algorithmic_rotation, redetection,
-           start_kinetic, start_strain, start_contact, peak_stored, peak_given] = ledger;
+           start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given] = ledger;
     archive.fields(kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
                    damping_static, damping_contact, fracture, algorithmic, algorithmic_rotation, redetection,
-                   start_kinetic, start_strain, start_contact, peak_stored, peak_given);
+                   start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given);
 }
 
 template <typename Archive, typename Report>

@@ -103,17 +103,17 @@ void run_audited(const Model& model, const Stage& motion, double lowest, State& 
 {
     state.stage = 0;
     begin_stage(model, 0, state);
-    double appeared = 0, found = 0, scale = 0;
+    double appeared = 0, scale = 0;
     EnergyLedger last;
     RunObserver observer;
     observer.step = [&](const State&, const StepReport&, const RunReport& report) {
         const EnergyLedger& energy = last = report.energy;
         appeared = std::max(appeared, -energy.dissipated());
-        found = std::max(found, -energy.redetection);
         scale = std::max({scale, std::abs(energy.input()), energy.start_kinetic + energy.start_strain});
     };
     if (!run_counted(model, {motion}, state, observer, cell)) return;
-    const double gained = appeared > 0 ? appeared / scale : 0, given = found > 0 ? found / scale : 0;
+    const double gained = appeared > 0 ? appeared / scale : 0,
+                 given = last.peak_given > 0 ? last.peak_given / scale : 0;
     cell.error = std::max({cell.energy_residual, gained, given});
     cell.note = fmt::format(
         "unaccounted {}, appeared {}, given by contacts found anew {} of {:.3g} J; in the end friction {:.3g}, "

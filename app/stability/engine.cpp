@@ -6,8 +6,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "libdda/analysis/collapse.h"
-#include "libdda/analysis/crushing.h"
+#include "libdda/analysis/diagnosis.h"
 
 namespace voussoir::stability
 {
@@ -55,11 +54,11 @@ BlockMaterial stone(double density, double young)
 namespace
 {
 
+/// Only what the run says of the worth of its figures; what it says of the scene excuses no error.
 void note_warnings(const Model& model, const RunReport& report, CellRun& cell)
 {
-    const std::string fallen = fallen_in_words(model, report), crushed = crushed_in_words(model, report);
-    for (const std::string& warning : report.warnings)
-        if (warning != fallen && warning != crushed) cell.warning += (cell.warning.empty() ? "" : "; ") + warning;
+    for (const auto& warning : {energy_warning(report.energy), overlap_warning(model, report)})
+        if (warning) cell.warning += (cell.warning.empty() ? "" : "; ") + *warning;
 }
 
 }  // namespace

@@ -91,7 +91,9 @@ std::pair<double, double> distance_of(const OneBlockHistory& history, double ref
 {
     double worst = 0, largest = 0;
     for (std::size_t i = 0; i < history.exact.size(); ++i) {
-        worst = std::max(worst, std::abs(history.engine[i].*what - history.exact[i].*what));
+        const double distance = std::abs(history.engine[i].*what - history.exact[i].*what);
+        if (!std::isfinite(distance)) return {distance, largest};  // nothing is larger than NaN
+        worst = std::max(worst, distance);
         largest = std::max(largest, std::abs(history.exact[i].*what));
     }
     return {worst, largest};

@@ -103,9 +103,10 @@ std::string stability_page(const std::vector<StabilityScene>& scenes, const std:
         "`; nothing here is typed. Every cell runs in a process of its own under a budget of processor time and "
         "memory. It has **passed** when its error is within the stated tolerance, was **refused** when there was "
         "no first step, and **stopped** when the run gave up and said why. **warned** is a run that came to "
-        "its end beyond its tolerance and said that it should not be trusted; **wrong** is one that did not say "
-        "so, "
-        "and the outcome that must not be. All settings are the defaults of the "
+        "its end beyond its tolerance, by less than ten times, and said that contacts were too soft or gave "
+        "energy; "
+        "**wrong** is one that did not say so or is farther off, and the outcome that must not be. All settings "
+        "are the defaults of the "
         "program: no damping but the integrator's own, no tolerance changed. CPU times are of one thread.\n\n";
     text += counts_of(results);
     if (contains(pictures, "extremes")) text += "\n![Extreme scenes](stability/extremes.png)\n";

@@ -15,6 +15,13 @@
 namespace voussoir
 {
 
+namespace
+{
+
+constexpr double most_excused = 10;  // times the tolerance, as runs stop themselves at ten times what they warn of
+
+}  // namespace
+
 std::string_view name_of(CellOutcome outcome)
 {
     switch (outcome) {
@@ -63,9 +70,8 @@ CellOutcome judge(const StabilityCell& cell, const CellRun& run)
     if (!run.refusal.empty()) return CellOutcome::refused;
     if (!run.diagnosis.empty()) return CellOutcome::stopped;
     if (run.error <= cell.tolerance) return CellOutcome::passed;  // NaN is not
-    // A warning says that figures are rough; it excuses no run that has none, or whose blocks fell through the
-    // ground.
-    const bool excused = std::isfinite(run.error) && !run.warning.empty();
+    // A warning says that figures are rough, not that anything goes; nor does it excuse a run that has none.
+    const bool excused = run.error <= most_excused * cell.tolerance && !run.warning.empty();
     return excused ? CellOutcome::warned : CellOutcome::wrong;
 }
 

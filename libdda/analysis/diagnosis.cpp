@@ -60,8 +60,8 @@ std::string overlap_in_words(const Model& model, const DeepestOverlap& overlap, 
     return words.str();
 }
 
-/// The most that contacts had given, on balance, by any moment of the run: what they took later gives nothing
-/// back.
+/// The most that contacts gave, on balance, between any two moments of the run: what they took before or after
+/// makes no blow softer.
 double given_share(const EnergyLedger& energy)
 {
     const double scale = energy.scale();

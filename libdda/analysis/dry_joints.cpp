@@ -11,6 +11,9 @@ namespace voussoir
 namespace
 {
 
+// Of the smaller block's size: stones that gape by more meet along an edge, as they may be meant to.
+constexpr double widest_joint = 0.01;
+
 struct DryJoints {
     int count = 0;
     double widest = 0;  // m
@@ -26,6 +29,7 @@ DryJoints dry_joints(const Model& model, const ContactSetIn<D>& contacts)
         double gap = 0;
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
             gap = std::max(gap, contacts.points[i].gap);
+        if (gap > widest_joint * std::min(size_of(model, patch.block_a), size_of(model, patch.block_b))) continue;
         if (dry.count++ == 0 || gap > dry.widest) {
             dry.widest = gap;
             dry.block_a = patch.block_a;

@@ -23,12 +23,15 @@ struct Bed {
     Vector3d normal = Vector3d::Zero(), centre = Vector3d::Zero(), pressure_centre = Vector3d::Zero();
     double area = 0, normal_force = 0;
     std::vector<BedPoint> points;
+    std::vector<Vector3d> sides;  // of the polygons, from corner to corner
 
     void add(const BedPatch& patch)
     {
         if (!first) first = &patch;
-        for (const BedPoint& p : patch.points) {
+        for (std::size_t i = 0; i < patch.points.size(); ++i) {
+            const BedPoint& p = patch.points[i];
             points.push_back(p);
+            sides.emplace_back(patch.points[(i + 1) % patch.points.size()].position - p.position);
             area += p.area;
             centre += p.area * p.position;
             normal += p.area * patch.normal;
@@ -66,9 +69,8 @@ std::array<Vector3d, 2> sides_of(const Bed& bed)
     std::array<Vector3d, 2> sides = {bed.normal.unitOrthogonal(), {}};
     sides[1] = bed.normal.cross(sides[0]);
     double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < bed.points.size(); ++i) {  // the corners of a patch follow one another
-        Vector3d along = bed.points[i].position - bed.points[(i + 1) % bed.points.size()].position;
-        along -= along.dot(bed.normal) * bed.normal;
+    for (const Vector3d& side : bed.sides) {
+        const Vector3d along = side - side.dot(bed.normal) * bed.normal;
         if (!(along.squaredNorm() > 1e-18 * bed.area)) continue;
         const Vector3d u = along.normalized(), v = bed.normal.cross(u);
         const double area = range_along(u, bed).extent() * range_along(v, bed).extent();

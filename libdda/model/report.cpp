@@ -6,6 +6,13 @@
 namespace voussoir
 {
 
+void EnergyLedger::note_peaks()
+{
+    peak_stored = std::max(peak_stored, kinetic + strain + contact);
+    peak_taken = std::max(peak_taken, redetection);
+    peak_given = std::max(peak_given, peak_taken - redetection);
+}
+
 double EnergyLedger::scale() const
 {
     return std::max({std::abs(input()), dissipated(), peak_stored, start_kinetic + start_strain + start_contact});

@@ -29,9 +29,10 @@ struct EnergyLedger {
     double algorithmic_rotation = 0;  // of the finite rotation and shape update
     double redetection = 0;           // spring energy that changed when contacts were found anew
     double start_kinetic = 0, start_strain = 0, start_contact = 0;
-    double peak_stored =
-        0;                  // largest kinetic + strain + contact so far: the scale when all has come to rest again
-    double peak_given = 0;  // largest -redetection so far
+    // Largest kinetic + strain + contact so far: the scale when all has come to rest again.
+    double peak_stored = 0;
+    double peak_taken = 0;  // largest redetection so far
+    double peak_given = 0;  // largest fall of redetection from there: what contacts took before is no credit
 
     double input() const { return gravity_work + foundation_work + boundary_work + load_work; }
     double dissipated() const
@@ -44,6 +45,8 @@ struct EnergyLedger {
         return kinetic - start_kinetic + strain - start_strain + contact - start_contact;
     }
     double residual() const { return input() - dissipated() - stored_change(); }
+    /// Brings the three peaks up to what the other terms are now.
+    void note_peaks();
     /// All that was put in, lost, stored or there at the start, whichever is largest [J].
     double scale() const;
     /// |residual| / scale: what share of the energy is unaccounted for. 0 for 0/0.

@@ -124,8 +124,7 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
             const Vector force = p.normal * patch.normal - p.shear;
             energy.algorithmic_rotation -= force.dot(p.ballistic_a - p.ballistic_b);
         }
-    energy.peak_stored = std::max(energy.peak_stored, energy.kinetic + energy.strain + energy.contact);
-    energy.peak_given = std::max(energy.peak_given, -energy.redetection);
+    energy.note_peaks();
 }
 
 #define VOUSSOIR_INSTANTIATE(K) \

@@ -17,7 +17,8 @@ namespace voussoir
 {
 
 struct Ended {
-    int exit_code = -1;  // -1: killed by a signal
+    int exit_code = -1;  // -1: ended by a signal
+    int signal = 0;      // that ended it
     std::string output, errors;
 };
 
@@ -50,8 +51,8 @@ inline Ended finish(const TemporaryFolder& folder, pid_t child)
 {
     int status = 0;
     waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "stdout"),
-            contents(folder / "stderr")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+            contents(folder / "stdout"), contents(folder / "stderr")};
 }
 
 inline Ended voussoir(const TemporaryFolder& folder, const std::vector<std::string>& arguments)

@@ -165,6 +165,19 @@ TEST(Ensemble, passes_on_what_its_runs_warn_of)
     EXPECT_EQ(ensemble_table(quiet).find("arning"), std::string::npos);
 }
 
+TEST(Ensemble, passes_on_what_its_case_warns_of)
+{
+    const TemporaryFolder folder;
+    const Variation variation = read_variation(vary_friction);
+    std::vector<Case> members =
+        read_members(folder.write("case.yaml", shaken_stone(gentle_wave, "1 ms")), {}, variation);
+    for (Case& member : members) member.warnings = {"arch.obj: a hole was closed"};
+    const EnsembleStudy study = run_ensemble(members, variation, {}, {});
+    EXPECT_NE(ensemble_page(study, "", {}).find("- arch.obj: a hole was closed\n"), std::string::npos);
+    EXPECT_NE(ensemble_table(study).find("warning: arch.obj: a hole was closed\n"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(ensemble_json(study))["warnings"][0], "arch.obj: a hole was closed");
+}
+
 // The spread of members of which some collapsed is infinite: that is no licence.
 TEST(Ensemble, a_collapse_widens_no_tolerance)
 {

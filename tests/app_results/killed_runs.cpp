@@ -55,8 +55,6 @@ output: {every: 6 ms, histories: {beam: {block: beam}}}
 namespace
 {
 
-constexpr const char* not_yet = "nothing to resume";
-
 std::vector<std::string> arguments_of(const Reference& reference, const fs::path& folder, bool resume)
 {
     std::vector<std::string> arguments = {"run", reference.case_file.string(), "-q", "-o", folder.string()};
@@ -80,26 +78,30 @@ void expect_beginning_of(const fs::path& reference, const fs::path& results, std
 }
 
 /// Everything can be read, whatever the moment of the kill. Whether there is something to go on from is counted.
-/// @returns that
-bool check_what_is_left(const Reference& reference, const fs::path& folder, Kills& kills)
+/// @param frames that the life which was killed went on from; 0 if it began anew. What there was is still there.
+/// @returns the frames to go on from
+std::int64_t check_what_is_left(const Reference& reference, const fs::path& folder, std::int64_t frames,
+                                Kills& kills)
 {
     const fs::path results = folder / "results.h5", restart_file = restart_file_in(folder);
     if (!fs::exists(restart_file)) {
+        EXPECT_EQ(frames, 0) << "a run that went on lost what it went on from";
         ++kills.before_a_frame;
-        return false;
+        return 0;
     }
     const Restart restart = load_restart(restart_file);
-    if (restart.ended) {  // of the run before, which this one had no time to replace
+    if (restart.ended) {  // of the run before, which this one had no time to replace, or killed at its very end
         ++kills.before_a_frame;
         EXPECT_EQ(every_dataset(results), every_dataset(reference.folder / "results.h5"));
-        return false;
+        return 0;
     }
+    EXPECT_GE(restart.position.frames, frames) << "a run that went on fell back";
     EXPECT_NO_THROW(every_dataset(results));
     expect_beginning_of(reference.folder / "results.h5", results, restart.position.frames);
     const bool more = ResultsReader(results).times.size() > static_cast<std::size_t>(restart.position.frames);
     if (more || fs::exists(folder / "restart.bin.part") || fs::exists(folder / "results.h5.last"))
         ++kills.during_output;
-    return true;
+    return restart.position.frames;
 }
 
 nlohmann::json summary_without_times(const fs::path& folder)
@@ -142,35 +144,30 @@ Kills kill_and_resume(const Reference& reference, const fs::path& folder, int co
     std::bernoulli_distribution politely(0.2);
     const TemporaryFolder output;
     Kills kills;
-    bool resume = false;
+    std::int64_t frames = 0;  // to go on from
     for (int life = 0; kills.kills < count && life < 10 * count && !testing::Test::HasFailure(); ++life) {
-        const pid_t child = start(output, arguments_of(reference, folder, resume));
+        const pid_t child = start(output, arguments_of(reference, folder, frames > 0));
         std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
-        kill(child, politely(random) ? SIGINT : SIGKILL);
+        const int sent = politely(random) ? SIGINT : SIGKILL;
+        kill(child, sent);
         const Ended ended = finish(output, child);
-        if (ended.exit_code == 2 && ended.errors.find(not_yet) != std::string::npos) {
-            resume = false;  // the life before this one was too short
-            continue;
-        }
-        EXPECT_TRUE(ended.exit_code == -1 || ended.exit_code == 4 || ended.exit_code == 0) << ended.errors;
+        // Of SIGINT it may also die, before it listens.
+        EXPECT_TRUE(ended.signal == sent || (ended.signal == 0 && (ended.exit_code == 4 || ended.exit_code == 0)))
+            << "signal " << ended.signal << ", exit code " << ended.exit_code << ": " << ended.errors;
         if (ended.exit_code == 0) {
             expect_equal_results(folder, reference.folder);
-            kills.resumed_to_the_end += resume;
-            resume = false;  // the next one begins anew, in the same folder
+            kills.resumed_to_the_end += frames > 0;
+            frames = 0;  // the next one begins anew, in the same folder
             continue;
         }
-        resume = check_what_is_left(reference, folder, kills);
+        frames = check_what_is_left(reference, folder, frames, kills);
         if (ended.exit_code == 4) ++kills.interrupts;
-        if (ended.exit_code == -1 && resume) ++kills.kills;  // one that left nothing to go on from proves nothing
+        if (ended.signal != 0 && frames > 0) ++kills.kills;  // one that left nothing to go on from proves nothing
     }
-    Ended ended = voussoir(output, arguments_of(reference, folder, resume));
-    if (ended.exit_code == 2 && ended.errors.find(not_yet) != std::string::npos) {
-        resume = false;
-        ended = voussoir(output, arguments_of(reference, folder, false));
-    }
+    const Ended ended = voussoir(output, arguments_of(reference, folder, frames > 0));
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
     expect_equal_results(folder, reference.folder);
-    kills.resumed_to_the_end += resume;
+    kills.resumed_to_the_end += frames > 0;
     return kills;
 }
 

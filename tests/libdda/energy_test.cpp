@@ -166,6 +166,23 @@ TEST_P(Energy, residual_is_small_and_notices_a_missing_term)
     }
 }
 
+// Contacts take 8 J, give 10, take 30, give 6: 10 is the most they gave between two moments, though on balance of
+// the whole run they never gave more than 2.
+TEST(EnergyLedger, what_contacts_took_is_no_credit_for_what_they_give)
+{
+    EnergyLedger energy;
+    energy.kinetic = 50;
+    for (const double taken : {3.0, 8.0, 1.0, -2.0, 5.0, 28.0, 22.0}) {
+        energy.redetection = taken;
+        energy.note_peaks();
+    }
+    EXPECT_EQ(energy.peak_given, 10);
+    EXPECT_EQ(energy.peak_taken, 28);
+    energy.kinetic = 20;
+    energy.note_peaks();
+    EXPECT_EQ(energy.peak_stored, 50);
+}
+
 TEST(EnergyLedger, relative_residual_is_a_share_of_what_was_put_in_lost_or_stored)
 {
     EnergyLedger energy;
