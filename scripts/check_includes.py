@@ -24,7 +24,7 @@ PROJECT_RULES = {
 # Foreign libraries: how their includes look, the folders that may include them, and whether headers may.
 # A test may use the library of the room it tests.
 FOREIGN_RULES = (
-    ("Eigen", r"Eigen/", ("libdda/", "importers/", "records/", "app/", "tests/"), True),
+    ("Eigen", r"(unsupported/)?Eigen/", ("libdda/", "importers/", "records/", "app/", "tests/"), True),
     ("GoogleTest", r"g(test|mock)/", ("tests/",), True),
     ("SuiteSparse", r"(suitesparse/|cholmod|umfpack|amd|camd|colamd|ccolamd|SuiteSparse)", ("libdda/solve/",), False),
     ("OpenMP", r"omp\.h$", ("libdda/",), False),

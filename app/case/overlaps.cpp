@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <utility>
 
+#include "libdda/geometry/box_tree.h"
 #include "libdda/geometry/plane.h"
 
 namespace voussoir
@@ -107,21 +108,16 @@ double overlap_depth(const ConvexPolygon& a, const ConvexPolygon& b, const Eigen
 
 std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, std::size_t count)
 {
+    std::vector<BlockOverlap> overlaps;
+    if (blocks.empty()) return overlaps;
     std::vector<Eigen::AlignedBox3d> bounds;
     bounds.reserve(blocks.size());
     for (const Block& block : blocks) bounds.push_back(bounds_of(block));
-    std::vector<int> order(blocks.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return bounds[a].min().x() < bounds[b].min().x(); });
-
-    std::vector<BlockOverlap> overlaps;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        for (std::size_t k = i + 1; k < order.size(); ++k) {
-            const auto [a, b] = std::minmax(order[i], order[k]);
-            if (bounds[order[k]].min().x() > bounds[order[i]].max().x()) break;
-            if (static_cast<std::size_t>(a) >= count || !bounds[a].intersects(bounds[b])) continue;
+    const BoxTree tree(std::move(bounds));
+    for (int a = 0; a < static_cast<int>(count); ++a)
+        for (const int b : tree.neighbours_behind(a)) {
             const double depth = overlap_depth(blocks[a], blocks[b]);
-            const double size = std::min(bounds[a].diagonal().norm(), bounds[b].diagonal().norm());
+            const double size = std::min(tree[a].diagonal().norm(), tree[b].diagonal().norm());
             if (depth > 1e-6 * size) overlaps.push_back({a, b, depth});
             if (overlaps.size() == most_overlaps) return overlaps;
         }

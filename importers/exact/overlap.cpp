@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
-#include <numeric>
+#include <utility>
 
+#include "libdda/geometry/box_tree.h"
 #include "libdda/geometry/moments.h"
 
 namespace voussoir
@@ -127,22 +128,19 @@ bool a_face_separates(const ConvexPolyhedron& a, const ConvexPolyhedron& b)
     return false;
 }
 
-struct Bounds {
-    Vector3d lower, upper;
-    double volume = 0;  // of the stone, not of the box
-};
-
-Bounds bounds_of(const std::vector<ConvexPolyhedron>& parts)
+Eigen::AlignedBox3d bounds_of(const std::vector<ConvexPolyhedron>& parts)
 {
-    Bounds bounds{Vector3d::Constant(1e300), Vector3d::Constant(-1e300)};
-    for (const ConvexPolyhedron& part : parts) {
-        bounds.volume += moments_of(part).volume;
-        for (const Vector3d& x : part.vertices) {
-            bounds.lower = bounds.lower.cwiseMin(x);
-            bounds.upper = bounds.upper.cwiseMax(x);
-        }
-    }
+    Eigen::AlignedBox3d bounds;
+    for (const ConvexPolyhedron& part : parts)
+        for (const Vector3d& x : part.vertices) bounds.extend(x);
     return bounds;
+}
+
+double volume_of(const std::vector<ConvexPolyhedron>& parts)
+{
+    double volume = 0;
+    for (const ConvexPolyhedron& part : parts) volume += moments_of(part).volume;
+    return volume;
 }
 
 double overlap_volume(const std::vector<ConvexPolyhedron>& a, const std::vector<ConvexPolyhedron>& b)
@@ -165,26 +163,22 @@ double overlap_volume(const ConvexPolyhedron& a, const ConvexPolyhedron& b)
 
 std::vector<OverlappingPair> find_overlaps(std::span<const std::vector<ConvexPolyhedron>> stones, double tolerance)
 {
-    std::vector<Bounds> bounds;
-    for (const auto& parts : stones) bounds.push_back(bounds_of(parts));
-    std::vector<int> order(stones.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return bounds[a].lower.x() < bounds[b].lower.x(); });
-
     std::vector<OverlappingPair> pairs;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        for (std::size_t j = i + 1; j < order.size(); ++j) {
-            const int a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
-            if (bounds[order[j]].lower.x() >= bounds[order[i]].upper.x()) break;
-            if ((bounds[a].lower.array() >= bounds[b].upper.array()).any() ||
-                (bounds[b].lower.array() >= bounds[a].upper.array()).any())
-                continue;
+    if (stones.empty()) return pairs;
+    std::vector<Eigen::AlignedBox3d> bounds;
+    std::vector<double> volumes;
+    for (const auto& parts : stones) {
+        bounds.push_back(bounds_of(parts));
+        volumes.push_back(volume_of(parts));
+    }
+    const BoxTree tree(std::move(bounds));
+    for (int a = 0; a < static_cast<int>(stones.size()); ++a)
+        for (const int b : tree.neighbours_behind(a)) {
+            if ((tree[a].intersection(tree[b]).sizes().array() <= 0).any()) continue;  // they only touch
             const double volume = overlap_volume(stones[a], stones[b]);
-            const double share = volume / std::min(bounds[a].volume, bounds[b].volume);
+            const double share = volume / std::min(volumes[a], volumes[b]);
             if (share > tolerance) pairs.push_back({a, b, volume, share});
         }
-    std::sort(pairs.begin(), pairs.end(),
-              [](const auto& p, const auto& q) { return std::pair(p.a, p.b) < std::pair(q.a, q.b); });
     return pairs;
 }
 
