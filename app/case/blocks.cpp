@@ -9,15 +9,14 @@
 #include "app/case/block_reading.h"
 #include "app/case/nearest_word.h"
 #include "app/case/overlaps.h"
+#include "importers/patterns/most_blocks.h"
 
 namespace voussoir
 {
 namespace
 {
 
-// A case beyond these is a slip of the pen, and one that would fill the memory before the run begins.
-constexpr std::size_t most_groups = 1000;  // there is a joint for every pair of them
-constexpr std::size_t most_blocks = 200'000;
+constexpr std::size_t most_groups = 1000;  // more are a slip of the pen: there is a joint for every pair of them
 
 /// A fault and the first group for one group too many.
 int group_index(const std::string& name, const std::string& place, BlockReading& reading)

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "importers/patterns/most_blocks.h"
+
 namespace voussoir
 {
 namespace
@@ -41,8 +43,9 @@ void check_block(const BlockFormat& block, double longest, double height, double
     if (block.height > height)
         faults.push_back({"block", "a block " + in_words(block.height) + " high in a wall of " + in_words(height),
                           "the block must fit into the wall"});
-    if (walls * (longest / block.length) * (height / block.height) > most_blocks)
-        faults.push_back({"block", "more than 200 000 blocks", "give a larger block or a smaller wall"});
+    if (walls * (longest / block.length) * (height / block.height) > static_cast<double>(most_blocks))
+        faults.push_back({"block", "more than " + std::to_string(most_blocks) + " blocks",
+                          "give a larger block or a smaller wall"});
 }
 
 void check_lintel_size(const Lintel& lintel, std::vector<Fault>& faults)

@@ -9,9 +9,6 @@
 namespace voussoir
 {
 
-/// More blocks than this are a slip of the pen.
-constexpr double most_blocks = 2e5;
-
 /// Adds a fault unless the value is > 0 and finite. @param name as in the case file
 void check_positive(const std::string& name, double value, std::vector<Fault>& faults);
 

@@ -78,9 +78,9 @@ TEST(WallRefusal, NamesEveryParameterThatMakesNoWall)
     EXPECT_EQ(refusal([](Wall& wall) { wall.block_length = 9; }),
               "block: a block 9 m long in a wall of 8 m; the block must fit into the wall");
     EXPECT_EQ(refusal([](Wall& wall) { wall.block_height = 1e-9; }),
-              "block: more than 200 000 blocks; give a larger block or a smaller wall");
+              "block: more than 200000 blocks; give a larger block or a smaller wall");
     EXPECT_EQ(refusal([](Wall& wall) { wall.length = wall.height = 120, wall.leaves = 99; }),
-              "block: more than 200 000 blocks; give a larger block or a smaller wall")
+              "block: more than 200000 blocks; give a larger block or a smaller wall")
         << "every leaf has its own blocks";
     EXPECT_EQ(refusal([](Wall& wall) {
                   wall.openings = {{7.5, 0, 1, 3}};

@@ -1,0 +1,18 @@
+// How large a case may be.
+#pragma once
+
+#include <cstddef>
+
+// The fuzz targets are built with less: there a block takes fifty times as long.
+#ifndef VOUSSOIR_MOST_BLOCKS
+#define VOUSSOIR_MOST_BLOCKS 200'000
+#endif
+
+namespace voussoir
+{
+
+/// Blocks of a wall, of a house and of all of a case: more are a slip of the pen, and would fill the memory before
+/// the run begins.
+inline constexpr std::size_t most_blocks = VOUSSOIR_MOST_BLOCKS;
+
+}  // namespace voussoir
