@@ -109,9 +109,11 @@ std::optional<Instant> parse_instant(std::string_view text)
 std::string to_text(Instant instant)
 {
     using namespace std::chrono;
-    const sys_days day = floor<days>(instant);
-    const year_month_day date(day);
-    const hh_mm_ss<microseconds> time(instant - day);
+    // Not floor<days>, whose way back to microseconds overflows for the first instant that there is.
+    const microseconds since = instant.time_since_epoch(), remainder = since % days(1);
+    const microseconds of_day = remainder.count() < 0 ? remainder + days(1) : remainder;
+    const year_month_day date{sys_days(days(since / days(1)) - days(remainder.count() < 0 ? 1 : 0))};
+    const hh_mm_ss<microseconds> time(of_day);
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02d", static_cast<int>(date.year()),
                   static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),

@@ -1,8 +1,6 @@
 // voussoir-geometry: reads and certifies meshes on behalf of voussoir. A JSON request on the standard input, a
 // JSON answer on the standard output. It limits its own memory and processor time: the files it reads are not
 // trusted.
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,30 +10,17 @@
 #include <string>
 
 #include "app/geometry/import_meshes.h"
+#include "app/geometry/own_limits.h"
 #include "app/geometry/wire.h"
 
 namespace
 {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool address_sanitizer = true;  // reserves terabytes of addresses for itself
-#else
-constexpr bool address_sanitizer = false;
-#endif
-
-void limit(decltype(RLIMIT_AS) resource, rlim_t most)
-{
-    rlimit current{};
-    if (getrlimit(resource, &current) != 0) return;
-    current.rlim_cur = std::min<rlim_t>(most, current.rlim_max);
-    setrlimit(resource, &current);
-}
-
 void limit_resources(const voussoir::GeometryLimits& limits)
 {
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::clamp(limits.seconds, 1.0, 1e6))));
-    if (!address_sanitizer) limit(RLIMIT_AS, limits.bytes);
+    voussoir::limit_self(RLIMIT_CORE, 0);
+    voussoir::limit_self(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::clamp(limits.seconds, 1.0, 1e6))));
+    voussoir::limit_own_memory(limits.bytes);
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 // voussoir-render: pictures from a results file. Without arguments it reads them from its standard input, one to a
 // line: that is how voussoir asks it.
 #include <fmt/format.h>
-#include <sys/resource.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
 
+#include "app/geometry/own_limits.h"
 #include "app/render/render_run.h"
 #include "libdda/errors.h"
 
@@ -77,23 +76,11 @@ void render(Arguments& arguments)
     }
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool address_sanitizer = true;  // reserves terabytes of addresses for itself
-#else
-constexpr bool address_sanitizer = false;
-#endif
-
 /// The results may be anybody's. A picture of 8000 x 8000 pixels takes 4 GB.
 void limit_resources()
 {
-    const auto limit = [](decltype(RLIMIT_AS) resource, rlim_t most) {
-        rlimit current{};
-        if (getrlimit(resource, &current) != 0) return;
-        current.rlim_cur = std::min<rlim_t>(most, current.rlim_max);
-        setrlimit(resource, &current);
-    };
-    limit(RLIMIT_CORE, 0);
-    if (!address_sanitizer) limit(RLIMIT_AS, rlim_t{8} << 30);
+    voussoir::limit_self(RLIMIT_CORE, 0);
+    voussoir::limit_own_memory(rlim_t{8} << 30);
 }
 
 int run(int count, char** words)

@@ -1,14 +1,13 @@
 // voussoir-cell: one cell of the failure map, in a process of its own, so that a cell that crashes, hangs or eats
 // memory is an outcome. Reads a request as JSON from its standard input, writes what the cell gave to its standard
 // output.
-#include <sys/resource.h>
-
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <iterator>
 
+#include "app/geometry/own_limits.h"
 #include "app/stability/cell_wire.h"
 #include "app/stability/runner.h"
 #include "libdda/errors.h"
@@ -20,10 +19,8 @@ using namespace voussoir;
 
 void limit(const CellRequest& request)
 {
-    const auto seconds = static_cast<rlim_t>(std::ceil(request.budget));
-    const rlimit time{seconds, seconds + 1}, memory{request.memory, request.memory};
-    setrlimit(RLIMIT_CPU, &time);
-    setrlimit(RLIMIT_AS, &memory);
+    limit_self(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(request.budget)));
+    limit_own_memory(request.memory);
 }
 
 StabilityCell cell_named(const std::string& name)

@@ -170,11 +170,10 @@ TEST_P(Strength, prism_on_its_side_breaks_at_the_moment_of_linear_stress)
         const auto outline = regular_polygon(corners);
         hold(model, add_box(model, "wall", {-2, -2, -1}, {2, 2, 0}));
         model.blocks.push_back(make_block("prism", 0, 0, {prism(outline, 0, length)}));
-        double area = 0, second = 0, furthest = 0;
+        double second = 0, furthest = 0;
         for (int i = 0; i < corners; ++i) {
             const Eigen::Vector2d &p = outline[i], &q = outline[(i + 1) % corners];
             const double cross = p.x() * q.y() - p.y() * q.x();
-            area += cross / 2;
             second += cross / 12 * (p.x() * p.x() + p.x() * q.x() + q.x() * q.x());
             furthest = std::max(furthest, -p.x());  // gravity along +x opens the side of -x
         }
