@@ -174,7 +174,7 @@ ConvexPolyhedron part_of(const Piece& piece, double planarity, double diagonal, 
     const TriangleSurface hull = without_near_corners(piece.hull, planarity * diagonal);
     PolygonSurface merged{name, hull.vertices, {}};
     for (const Eigen::Vector3i& t : hull.triangles) merged.faces.push_back({t[0], t[1], t[2]});
-    merged.faces = merge_coplanar_faces(merged.vertices, std::move(merged.faces), planarity / 4);
+    merged.faces = merge_coplanar_faces(merged.vertices, merged.faces, planarity / 4);
     drop_unused_vertices(merged);
     ConvexPolyhedron part = make_convex_polyhedron(merged.vertices, merged.faces, name, planarity);
     for (const std::vector<int>& face : part.faces)

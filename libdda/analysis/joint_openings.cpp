@@ -56,6 +56,7 @@ std::vector<WatchedJoint> joints_of(const Model& model, const State& state)
     else
         collect<3>(model, state, joints);
     std::vector<WatchedJoint> result;
+    result.reserve(joints.size());
     for (auto& [pair, joint] : joints) result.push_back(std::move(joint));
     return result;
 }

@@ -109,6 +109,7 @@ void check_convexity(const std::vector<Vector3d>& vertices, const std::vector<Lo
 std::vector<int> largest_first(const std::vector<Vector3d>& vertices, const std::vector<Loop>& faces)
 {
     std::vector<double> area;
+    area.reserve(faces.size());
     for (const Loop& face : faces) area.push_back(newell(vertices, face).norm());
     std::vector<int> order(faces.size());
     std::iota(order.begin(), order.end(), 0);
@@ -202,7 +203,7 @@ ConvexPolyhedron make_convex_polyhedron(std::vector<Vector3d> vertices, std::vec
     return shape;
 }
 
-std::vector<Loop> merge_coplanar_faces(const std::vector<Vector3d>& vertices, std::vector<Loop> faces,
+std::vector<Loop> merge_coplanar_faces(const std::vector<Vector3d>& vertices, const std::vector<Loop>& faces,
                                        double tolerance)
 {
     const std::map<DirectedEdge, int> owner = directed_edges(faces, "mesh");
@@ -224,6 +225,7 @@ std::vector<Loop> merge_coplanar_faces(const std::vector<Vector3d>& vertices, st
 ConvexPolyhedron make_box(const Vector3d& lower, const Vector3d& upper)
 {
     std::vector<Vector3d> corners;
+    corners.reserve(8);
     for (int i = 0; i < 8; ++i)
         corners.emplace_back(i & 1 ? upper.x() : lower.x(), i & 2 ? upper.y() : lower.y(),
                              i & 4 ? upper.z() : lower.z());

@@ -37,7 +37,8 @@ ConvexPolyhedron make_convex_polyhedron(std::vector<Eigen::Vector3d> vertices, s
 /// Joins edge-adjacent faces of a closed convex surface whose planes agree within `tolerance` (share of the
 /// bounding diagonal) into one loop each, and drops vertices inside straight edges.
 std::vector<std::vector<int>> merge_coplanar_faces(const std::vector<Eigen::Vector3d>& vertices,
-                                                   std::vector<std::vector<int>> faces, double tolerance = 1e-9);
+                                                   const std::vector<std::vector<int>>& faces,
+                                                   double tolerance = 1e-9);
 
 /// An axis-aligned box. @param lower, upper opposite corners [m]
 ConvexPolyhedron make_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper);

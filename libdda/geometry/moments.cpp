@@ -71,7 +71,7 @@ Moments moments_of(std::span<const ConvexPolyhedron> parts)
 
 Moments moments_of_surface(std::span<const Vector3d> vertices, std::span<const Eigen::Vector3i> triangles)
 {
-    const Vector3d origin = vertices[triangles.front()[0]];
+    const Vector3d& origin = vertices[triangles.front()[0]];
     RawMoments raw;
     for (const Eigen::Vector3i& t : triangles)
         raw.add(vertices[t[0]] - origin, vertices[t[1]] - origin, vertices[t[2]] - origin);

@@ -87,7 +87,7 @@ typename K::Matrix read_velocities(const State& state, int block, BlockStep<K>& 
     step.start_velocity = typename K::Vector(v);
     const typename K::Matrix& map = step.start.map;
     if constexpr (K::deformable) {
-        const typename K::Matrix rate(v + K::dimension);
+        typename K::Matrix rate(v + K::dimension);
         step.momentum = axial(typename K::Matrix(rate * step.density_second * map.transpose()));
         step.start_spin = spin_of<K::dimension>(spread_of(map, step.density_second), step.momentum);
         step.stretching = rate - skew(step.start_spin) * map;
