@@ -4,6 +4,7 @@
 
 #include "app/case/blocks.h"
 #include "app/case/nearest_word.h"
+#include "app/case/plane.h"
 
 namespace voussoir
 {
@@ -43,12 +44,12 @@ struct Place {
     std::optional<Eigen::Vector3d> point;  // model coordinates
 };
 
-Place read_place(YamlCursor& entry, const Model& model)
+Place place_of_mass(YamlCursor& entry, const Model& model)
 {
     Place place;
     const std::optional<YamlCursor> at = entry.find("at");
     if (at && at->is_list())
-        place.point = at->as_vector(dimension::length) - model.origin;
+        place.point = read_place(*at, model.kinematics) - model.origin;
     else
         place.at_top = entry.choice_or<bool>("at", {{"centroid", false}, {"top", true}}, false);
     return place;
@@ -60,7 +61,7 @@ void read_entry(YamlCursor& entry, Model& model)
     const std::vector<int> blocks = matching_blocks(entry, model);
     const std::optional<double> each = entry.find_quantity("mass", dimension::mass, Range::positive());
     const std::optional<double> total = entry.find_quantity("total", dimension::mass, Range::positive());
-    const Place place = read_place(entry, model);
+    const Place place = place_of_mass(entry, model);
     entry.reject_unknown_keys();
     if (each.has_value() == total.has_value())
         return entry.fault(each ? "both mass and total" : "neither mass nor total",

@@ -44,7 +44,7 @@ void read_motion_control(YamlCursor& stage, StepControl& control)
 {
     if (control.open_close == OpenClose::published) {
         for (const char* key : {"integrator", "dissipation", "divide_up_to_blocks"})
-            stage.forbid(key, "the published iteration has Newmark's average acceleration and whole steps");
+            stage.forbid(key, "the published iteration has the integrator newmark and whole steps");
         return;
     }
     read_integrator(stage, control);

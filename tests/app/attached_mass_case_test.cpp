@@ -41,6 +41,16 @@ TEST(AttachedMassKeys, GoToEveryMatchingBlockAtTheChosenPlace)
     EXPECT_DOUBLE_EQ(there.mass(2), 4000);
 }
 
+TEST(AttachedMassKeys, PlanarScenesGiveTheirPlaceInThePlane)
+{
+    std::string text = case_with("  - {blocks: pier_1, mass: 4000 kg, at: [2.5, 1.5]}\n", "planar_rigid");
+    const std::string deep = "lower: [-5, -5, -1], upper: [5, 5, 0]";
+    text.replace(text.find(deep), deep.size(), "lower: [-5, 0, -1], upper: [5, 1, 0]");
+    const Model model = read(text).model;
+    EXPECT_NEAR(model.blocks[1].moments.centroid.x(), 1.5, 1e-12);
+    EXPECT_NEAR(model.blocks[1].moments.centroid.z(), 1.25, 1e-12);
+}
+
 TEST(AttachedMassKeys, FaultsNameTheirLine)
 {
     const auto faults = [](const std::string& masses) { return faults_of(case_with(masses)); };
