@@ -161,6 +161,7 @@ std::vector<Row> rows_of(const Laying& laying, int course)
         return i == leaves ? facade.upper : facade.lower + (facade.upper - facade.lower) * i / leaves;
     };
     std::vector<Row> rows;
+    rows.reserve(leaves);
     for (int leaf = 0; leaf < leaves; ++leaf)
         rows.push_back({course, (parity + leaf) % 2,
                         leaves == 1 ? name : name + "_l" + padded(leaf + 1, leaves).substr(leaves < 10 ? 1 : 0),
