@@ -1,11 +1,10 @@
 #include "app/ensemble/member_run.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "app/thread_time.h"
 #include "libdda/analysis/joint_openings.h"
 #include "libdda/analysis/run.h"
 #include "libdda/step/advance.h"
@@ -15,14 +14,6 @@ namespace voussoir
 
 namespace
 {
-
-/// CPU time of the calling thread [s]: members run side by side.
-double thread_time()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 EnergyShares shares_of(const EnergyLedger& energy)
 {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
+#include "app/thread_time.h"
 #include "libdda/analysis/diagnosis.h"
 
 namespace voussoir::stability
@@ -66,9 +66,9 @@ void note_warnings(const Model& model, const RunReport& report, CellRun& cell)
 bool run_counted(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer,
                  CellRun& cell)
 {
-    const std::clock_t start = std::clock();
+    const double start = thread_time();
     const RunReport report = run(model, stages, state, observer);
-    cell.cpu_time += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    cell.cpu_time += thread_time() - start;
     cell.steps += report.steps;
     cell.step_cuts += report.step_cuts;
     cell.iterations += report.open_close_iterations;

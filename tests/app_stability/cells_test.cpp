@@ -182,6 +182,9 @@ TEST(StabilityCells, run_in_a_process_of_their_own_as_they_do_here)
     EXPECT_EQ(apart.run.error, here.error);
     EXPECT_EQ(apart.run.steps, here.steps);
     EXPECT_GT(apart.run.steps, 400);
+    const CellRun quick = run_apart(cell_named("sliding/k=1e+10/h=0.02"), {}).run;
+    EXPECT_GT(quick.cpu_time, 0)
+        << "a millisecond is less than the ticks in which a process with a limit is counted";
 }
 
 TEST(StabilityCells, beyond_the_budget_is_a_timeout)
@@ -242,9 +245,12 @@ TEST(StabilityMaps, every_scene_is_on_the_page_that_ships)
 {
     std::ostringstream page;
     page << std::ifstream(VOUSSOIR_DOCS "/stability.md").rdbuf();
-    for (const StabilityScene& scene : stability_scenes())
+    for (const StabilityScene& scene : stability_scenes()) {
         EXPECT_NE(page.str().find("\n## " + scene.name + "\n"), std::string::npos)
             << scene.name << ": rerun voussoir stability -o docs";
+        const bool holds = page.str().find(", " + scene.name + " holds from ") != std::string::npos;
+        EXPECT_EQ(holds, scene.over_stiffness_and_step) << scene.name << ": rerun voussoir stability -o docs";
+    }
 }
 
 }  // namespace
