@@ -7,7 +7,7 @@
 #include <new>
 
 #include "app/commands/commands.h"
-#include "app/geometry/geometry.h"
+#include "importers/helper/geometry.h"
 #include "libdda/errors.h"
 
 namespace

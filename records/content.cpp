@@ -2,44 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
-#include "records/numbers.h"
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/utf.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {
 
 namespace
 {
-
-void append_utf8(std::string& text, unsigned code)
-{
-    const auto add = [&](unsigned byte) { text += static_cast<char>(byte); };
-    if (code < 0x80) {
-        add(code);
-    } else if (code < 0x800) {
-        add(0xC0U | code >> 6U);
-        add(0x80U | (code & 0x3FU));
-    } else {
-        add(0xE0U | code >> 12U);
-        add(0x80U | (code >> 6U & 0x3FU));
-        add(0x80U | (code & 0x3FU));
-    }
-}
-
-/// Bytes of the UTF-8 sequence at the start of a text; 0 when there is none.
-std::size_t sequence_length(std::string_view text)
-{
-    const auto first = static_cast<unsigned char>(text.front());
-    const std::size_t length = first < 0x80                     ? 1
-                               : first >= 0xC2 && first <= 0xDF ? 2
-                               : (first & 0xF0U) == 0xE0        ? 3
-                               : first >= 0xF0 && first <= 0xF4 ? 4
-                                                                : 0;
-    if (length == 0 || length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80) return 0;
-    return length;
-}
 
 struct Signature {
     std::string_view bytes;
@@ -103,31 +76,12 @@ Fault why_unknown_text(const SourceFile& file, const std::string& formats)
 
 std::string decode_utf16(std::string bytes)
 {
-    const bool little = bytes.starts_with("\xFF\xFE"), big = bytes.starts_with("\xFE\xFF");
-    if ((!little && !big) || bytes.size() % 2 != 0) return bytes;
-    std::string text;
-    text.reserve(bytes.size() / 2);
-    for (std::size_t i = 2; i < bytes.size(); i += 2) {
-        const auto first = static_cast<unsigned char>(bytes[i]), second = static_cast<unsigned char>(bytes[i + 1]);
-        const unsigned code = little ? first | second << 8U : second | first << 8U;
-        if (code == 0) return bytes;  // binary content that only begins like a text
-        append_utf8(text, code >= 0xD800 && code < 0xE000 ? '?' : code);
-    }
-    return text;
-}
-
-std::string to_utf8(std::string_view text)
-{
-    bool is_utf8 = true;
-    for (std::size_t i = 0; i < text.size() && is_utf8;) {
-        const std::size_t length = sequence_length(text.substr(i));
-        is_utf8 = length > 0;
-        i += length;
-    }
-    if (is_utf8) return std::string(text);
-    std::string decoded;
-    for (const char c : text) append_utf8(decoded, static_cast<unsigned char>(c));
-    return decoded;
+    const bool marked = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+    if (!marked || bytes.size() % 2 != 0) return bytes;
+    const std::optional<std::string> text = from_utf16(bytes);
+    if (!text || text->find('\0') != std::string::npos)
+        return bytes;  // binary content that only begins like a text
+    return *text;
 }
 
 bool has_decimal_commas(std::string_view line)

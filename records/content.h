@@ -14,9 +14,6 @@ namespace voussoir
 /// are.
 std::string decode_utf16(std::string bytes);
 
-/// UTF-8 as it is; anything else is taken for Latin-1, in which the networks write their names.
-std::string to_utf8(std::string_view text);
-
 /// Whether a line holds a number with a decimal comma between blanks, semicolons or tabs: "0,01;-1,5".
 bool has_decimal_commas(std::string_view line);
 

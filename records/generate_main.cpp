@@ -10,7 +10,8 @@
 #include <string>
 
 #include "libdda/errors.h"
-#include "records/numbers.h"
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
 #include "records/synthetic/noise.h"
 #include "records/units.h"
 #include "records/write_at2.h"
@@ -62,7 +63,7 @@ const option long_options[] = {{"duration", required_argument, nullptr, duration
 double number(const char* text)
 {
     double value = 0;
-    if (!voussoir::parse_number(text, value)) throw InputError("command line", text, "give a number");
+    if (!voussoir::parse_fortran_number(text, value)) throw InputError("command line", text, "give a number");
     return value;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libdda/errors.h"
+#include "libdda/text/utf.h"
 #include "records/content.h"
 #include "records/formats/format.h"
 #include "records/units.h"
@@ -70,11 +71,11 @@ void require_sound(const Record& record)
 /// Names come in the file's encoding; what leaves here is UTF-8.
 void encode_names(Record& record)
 {
-    for (std::string* text : {&record.station, &record.event}) *text = to_utf8(*text);
-    for (std::string& remark : record.remarks) remark = to_utf8(remark);
+    for (std::string* text : {&record.station, &record.event}) *text = as_utf8(*text);
+    for (std::string& remark : record.remarks) remark = as_utf8(remark);
     for (Channel& channel : record.channels) {
-        channel.component = to_utf8(channel.component);
-        channel.unit_in_file = to_utf8(channel.unit_in_file);
+        channel.component = as_utf8(channel.component);
+        channel.unit_in_file = as_utf8(channel.unit_in_file);
     }
 }
 

@@ -6,7 +6,9 @@
 #include <cstdio>
 
 #include "libdda/errors.h"
-#include "records/numbers.h"
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {
@@ -98,7 +100,7 @@ std::optional<Instant> parse_instant(std::string_view text)
     const int minute = take_digits(text, 2);
     skip_one_of(text, ":");
     double second = 0;
-    const bool has_second = parse_number(text, second);
+    const bool has_second = parse_fortran_number(text, second);
     if (y < 0 || m < 0 || d < 0 || hour < 0 || hour > 23 || minute < 0 || minute > 59) return std::nullopt;
     if (!has_second || !(second >= 0 && second < 61)) return std::nullopt;
     const year_month_day date{year(y), month(static_cast<unsigned>(m)), day(static_cast<unsigned>(d))};

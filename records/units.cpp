@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "records/numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {

@@ -110,7 +110,7 @@ def check(root):
 
 # path, line, and whether the line is a fault
 PLANTED = (
-    ("libdda/step/a.cpp", '#include "app/case/case_file.h"', True),
+    ("libdda/step/a.cpp", '#include "app/reader/case_file.h"', True),
     ("libdda/step/b.cpp", '#include "libdda/errors.h"', False),
     ("libdda/step/c.cpp", "#include <cholmod.h>", True),
     ("libdda/solve/d.cpp", "#include <cholmod.h>", False),
@@ -136,15 +136,15 @@ PLANTED = (
     ("app/run.cpp", '#include "records/record.h"', False),
     ("app/run.h", "#include <CLI/CLI.hpp>", True),
     ("app/commands/a.cpp", "#include <yaml-cpp/yaml.h>", True),
-    ("app/case/a.cpp", "#include <yaml-cpp/yaml.h>", False),
+    ("app/reader/a.cpp", "#include <yaml-cpp/yaml.h>", False),
     ("app/render/a.cpp", "#include <hdf5.h>", True),
     ("app/render/b.cpp", "#include <GL/osmesa.h>", False),
     ("app/results/a.cpp", "#include <hdf5.h>", False),
     ("app/results/b.cpp", "#include <cairo/cairo.h>", True),
     ("app/plots/a.cpp", "#include <cairo.h>", False),
     ("app/plots/a.h", "#include <cairo.h>", True),
-    ("app/verify/a.cpp", "#include <cairo.h>", True),
-    ("app/verify/b.cpp", "#include <GL/osmesa.h>", True),
+    ("app/studies/verify/a.cpp", "#include <cairo.h>", True),
+    ("app/studies/verify/b.cpp", "#include <GL/osmesa.h>", True),
     ("app/results/c.cpp", "#include <openssl/md5.h>", True),
     ("app/results/d.cpp", '#include "case_file.h"', True),
     ("app/results/e.cpp", '#include "app/results/a.cpp"', True),
@@ -155,7 +155,7 @@ PLANTED = (
     ("app/results/h.cpp", "#include <vector>", False),
 )
 HEADERS = ("libdda/errors.h", "libdda/geometry/moments.h", "libdda/model/model.h", "libdda/model/ground_motion.h",
-           "records/record.h", "importers/mesh/read_mesh.h", "app/case/case_file.h")
+           "records/record.h", "importers/mesh/read_mesh.h", "app/reader/case_file.h")
 
 
 def self_test():

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/geometry/assembly.h"
-#include "app/geometry/geometry.h"
+#include "importers/assembly/assembly.h"
+#include "importers/helper/geometry.h"
 #include "libdda/model/model.h"
 
 namespace voussoir

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "app/case/case_file.h"
 #include "app/commands/certificate.h"
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
 #include "app/commands/outputs.h"
+#include "app/reader/case_file.h"
 #include "app/results/scene_vectors.h"
 #include "libdda/errors.h"
 #include "libdda/step/advance.h"

@@ -3,14 +3,15 @@
 
 #include <cstdio>
 
-#include "app/case/nearest_word.h"
 #include "app/commands/commands.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/option_words.h"
 #include "app/commands/study_output.h"
-#include "app/converge/report.h"
-#include "app/converge/threshold.h"
-#include "app/plots/words.h"
+#include "app/reader/case_file.h"
+#include "app/studies/converge/report.h"
+#include "app/studies/converge/threshold.h"
+#include "app/words/figures_in_words.h"
+#include "app/words/nearest_word.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -97,9 +98,9 @@ ConvergeStudy run_chosen(const ConvergeArguments& arguments)
     ConvergeLine line(arguments.quiet, list.settings.size(), first_dynamic_stage(the_case).control.time_step);
     const ConvergeWatch watch{[&](const ConvergeSetting& setting, double share) { line.show(setting, share); },
                               interrupted};
-    ConvergeStudy study = threshold
-                              ? run_threshold_study(the_case, list, *threshold, rule, arguments.threads, watch)
-                              : run_study(the_case, list, quantities, rule, watch);
+    ConvergeStudy study =
+        threshold ? run_threshold_study(the_case, list, *threshold, rule, arguments.threads, watch, case_reader)
+                  : run_study(the_case, list, quantities, rule, watch);
     study.notes.insert(study.notes.end(), plan.notes.begin(), plan.notes.end());
     return study;
 }

@@ -1,7 +1,7 @@
 // A case in words: for `run` before it starts and for `check`.
 #pragma once
 
-#include "app/case/case_file.h"
+#include "app/case/case.h"
 
 namespace voussoir
 {

@@ -7,7 +7,8 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/option_words.h"
 #include "app/commands/study_output.h"
-#include "app/ensemble/report.h"
+#include "app/reader/case_file.h"
+#include "app/studies/ensemble/report.h"
 
 namespace voussoir
 {
@@ -28,7 +29,8 @@ EnsembleStudy run_chosen(const EnsembleArguments& arguments)
 {
     const EnsembleChoices choices = choices_of(arguments);
     const Variation variation = read_variation(arguments.vary);
-    const std::vector<Case> members = read_members(arguments.case_file, arguments.overrides, variation);
+    const std::vector<Case> members =
+        read_members(arguments.case_file, arguments.overrides, variation, case_reader);
     const bool shown = !arguments.quiet && isatty(STDERR_FILENO) == 1;
     const auto tell = [&](const MemberRun& run, int done, int of) {
         if (shown)

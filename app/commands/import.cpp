@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "app/case/quantity.h"
 #include "app/commands/certificate.h"
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
-#include "app/geometry/geometry.h"
+#include "app/words/quantity.h"
+#include "importers/helper/geometry.h"
 #include "libdda/errors.h"
 
 namespace voussoir

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/case/quantity.h"
+#include "app/words/quantity.h"
 
 namespace voussoir
 {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/geometry/assembly.h"
 #include "app/render/defect_pictures.h"
+#include "importers/assembly/assembly.h"
 
 namespace voussoir
 {

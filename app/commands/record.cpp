@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "app/case/motion_text.h"
-#include "app/case/processing.h"
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
 #include "app/commands/record_set.h"
+#include "app/reader/motion_text.h"
+#include "app/reader/processing.h"
 #include "libdda/errors.h"
 #include "records/start_time.h"
 

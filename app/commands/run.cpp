@@ -10,13 +10,13 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/case/case_file.h"
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
 #include "app/commands/resume.h"
 #include "app/commands/stopwatch.h"
+#include "app/reader/case_file.h"
 #include "app/render/snapshots.h"
 #include "app/results/results_writer.h"
 #include "app/results/run_lock.h"

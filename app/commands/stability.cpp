@@ -4,17 +4,18 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/case/nearest_word.h"
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
 #include "app/plots/plots.h"
-#include "app/plots/words.h"
+#include "app/reader/case_file.h"
 #include "app/results/atomic_file.h"
-#include "app/stability/cell_wire.h"
-#include "app/stability/maps.h"
-#include "app/stability/page.h"
-#include "app/stability/runner.h"
-#include "app/stability/sound_range.h"
+#include "app/studies/stability/cell_wire.h"
+#include "app/studies/stability/maps.h"
+#include "app/studies/stability/page.h"
+#include "app/studies/stability/runner.h"
+#include "app/studies/stability/sound_range.h"
+#include "app/words/figures_in_words.h"
+#include "app/words/nearest_word.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -90,7 +91,7 @@ void write_page(const StabilityArguments& arguments, const std::vector<Stability
 
 int stability_command(const StabilityArguments& arguments)
 {
-    const std::vector<StabilityScene> scenes = stability_scenes();
+    const std::vector<StabilityScene> scenes = stability_scenes(case_reader);
     std::vector<StabilityCell> cells = chosen(arguments.names, scenes);
     for (StabilityCell& cell : cells) cell.tolerance *= arguments.tolerance_factor;
     if (arguments.list) {

@@ -7,9 +7,9 @@
 #include "app/commands/commands.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/outputs.h"
-#include "app/converge/measured_run.h"
 #include "app/plots/plots.h"
 #include "app/results/atomic_file.h"
+#include "app/studies/converge/measured_run.h"
 
 namespace voussoir
 {

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/case/nearest_word.h"
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
 #include "app/plots/plots.h"
 #include "app/results/atomic_file.h"
-#include "app/verify/page.h"
-#include "app/verify/plot.h"
-#include "app/verify/runner.h"
-#include "app/verify/table.h"
-#include "app/verify/verify_json.h"
+#include "app/studies/verify/page.h"
+#include "app/studies/verify/plot.h"
+#include "app/studies/verify/runner.h"
+#include "app/studies/verify/table.h"
+#include "app/studies/verify/verify_json.h"
+#include "app/words/nearest_word.h"
 #include "libdda/errors.h"
 
 namespace voussoir

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <memory>
 
+#include "app/drawing/pen.h"
 #include "app/plots/axis.h"
-#include "app/plots/pen.h"
 
 namespace voussoir
 {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "app/plots/pen.h"
+#include "app/drawing/pen.h"
 
 namespace voussoir
 {

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "app/geometry/child_process.h"
+#include "importers/process/child_process.h"
 #include "libdda/errors.h"
 
 namespace voussoir

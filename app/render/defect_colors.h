@@ -1,7 +1,7 @@
 // The colours of pictures of defects, shared by drawing and legend.
 #pragma once
 
-#include "app/render/color_map.h"
+#include "app/drawing/color_map.h"
 #include "app/render/defect_pictures.h"
 
 namespace voussoir

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/geometry/child_process.h"
+#include "importers/process/child_process.h"
 #include "libdda/errors.h"
 
 namespace voussoir

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/geometry/geometry.h"
+#include "importers/helper/geometry.h"
 
 namespace voussoir
 {

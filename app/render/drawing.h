@@ -1,9 +1,9 @@
 // Draws a scene off-screen by software.
 #pragma once
 
+#include "app/drawing/color_map.h"
 #include "app/render/camera.h"
 #include "app/render/canvas.h"
-#include "app/render/color_map.h"
 #include "app/render/scene.h"
 
 namespace voussoir

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/drawing/pen.h"
 #include "app/render/sheet.h"
 
 namespace voussoir
@@ -21,45 +22,45 @@ void draw_bar(cairo_t* pen, const ColorScale& scale, double width, double height
     constexpr int strips = 256;
     cairo_set_antialias(pen, CAIRO_ANTIALIAS_NONE);
     for (int i = 0; i < strips; ++i) {
-        set_color(pen, viridis((static_cast<float>(i) + 0.5F) / strips));
+        use(pen, viridis((static_cast<float>(i) + 0.5F) / strips));
         cairo_rectangle(pen, x, bottom - length * (i + 1) / strips, bar_width, length / strips + 1);
         cairo_fill(pen);
     }
     cairo_set_antialias(pen, CAIRO_ANTIALIAS_DEFAULT);
-    set_color(pen, ink);
+    use(pen, ink);
     cairo_set_line_width(pen, 1);
     cairo_rectangle(pen, x, bottom - length, bar_width, length);
     cairo_stroke(pen);
-    set_font(pen, 15);
+    font(pen, 15);
     double widest = 0;
     for (std::size_t i = 0; i < scale.ticks.size(); ++i) {
         const double y = bottom - length * scale.share(scale.ticks[i]);
         cairo_move_to(pen, x + bar_width, y);
         cairo_line_to(pen, x + bar_width + 6, y);
         cairo_stroke(pen);
-        show(pen, scale.labels[i], x + bar_width + 11, y + 5.5);
-        widest = std::max(widest, text_width(pen, scale.labels[i]));
+        write(pen, scale.labels[i], x + bar_width + 11, y + 5.5);
+        widest = std::max(widest, width_of(pen, scale.labels[i]));
     }
     cairo_save(pen);
-    set_font(pen, 15);
+    font(pen, 15);
     cairo_translate(pen, std::min(x + bar_width + 11 + widest + 24, width - 8), 0.5 * height);
     cairo_rotate(pen, -1.5707963267948966);
-    show(pen, scale.caption, -text_width(pen, scale.caption) / 2, 0);
+    write(pen, scale.caption, -width_of(pen, scale.caption) / 2, 0);
     cairo_restore(pen);
 }
 
 void write_foot(const Sheet& sheet, const PageText& text)
 {
-    set_font(sheet.pen, 15);
+    font(sheet.pen, 15);
     double x = margin;
     const double y = sheet.height - 34;
     if (!text.opened.empty()) x = legend_entry(sheet.pen, text.opened, opened_color(), false, x, y);
     if (!text.slid.empty()) x = legend_entry(sheet.pen, text.slid, slid_color(), false, x, y);
     if (text.foundations) legend_entry(sheet.pen, "foundation", foundation_color(), true, x, y);
-    set_color(sheet.pen, faint_ink);
+    use(sheet.pen, faint_ink);
     double line = y - 22.0 * (static_cast<double>(text.notes.size()) - 1);
     for (const std::string& note : text.notes) {
-        show(sheet.pen, note, sheet.width - margin - text_width(sheet.pen, note), line);
+        write(sheet.pen, note, sheet.width - margin - width_of(sheet.pen, note), line);
         line += 22;
     }
 }

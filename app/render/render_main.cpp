@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <iostream>
 
-#include "app/geometry/own_limits.h"
 #include "app/render/render_run.h"
+#include "importers/process/own_limits.h"
 #include "libdda/errors.h"
 
 namespace

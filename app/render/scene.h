@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "app/case/case_file.h"
+#include "app/case/case.h"
 #include "app/results/results_reader.h"
 
 namespace voussoir

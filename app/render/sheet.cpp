@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <memory>
-#include <system_error>
 
-#include "libdda/errors.h"
+#include "app/drawing/pen.h"
 
 namespace voussoir
 {
@@ -68,63 +67,32 @@ Sheet::~Sheet()
 void Sheet::write(const std::filesystem::path& path) const
 {
     cairo_surface_flush(surface_);
-    std::error_code none;
-    std::filesystem::remove(path, none);  // a link there may lead anywhere
-    const cairo_status_t status = cairo_surface_write_to_png(surface_, path.c_str());
-    if (status != CAIRO_STATUS_SUCCESS) {
-        throw InputError(path.string(), std::string("cannot be written: ") + cairo_status_to_string(status),
-                         "give a folder that can be written on a disk with room");
-    }
-}
-
-void set_color(cairo_t* pen, const Rgb& color)
-{
-    cairo_set_source_rgb(pen, color.x(), color.y(), color.z());
-}
-
-void set_font(cairo_t* pen, double size, bool bold)
-{
-    cairo_select_font_face(pen, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(pen, size);
-}
-
-double text_width(cairo_t* pen, const std::string& text)
-{
-    cairo_text_extents_t extents;
-    cairo_text_extents(pen, text.c_str(), &extents);
-    return extents.x_advance;
-}
-
-void show(cairo_t* pen, const std::string& text, double x, double y)
-{
-    cairo_move_to(pen, x, y);
-    cairo_show_text(pen, text.c_str());
+    write_png(surface_, path);
 }
 
 void write_head(const Sheet& sheet, const std::string& title, const std::string& subtitle, double margin)
 {
-    set_font(sheet.pen, 25, true);
-    const double share = (sheet.width - 2 * margin) / std::max(text_width(sheet.pen, title), 1.0);
-    set_font(sheet.pen, 25 * std::clamp(share, 0.66, 1.0), true);
-    set_color(sheet.pen, ink);
-    show(sheet.pen, title, margin, 52);
-    set_font(sheet.pen, 18);
-    set_color(sheet.pen, faint_ink);
-    show(sheet.pen, subtitle, margin, 82);
+    font(sheet.pen, 25, true);
+    const double share = (sheet.width - 2 * margin) / std::max(width_of(sheet.pen, title), 1.0);
+    font(sheet.pen, 25 * std::clamp(share, 0.66, 1.0), true);
+    use(sheet.pen, ink);
+    write(sheet.pen, title, margin, 52);
+    font(sheet.pen, 18);
+    use(sheet.pen, faint_ink);
+    write(sheet.pen, subtitle, margin, 82);
 }
 
 double legend_entry(cairo_t* pen, const std::string& words, const Rgb& color, bool area, double x, double y)
 {
-    set_color(pen, color);
+    use(pen, color);
     cairo_rectangle(pen, x, area ? y - 12 : y - 7, 26, area ? 14 : 4);
     cairo_fill_preserve(pen);
-    set_color(pen, area ? ink : color);
+    use(pen, area ? ink : color);
     cairo_set_line_width(pen, area ? 1 : 0.1);
     cairo_stroke(pen);
-    set_color(pen, ink);
-    show(pen, words, x + 35, y);
-    return x + 35 + text_width(pen, words) + 30;
+    use(pen, ink);
+    write(pen, words, x + 35, y);
+    return x + 35 + width_of(pen, words) + 30;
 }
 
 }  // namespace voussoir

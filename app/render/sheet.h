@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "app/drawing/color_map.h"
 #include "app/render/canvas.h"
-#include "app/render/color_map.h"
 
 struct _cairo;  // the library's own names, so that its header stays out of ours
 struct _cairo_surface;
@@ -33,11 +33,6 @@ class Sheet
 };
 
 extern const Rgb ink, faint_ink;
-
-void set_color(_cairo* pen, const Rgb& color);
-void set_font(_cairo* pen, double size, bool bold = false);
-double text_width(_cairo* pen, const std::string& text);
-void show(_cairo* pen, const std::string& text, double x, double y);
 
 /// Title and subtitle at the upper left. A title too long for the sheet is written smaller, down to two thirds.
 void write_head(const Sheet& sheet, const std::string& title, const std::string& subtitle, double margin);

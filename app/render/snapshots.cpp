@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "app/geometry/child_process.h"
+#include "importers/process/child_process.h"
 #include "libdda/errors.h"
 
 namespace voussoir

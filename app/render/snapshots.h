@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/case_file.h"
+#include "app/case/case.h"
 
 namespace voussoir
 {

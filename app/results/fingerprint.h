@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/case/case_file.h"
+#include "app/case/case.h"
 
 namespace voussoir
 {

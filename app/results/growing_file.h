@@ -1,7 +1,7 @@
 // One HDF5 file of a run: what is constant, and datasets that grow.
 #pragma once
 
-#include "app/case/case_file.h"
+#include "app/case/case.h"
 #include "app/results/growing_rows.h"
 #include "app/results/surface_mesh.h"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <vector>
 
-#include "app/case/case_file.h"
+#include "app/case/case.h"
 #include "libdda/analysis/material_point.h"
 #include "libdda/model/state.h"
 

@@ -1,7 +1,7 @@
 // What results.h5 holds once: the case, the model, the motions.
 #pragma once
 
-#include "app/case/case_file.h"
+#include "app/case/case.h"
 #include "app/results/hdf5_file.h"
 #include "app/results/surface_mesh.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/case_file.h"
+#include "app/case/case.h"
 #include "app/results/restart_file.h"
 #include "app/results/summary.h"
 

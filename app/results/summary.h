@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/case_file.h"
+#include "app/case/case.h"
 #include "libdda/model/report.h"
 #include "libdda/model/state.h"
 

@@ -17,14 +17,14 @@ std::vector<DxfPair> pairs_of(const MeshSource& source)
     std::vector<DxfPair> pairs;
     Lines lines(source.bytes);
     for (std::string_view code, value; lines.next(code);) {
-        if (trimmed(code).empty()) break;
-        const std::optional<long long> number = parse_integer(trimmed(code));
+        if (trim(code).empty()) break;
+        const std::optional<long long> number = parse_integer(trim(code));
         if (!number || *number < -10 || *number > 1100)
             throw InputError(source.place + ":" + std::to_string(lines.number()),
-                             "\"" + std::string(trimmed(code).substr(0, 40)) + "\" is no group code",
+                             "\"" + std::string(trim(code).substr(0, 40)) + "\" is no group code",
                              "a DXF file alternates lines of codes and values");
         if (!lines.next(value)) break;
-        pairs.push_back({static_cast<int>(*number), trimmed(value), lines.number()});
+        pairs.push_back({static_cast<int>(*number), trim(value), lines.number()});
         if (*number == 0 && pairs.back().value == "EOF") break;
     }
     return pairs;

@@ -80,7 +80,7 @@ class AmfReader
     double number(const pugi::xml_node& parent, const char* name) const
     {
         const pugi::xml_node child = parent.child(name);
-        const std::optional<double> value = parse_finite(trimmed(child.text().as_string("0")));
+        const std::optional<double> value = parse_finite(trim(child.text().as_string("0")));
         if (!value) refuse(child, std::string("<") + name + "> is not a finite number", "write a number");
         return *value;
     }
@@ -100,7 +100,7 @@ class AmfReader
     {
         for (const pugi::xml_node& metadata : object.children("metadata"))
             if (std::string_view(metadata.attribute("type").value()) == "name")
-                return std::string(trimmed(metadata.text().get()));
+                return std::string(trim(metadata.text().get()));
         return std::string("object ") + object.attribute("id").value();
     }
 
@@ -119,7 +119,7 @@ class AmfReader
             for (const pugi::xml_node& triangle : volume.children("triangle")) {
                 std::vector<int>& face = surface.faces.emplace_back();
                 for (const char* corner : {"v1", "v2", "v3"}) {
-                    const std::string word(trimmed(triangle.child(corner).text().get()));
+                    const std::string word(trim(triangle.child(corner).text().get()));
                     const long long v = parse_integer(word).value_or(-1);
                     if (v < 0 || v >= static_cast<long long>(surface.vertices.size()))
                         refuse(triangle, "a triangle names vertex \"" + word + "\"",

@@ -43,12 +43,11 @@ class ColladaReader
             result_.note(std::to_string(left_out_) + " sets of lines, splines or skins were left out");
         MeshFile file = result_.finish();
         if (const pugi::xml_node unit = asset.child("unit"); unit.attribute("meter")) {
-            file.metres_per_unit = parse_finite(trimmed(unit.attribute("meter").value()));
+            file.metres_per_unit = parse_finite(trim(unit.attribute("meter").value()));
             if (!file.metres_per_unit || !(*file.metres_per_unit > 0))
                 refuse(unit, "its unit is no positive number of metres", "write <unit meter=\"...\"/>");
         }
-        const std::string_view up =
-            trimmed(asset.child("up_axis").text().as_string("Y_UP"));  // as the standard says
+        const std::string_view up = trim(asset.child("up_axis").text().as_string("Y_UP"));  // as the standard says
         if (!up.empty() && up[0] >= 'X' && up[0] <= 'Z') file.up = static_cast<char>(up[0] - 'X' + 'x');
         return file;
     }

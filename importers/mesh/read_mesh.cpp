@@ -19,7 +19,7 @@ enum class Kind { unknown, obj, stl, ply, off, gltf, compas, collada, amf, archi
 void refuse_known_strangers(const MeshSource& source)
 {
     const std::string_view bytes = source.bytes;
-    const std::string_view start = trimmed(bytes.substr(0, 4096));
+    const std::string_view start = trim(bytes.substr(0, 4096));
     const auto refuse = [&](const char* found, const char* expected) {
         throw InputError(source.place, found, expected);
     };
@@ -71,7 +71,7 @@ bool looks_like_obj(std::string_view text)
 
 Kind kind_by_content(std::string_view bytes)
 {
-    const std::string_view start = trimmed(bytes.substr(0, 4096));
+    const std::string_view start = trim(bytes.substr(0, 4096));
     const std::vector<std::string_view> word = words(start.substr(0, 256));
     if (bytes.starts_with("PK\x03\x04")) return Kind::archive;
     if (bytes.starts_with("glTF")) return Kind::gltf;

@@ -28,15 +28,15 @@ class ObjScanner
         int first_line = 0;
         for (std::string_view line; !faults_.full() && lines.next(line);) {
             if (joined.empty()) first_line = lines.number();
-            line = trimmed(line);
+            line = trim(line);
             const bool goes_on = line.ends_with('\\');
             if (goes_on) line.remove_suffix(1);
             if (goes_on || !joined.empty()) joined.append(line).append(" ");
             if (goes_on) continue;
-            read(joined.empty() ? line : trimmed(joined), first_line);
+            read(joined.empty() ? line : trim(joined), first_line);
             joined.clear();
         }
-        read(trimmed(joined), first_line);
+        read(trim(joined), first_line);
         for (const auto& [index, line] : ahead_)
             if (index >= static_cast<long long>(vertices_.size()))
                 faults_.add(line, "a face names vertex " + std::to_string(index + 1),
@@ -63,8 +63,8 @@ class ObjScanner
         if (word.empty()) return;
         if (word[0] == "v") return read_vertex(word, line);
         if (word[0] == "f" || word[0] == "fo") return read_face(word, line);
-        if (word[0] == "o") begin_object(trimmed(text.substr(1)));
-        if (word[0] == "g") begin_group(trimmed(text.substr(1)));
+        if (word[0] == "o") begin_object(trim(text.substr(1)));
+        if (word[0] == "g") begin_group(trim(text.substr(1)));
         for (const char* kind : {"l", "p", "curv", "curv2", "surf"}) left_out_ += word[0] == kind;
     }
 

@@ -56,7 +56,7 @@ class PlyNumbers
         return format_ == PlyHeader::Format::ascii ? (rest_.size() + 1) / 2 : rest_.size() / size_of(type);
     }
 
-    bool at_end() const { return format_ == PlyHeader::Format::ascii ? trimmed(rest_).empty() : rest_.empty(); }
+    bool at_end() const { return format_ == PlyHeader::Format::ascii ? trim(rest_).empty() : rest_.empty(); }
 
     std::string place() const
     {

@@ -20,7 +20,7 @@ class AsciiStl
     MeshFile read()
     {
         Lines lines(source_.bytes);
-        for (std::string_view line; !faults_.full() && lines.next(line);) read_line(trimmed(line), lines.number());
+        for (std::string_view line; !faults_.full() && lines.next(line);) read_line(trim(line), lines.number());
         if (faults_.full()) faults_.throw_if_any();
         if (numbers_left_ > 0 || !loop_.empty() || in_solid_)
             faults_.add(lines.number(), "the file ends within a solid",
@@ -38,7 +38,7 @@ class AsciiStl
                 read_number(word, number);
             } else if (keyword == "solid" || keyword == "endsolid") {  // what follows is the name
                 const std::size_t end = static_cast<std::size_t>(word.data() - line.data()) + word.size();
-                return keyword == "solid" ? begin_solid(trimmed(line.substr(end))) : end_solid();
+                return keyword == "solid" ? begin_solid(trim(line.substr(end))) : end_solid();
             } else if (!read_keyword(keyword, number)) {
                 return faults_.add(number, "\"" + std::string(word.substr(0, 40)) + "\" is no word of an STL file",
                                    "lines are `facet`, `outer loop`, `vertex x y z`, `endloop`, `endfacet`");
@@ -142,7 +142,7 @@ bool is_binary_stl(std::string_view bytes)
 MeshFile read_stl(const MeshSource& source)
 {
     // Many binary files begin with "solid" too: the length decides, then zero bytes, which no text has.
-    const bool text = lower_case(trimmed(std::string_view(source.bytes).substr(0, 200))).starts_with("solid") &&
+    const bool text = lower_case(trim(std::string_view(source.bytes).substr(0, 200))).starts_with("solid") &&
                       !is_binary_stl(source.bytes) && source.bytes.find('\0') == std::string::npos;
     return text ? AsciiStl(source).read() : read_binary(source);
 }

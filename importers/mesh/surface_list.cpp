@@ -39,7 +39,7 @@ void append(const PolygonSurface& part, PolygonSurface& whole)
 
 void SurfaceList::add(PolygonSurface surface, const Eigen::Affine3d& placement)
 {
-    const std::string own = as_utf8(trimmed(surface.name));
+    const std::string own = as_utf8(trim(surface.name));
     const std::string wanted = own.empty() ? default_name_ : own;
     faces_left_out_ += std::erase_if(surface.faces, [](const auto& face) { return face.size() < 3; });
     if (surface.faces.empty()) return note("\"" + wanted + "\" has no faces and was left out");

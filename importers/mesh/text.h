@@ -1,4 +1,4 @@
-// Text as the readers of this folder take it apart: lines, words, numbers, places.
+// Text as the readers of this folder take it apart: lines, points, places, faults.
 #pragma once
 
 #include <optional>
@@ -7,23 +7,12 @@
 #include <vector>
 
 #include "libdda/errors.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/utf.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {
-
-std::string_view trimmed(std::string_view text);
-std::string lower_case(std::string_view text);
-
-/// The words between white space.
-std::vector<std::string_view> words(std::string_view line);
-
-/// The whole word as a number, or nothing. Independent of the locale; a leading plus is allowed. May be infinite
-/// or not a number where the word says so; too large is nothing, too small is zero.
-std::optional<double> parse_number(std::string_view word);
-std::optional<long long> parse_integer(std::string_view word);
-
-/// A finite number, or nothing.
-std::optional<double> parse_finite(std::string_view word);
 
 /// Three finite numbers from the words `first`, `first`+1, `first`+2 into `x`; false where they are not there.
 template <class Vector>
@@ -53,15 +42,6 @@ class Lines
 
 /// "arch.dae:17", the line that holds the byte `offset` of the text.
 std::string line_place(const std::string& place, std::string_view text, std::ptrdiff_t offset);
-
-/// UTF-16 with a byte order mark, or plainly alternating with zero bytes, as UTF-8; nothing when it is not UTF-16.
-std::optional<std::string> from_utf16(std::string_view bytes);
-
-/// Appends one character.
-void append_utf8(char32_t code, std::string& text);
-
-/// Text that is not UTF-8 is taken for Latin-1, as old files have it.
-std::string as_utf8(std::string_view text);
 
 /// Faults of one file, at most twenty of them.
 class FaultList

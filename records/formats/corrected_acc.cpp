@@ -7,8 +7,10 @@
 #include <cmath>
 #include <optional>
 
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/keyed_header.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {
@@ -29,7 +31,7 @@ struct Header {
 std::optional<double> number_in(std::string_view text)
 {
     double value = 0;
-    return parse_number(text, value) ? std::optional<double>(value) : std::nullopt;
+    return parse_fortran_number(text, value) ? std::optional<double>(value) : std::nullopt;
 }
 
 Header read_header(const SourceFile& file)

@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "records/numbers.h"
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {
@@ -48,7 +49,7 @@ std::optional<double> cosmos_code_in(std::string_view line)
     const std::size_t open = words.find('(');
     if (open == std::string::npos) return std::nullopt;
     double code = 0;
-    const bool is_code = parse_number(words.substr(open + 1, words.find(')', open) - open - 1), code);
+    const bool is_code = parse_fortran_number(words.substr(open + 1, words.find(')', open) - open - 1), code);
     return is_code ? std::optional<double>(code) : std::nullopt;
 }
 

@@ -19,10 +19,12 @@
 #include <cmath>
 #include <utility>
 
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/direction.h"
 #include "records/formats/format.h"
 #include "records/formats/samples.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "records/numbers.h"
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {
@@ -53,7 +54,7 @@ std::optional<double> in_circle(double azimuth)
 std::optional<double> parse_bearing(char pole, std::string_view rest)
 {
     double angle = 0;
-    if (rest.size() < 2 || !parse_number(rest.substr(0, rest.size() - 1), angle)) return std::nullopt;
+    if (rest.size() < 2 || !parse_fortran_number(rest.substr(0, rest.size() - 1), angle)) return std::nullopt;
     if (!(angle >= 0) || angle > 90) return std::nullopt;
     const double towards_east = pole == 'n' ? angle : 180 - angle;
     if (rest.back() == 'e') return in_circle(towards_east);

@@ -13,9 +13,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
-#include "records/numbers.h"
 #include "records/start_time.h"
 
 namespace voussoir

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "records/numbers.h"
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {
@@ -22,7 +23,7 @@ bool split_touching(std::string_view token, std::size_t width, std::vector<doubl
     for (std::size_t end = token.size(); end > 0; end -= std::min(end, width)) {
         const std::size_t start = end > width ? end - width : 0;
         double number = 0;
-        if (!parse_number(token.substr(start, end - start), number)) {
+        if (!parse_fortran_number(token.substr(start, end - start), number)) {
             numbers.resize(before);
             return false;
         }
@@ -38,7 +39,7 @@ bool parse_token(std::string_view token, std::size_t width, std::vector<double>&
     // Whole numbers that touch look like one; reals that touch have two points.
     const bool may_touch =
         width > 0 && token.size() > width && token.find_first_not_of("+-0123456789") == std::string_view::npos;
-    if (!may_touch && parse_number(token, number)) {
+    if (!may_touch && parse_fortran_number(token, number)) {
         numbers.push_back(number);
         return true;
     }
@@ -74,7 +75,7 @@ std::size_t format_width(std::string_view text)
         if (!is_letter || !begins || !is_digit(line[at + 1])) continue;
         double width = 0;
         const std::size_t digits = line.find_first_not_of("0123456789", at + 1);
-        if (!parse_number(std::string_view(line).substr(at + 1, digits - at - 1), width)) continue;
+        if (!parse_fortran_number(std::string_view(line).substr(at + 1, digits - at - 1), width)) continue;
         if (width >= 1 && width <= 80) return static_cast<std::size_t>(width);
     }
     return 0;

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <utility>
 
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 #include "records/content.h"
 #include "records/formats/fields.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {

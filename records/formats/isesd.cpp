@@ -18,9 +18,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {

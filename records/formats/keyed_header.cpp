@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "records/numbers.h"
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {

@@ -16,9 +16,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
-#include "records/numbers.h"
 #include "records/start_time.h"
 
 namespace voussoir
@@ -83,7 +84,7 @@ double parse_scale(const SourceFile& file, const HeaderLine* line, FaultList& fa
     const std::size_t slash = text.find('/');
     const std::string unit = used > 0 ? letters_and_digits(text.substr(used, slash - used)) : "";
     const bool complete = used > 0 && slash != std::string::npos && unit == "gal" &&
-                          parse_number(std::string_view(text).substr(slash + 1), denominator);
+                          parse_fortran_number(std::string_view(text).substr(slash + 1), denominator);
     const double scale = 0.01 * numerator / denominator;
     if (complete && std::isfinite(scale) && scale > 0) return scale;
     faults.add(place_of(file, line), "Scale Factor = \"" + text_of(line) + "\"",

@@ -10,10 +10,11 @@
 #include <cmath>
 #include <memory>
 
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 #include "records/formats/station_xml.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {

@@ -13,9 +13,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {
@@ -68,7 +70,7 @@ std::vector<double> numbers_among_words(std::string line)
     while (!rest.empty()) {
         const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
         double number = 0;
-        if (parse_number(word, number)) numbers.push_back(number);
+        if (parse_fortran_number(word, number)) numbers.push_back(number);
         rest = trim(rest.substr(word.size()));
     }
     return numbers;

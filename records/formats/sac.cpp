@@ -8,11 +8,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "libdda/text/numbers.h"
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 #include "records/formats/sac_header.h"
 #include "records/formats/station_xml.h"
-#include "records/numbers.h"
 #include "records/start_time.h"
 
 namespace voussoir

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/format.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {
@@ -78,7 +79,7 @@ double shortest_decimal(float value)
     const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     double decimal = 0;
     const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
-    return error == std::errc() && parse_number(text, decimal) ? decimal : value;
+    return error == std::errc() && parse_fortran_number(text, decimal) ? decimal : value;
 }
 
 SacHeader read_binary(const SourceFile& file, std::endian order)

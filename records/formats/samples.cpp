@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdda/text/numbers.h"
 #include "records/formats/format.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <pugixml.hpp>
 
-#include "records/numbers.h"
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {
@@ -33,7 +35,7 @@ std::string text_in(const pugi::xml_node& node, std::string_view name)
 std::optional<double> number_in(const pugi::xml_node& node, std::string_view name)
 {
     double number = 0;
-    return parse_number(text_in(node, name), number) ? std::optional<double>(number) : std::nullopt;
+    return parse_fortran_number(text_in(node, name), number) ? std::optional<double>(number) : std::nullopt;
 }
 
 bool has_code(const pugi::xml_node& node, const char* attribute, const std::string& code)

@@ -4,7 +4,7 @@
 #include <initializer_list>
 
 #include "libdda/errors.h"
-#include "records/numbers.h"
+#include "libdda/text/words.h"
 
 namespace voussoir
 {

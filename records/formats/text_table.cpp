@@ -8,9 +8,11 @@
 #include <optional>
 #include <utility>
 
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/format.h"
 #include "records/formats/text_heading.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {

@@ -12,9 +12,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdda/text/fortran_numbers.h"
+#include "libdda/text/numbers.h"
+#include "libdda/text/words.h"
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {
@@ -69,7 +71,7 @@ double value_for(const std::vector<std::string>& values, std::size_t channel)
 {
     double number = 0;
     if (values.empty() || channel >= values.size()) return 0;
-    return parse_number(values[channel], number) ? number : 0;
+    return parse_fortran_number(values[channel], number) ? number : 0;
 }
 
 /// "N90E", "S00W" -> azimuth; "V" -> vertical. What follows a semicolon is not a bearing.

@@ -10,10 +10,10 @@
 
 #include <utility>
 
+#include "libdda/text/words.h"
 #include "records/formats/direction.h"
 #include "records/formats/format.h"
 #include "records/formats/samples.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {

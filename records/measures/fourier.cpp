@@ -9,8 +9,8 @@
 #include <type_traits>
 
 #include "libdda/errors.h"
+#include "libdda/text/numbers.h"
 #include "records/measures/acceleration.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "libdda/errors.h"
+#include "libdda/text/numbers.h"
 #include "records/measures/acceleration.h"
 #include "records/measures/oscillator.h"
-#include "records/numbers.h"
 
 namespace voussoir
 {

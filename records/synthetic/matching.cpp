@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "libdda/errors.h"
+#include "libdda/text/numbers.h"
 #include "records/measures/oscillator.h"
-#include "records/numbers.h"
 #include "records/synthetic/rest.h"
 #include "records/synthetic/spectral_scaling.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "libdda/errors.h"
-#include "records/numbers.h"
+#include "libdda/text/numbers.h"
 #include "records/synthetic/rest.h"
 
 namespace voussoir

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "libdda/errors.h"
-#include "records/numbers.h"
+#include "libdda/text/numbers.h"
 #include "records/units.h"
 
 namespace voussoir

@@ -1,5 +1,5 @@
 // Whole cases made of boxes: what a good one becomes, and what is said about bad ones.
-#include "app/case/case_file.h"
+#include "app/reader/case_file.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/case/blocks.h"
-#include "app/case/overlaps.h"
+#include "app/reader/blocks.h"
+#include "app/reader/overlaps.h"
 #include "tests/app/case_reading.h"
 
 namespace voussoir

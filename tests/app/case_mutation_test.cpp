@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "app/case/case_file.h"
+#include "app/reader/case_file.h"
 #include "libdda/errors.h"
 #include "tests/app/test_files.h"
 #include "tests/damage.h"

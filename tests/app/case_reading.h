@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/case_file.h"
+#include "app/reader/case_file.h"
 #include "libdda/errors.h"
 #include "tests/app/test_files.h"
 

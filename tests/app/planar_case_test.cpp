@@ -1,7 +1,7 @@
 // Planar cases: the same stones drawn in space or in the plane, and what a planar scene does not take.
 #include <gtest/gtest.h>
 
-#include "app/case/overlaps.h"
+#include "app/reader/overlaps.h"
 #include "tests/app/case_reading.h"
 
 namespace voussoir

@@ -1,4 +1,4 @@
-#include "app/case/quantity.h"
+#include "app/words/quantity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The tree, the cursor and the overrides: places, duplicates, unknown keys, hostile text.
 #include <gtest/gtest.h>
 
-#include "app/case/nearest_word.h"
-#include "app/case/overrides.h"
-#include "app/case/yaml_cursor.h"
+#include "app/reader/overrides.h"
+#include "app/reader/yaml_cursor.h"
+#include "app/words/nearest_word.h"
 
 namespace voussoir
 {

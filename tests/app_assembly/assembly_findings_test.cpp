@@ -1,7 +1,7 @@
 // Each finding is provoked by one small assembly, and its advice carries the right number.
 #include <gtest/gtest.h>
 
-#include "app/geometry/assembly_words.h"
+#include "importers/assembly/assembly_words.h"
 #include "tests/app_assembly/stones.h"
 
 namespace voussoir

@@ -1,5 +1,5 @@
 // The contact graph: closed-form areas, the same in any position and order.
-#include "app/geometry/assembly.h"
+#include "importers/assembly/assembly.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/geometry/assembly.h"
+#include "importers/assembly/assembly.h"
 #include "libdda/geometry/moments.h"
 
 namespace voussoir

@@ -1,5 +1,5 @@
 // Order, extrapolation and their refusal on series that are made up.
-#include "app/converge/estimate.h"
+#include "app/studies/converge/estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "app/converge/quantity.h"
-#include "app/converge/recorder.h"
-#include "app/converge/sample.h"
-#include "app/converge/setting.h"
-#include "app/plots/words.h"
+#include "app/studies/converge/quantity.h"
+#include "app/studies/converge/recorder.h"
+#include "app/studies/converge/sample.h"
+#include "app/studies/converge/setting.h"
+#include "app/words/figures_in_words.h"
 #include "libdda/errors.h"
 #include "libdda/model/state.h"
 #include "tests/app/test_files.h"

@@ -6,11 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/converge/report.h"
-#include "app/converge/sample.h"
-#include "app/converge/study.h"
-#include "app/converge/threshold.h"
-#include "app/converge/verdict.h"
+#include "app/reader/case_file.h"
+#include "app/studies/converge/report.h"
+#include "app/studies/converge/sample.h"
+#include "app/studies/converge/study.h"
+#include "app/studies/converge/threshold.h"
+#include "app/studies/converge/verdict.h"
 #include "libdda/errors.h"
 #include "tests/app/test_files.h"
 
@@ -117,7 +118,7 @@ TEST(Threshold, of_an_incline_is_found_within_its_bracket)
     const Threshold threshold = read_threshold("joints.dry.friction=50..42 deg");
     EXPECT_EQ(threshold.unit, "deg");
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms"}, {1, 4}, {}}, the_case));
-    const ConvergeStudy study = run_threshold_study(the_case, list, threshold, {{}, 0.01}, 1, {});
+    const ConvergeStudy study = run_threshold_study(the_case, list, threshold, {{}, 0.01}, 1, {}, case_reader);
     ASSERT_EQ(study.quantities.size(), 1u);
     for (const Series& series : study.quantities[0].series) {
         EXPECT_GT(series.uncertainty, 0.001);
@@ -133,7 +134,8 @@ TEST(Threshold, that_is_not_between_the_values_is_a_failure_of_the_setting)
     const Case the_case = incline({});
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms"}, {1}, {}}, the_case));
     const auto failure = [&](const std::string& text) {
-        const ConvergeStudy study = run_threshold_study(the_case, list, read_threshold(text), {{}, 0.01}, 1, {});
+        const ConvergeStudy study =
+            run_threshold_study(the_case, list, read_threshold(text), {{}, 0.01}, 1, {}, case_reader);
         const Series& series = study.quantities[0].series[0];
         EXPECT_FALSE(series.reference);
         EXPECT_EQ(cheapest(series, 0.05), nullptr);
@@ -151,7 +153,7 @@ TEST(Threshold, next_to_zero_ends)
     const Case the_case = incline({"joints.dry.friction=44 deg", "joints.dry.tensile_strength=1 MPa"});
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms"}, {1}, {}}, the_case));
     const Threshold threshold = read_threshold("joints.dry.cohesion=1 MPa..0 MPa");
-    const ConvergeStudy study = run_threshold_study(the_case, list, threshold, {{}, 0.001}, 1, {});
+    const ConvergeStudy study = run_threshold_study(the_case, list, threshold, {{}, 0.001}, 1, {}, case_reader);
     for (const SeriesRow& row : study.quantities[0].series[0].rows) {
         ASSERT_TRUE(row.value) << row.failure;
         EXPECT_LT(*row.value, 0.01);

@@ -5,8 +5,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/converge/measured_run.h"
-#include "app/ensemble/report.h"
+#include "app/reader/case_file.h"
+#include "app/studies/converge/measured_run.h"
+#include "app/studies/ensemble/report.h"
 #include "libdda/errors.h"
 #include "tests/app/test_files.h"
 #include "tests/app_ensemble/scenes.h"
@@ -30,7 +31,8 @@ EnsembleStudy study_of(const std::string& text, const std::string& vary = vary_f
 {
     const TemporaryFolder folder;
     const Variation variation = read_variation(vary);
-    return run_ensemble(read_members(folder.write("case.yaml", text), {}, variation), variation, choices, {});
+    return run_ensemble(read_members(folder.write("case.yaml", text), {}, variation, case_reader), variation,
+                        choices, {});
 }
 
 const MeasureStudy& measure(const EnsembleStudy& study, const std::string& part)
@@ -170,7 +172,7 @@ TEST(Ensemble, passes_on_what_its_case_warns_of)
     const TemporaryFolder folder;
     const Variation variation = read_variation(vary_friction);
     std::vector<Case> members =
-        read_members(folder.write("case.yaml", shaken_stone(gentle_wave, "1 ms")), {}, variation);
+        read_members(folder.write("case.yaml", shaken_stone(gentle_wave, "1 ms")), {}, variation, case_reader);
     for (Case& member : members) member.warnings = {"arch.obj: a hole was closed"};
     const EnsembleStudy study = run_ensemble(members, variation, {}, {});
     EXPECT_NE(ensemble_page(study, "", {}).find("- arch.obj: a hole was closed\n"), std::string::npos);
@@ -208,7 +210,8 @@ TEST(Ensemble, ends_when_it_is_told_to)
 {
     const TemporaryFolder folder;
     const Variation variation = read_variation(vary_friction);
-    const auto members = read_members(folder.write("case.yaml", shaken_stone(gentle_wave, "1 ms")), {}, variation);
+    const auto members =
+        read_members(folder.write("case.yaml", shaken_stone(gentle_wave, "1 ms")), {}, variation, case_reader);
     int finished = 0;
     EnsembleWatch watch;
     watch.finished = [&](const MemberRun&, int, int) { ++finished; };

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "app/drawing/color_map.h"
 #include "app/render/camera.h"
-#include "app/render/color_map.h"
 #include "app/render/extrusion.h"
 #include "app/render/joint_faces.h"
 #include "app/render/scene.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/case/case_file.h"
+#include "app/reader/case_file.h"
 #include "app/results/restart_file.h"
 #include "app/results/results_writer.h"
 #include "tests/app/program_start.h"

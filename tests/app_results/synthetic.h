@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/case/case_file.h"
+#include "app/reader/case_file.h"
 #include "libdda/model/state.h"
 
 namespace voussoir::synthetic

@@ -6,10 +6,11 @@
 #include <set>
 #include <sstream>
 
-#include "app/stability/maps.h"
-#include "app/stability/page.h"
-#include "app/stability/runner.h"
-#include "app/stability/sound_range.h"
+#include "app/reader/case_file.h"
+#include "app/studies/stability/maps.h"
+#include "app/studies/stability/page.h"
+#include "app/studies/stability/runner.h"
+#include "app/studies/stability/sound_range.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -19,7 +20,7 @@ namespace
 
 StabilityCell cell_named(const std::string& name)
 {
-    for (const StabilityScene& scene : stability_scenes())
+    for (const StabilityScene& scene : stability_scenes(case_reader))
         for (const StabilityCell& cell : scene.cells)
             if (cell.name == name) return cell;
     ADD_FAILURE() << name;
@@ -37,7 +38,7 @@ TEST(StabilityCells, are_two_hundred_with_names_of_their_own_and_a_reference_eac
 {
     std::set<std::string> names;
     std::size_t count = 0;
-    for (const StabilityScene& scene : stability_scenes())
+    for (const StabilityScene& scene : stability_scenes(case_reader))
         for (const StabilityCell& cell : scene.cells) {
             names.insert(cell.name);
             ++count;
@@ -55,7 +56,7 @@ TEST(StabilityCells, are_two_hundred_with_names_of_their_own_and_a_reference_eac
 TEST(StabilityCells, the_maps_span_ten_decades_of_stiffness_and_three_of_time_step)
 {
     int maps = 0;
-    for (const StabilityScene& scene : stability_scenes()) {
+    for (const StabilityScene& scene : stability_scenes(case_reader)) {
         if (!scene.over_stiffness_and_step) continue;
         ++maps;
         std::set<double> stiffnesses, steps;
@@ -227,7 +228,7 @@ TEST(StabilityMaps, a_wrong_cell_is_red_and_named_on_the_page)
     bad.run.error = 0.5;
     bad.outcome = CellOutcome::wrong;
     bad.diagnosis = "error 50 % is beyond 2 %";
-    const std::vector<StabilityScene> scenes = stability_scenes();
+    const std::vector<StabilityScene> scenes = stability_scenes(case_reader);
     const std::vector<Figure> figures = stability_figures(scenes, {good, bad});
     ASSERT_EQ(figures.size(), 1u);
     const TileMap& map = figures[0].maps.at(0);
@@ -245,7 +246,7 @@ TEST(StabilityMaps, every_scene_is_on_the_page_that_ships)
 {
     std::ostringstream page;
     page << std::ifstream(VOUSSOIR_DOCS "/stability.md").rdbuf();
-    for (const StabilityScene& scene : stability_scenes()) {
+    for (const StabilityScene& scene : stability_scenes(case_reader)) {
         EXPECT_NE(page.str().find("\n## " + scene.name + "\n"), std::string::npos)
             << scene.name << ": rerun voussoir stability -o docs";
         const bool holds = page.str().find(", " + scene.name + " holds from ") != std::string::npos;

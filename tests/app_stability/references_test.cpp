@@ -6,9 +6,9 @@
 #include <numbers>
 #include <vector>
 
-#include "app/stability/references/block_on_springs.h"
-#include "app/verify/references/rocking.h"
-#include "app/verify/references/sliding.h"
+#include "app/studies/stability/references/block_on_springs.h"
+#include "app/studies/verify/references/rocking.h"
+#include "app/studies/verify/references/sliding.h"
 
 namespace voussoir::reference
 {

@@ -1,7 +1,7 @@
 // Runs the rocking, knocking and waving benchmarks at their defaults and prints what they give.
 #include <gtest/gtest.h>
 
-#include "app/verify/families.h"
+#include "app/studies/verify/families.h"
 
 namespace voussoir
 {

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/verify/mode_chart_points.h"
-#include "app/verify/references/kinetic_damping.h"
-#include "app/verify/references/layered_site.h"
-#include "app/verify/references/mode_chart.h"
-#include "app/verify/references/newmark_rebound.h"
-#include "app/verify/references/rebound.h"
-#include "app/verify/references/rocking.h"
-#include "app/verify/references/shear_wave.h"
-#include "app/verify/references/smooth_ode.h"
+#include "app/studies/verify/mode_chart_points.h"
+#include "app/studies/verify/references/kinetic_damping.h"
+#include "app/studies/verify/references/layered_site.h"
+#include "app/studies/verify/references/mode_chart.h"
+#include "app/studies/verify/references/newmark_rebound.h"
+#include "app/studies/verify/references/rebound.h"
+#include "app/studies/verify/references/rocking.h"
+#include "app/studies/verify/references/shear_wave.h"
+#include "app/studies/verify/references/smooth_ode.h"
 
 namespace voussoir::reference
 {

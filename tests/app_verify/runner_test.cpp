@@ -5,13 +5,13 @@
 #include <set>
 #include <stdexcept>
 
-#include "app/verify/engine_run.h"
-#include "app/verify/page.h"
-#include "app/verify/plot.h"
-#include "app/verify/runner.h"
-#include "app/verify/settings.h"
-#include "app/verify/table.h"
-#include "app/verify/verify_json.h"
+#include "app/studies/verify/engine_run.h"
+#include "app/studies/verify/page.h"
+#include "app/studies/verify/plot.h"
+#include "app/studies/verify/runner.h"
+#include "app/studies/verify/settings.h"
+#include "app/studies/verify/table.h"
+#include "app/studies/verify/verify_json.h"
 
 namespace voussoir
 {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/verify/references/sliding.h"
+#include "app/studies/verify/references/sliding.h"
 
 namespace voussoir
 {

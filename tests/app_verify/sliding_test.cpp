@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "app/verify/runner.h"
-#include "app/verify/table.h"
+#include "app/studies/verify/runner.h"
+#include "app/studies/verify/table.h"
 
 namespace voussoir
 {

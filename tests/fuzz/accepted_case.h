@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/case/case_file.h"
+#include "app/reader/case_file.h"
 
 namespace voussoir
 {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/geometry/geometry.h"
+#include "importers/helper/geometry.h"
 
 namespace voussoir
 {

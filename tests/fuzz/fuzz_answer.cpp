@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "app/geometry/wire.h"
+#include "importers/helper/wire.h"
 #include "tests/fuzz/accepted_geometry.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

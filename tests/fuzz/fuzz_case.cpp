@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/geometry/geometry.h"
+#include "importers/helper/geometry.h"
 #include "libdda/errors.h"
 #include "tests/fuzz/accepted_case.h"
 #include "tests/temporary_folder.h"

@@ -9,9 +9,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/geometry/geometry.h"
 #include "importers/exact/certify.h"
 #include "importers/exact/stones_of.h"
+#include "importers/helper/geometry.h"
 #include "importers/mesh/read_mesh.h"
 
 namespace voussoir

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "app/geometry/import_meshes.h"
+#include "importers/helper/import_meshes.h"
 #include "libdda/errors.h"
 #include "tests/importers/shapes.h"
 

@@ -1,11 +1,11 @@
-#include "app/geometry/close_joints.h"
+#include "importers/helper/close_joints.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/geometry/assembly.h"
-#include "app/geometry/import_meshes.h"
+#include "importers/assembly/assembly.h"
+#include "importers/helper/import_meshes.h"
 #include "importers/mesh/write_obj.h"
 #include "tests/importers/concave_shapes.h"
 

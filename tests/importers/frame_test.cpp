@@ -1,7 +1,7 @@
 // Unit, axis and what becomes a stone: what the user says, else what the file says.
 #include <gtest/gtest.h>
 
-#include "app/geometry/import_meshes.h"
+#include "importers/helper/import_meshes.h"
 #include "importers/mesh/write_obj.h"
 #include "tests/importers/shapes.h"
 

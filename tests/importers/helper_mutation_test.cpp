@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/geometry/geometry.h"
-#include "app/geometry/wire.h"
+#include "importers/helper/geometry.h"
+#include "importers/helper/wire.h"
 #include "libdda/errors.h"
 #include "tests/damage.h"
 #include "tests/fuzz/accepted_geometry.h"

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "app/geometry/geometry.h"
-#include "app/geometry/import_meshes.h"
+#include "importers/helper/geometry.h"
+#include "importers/helper/import_meshes.h"
 #include "importers/mesh/write_obj.h"
 #include "importers/patterns/arch_bridge.h"
 #include "tests/importers/shapes.h"

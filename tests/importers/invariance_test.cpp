@@ -7,9 +7,9 @@
 #include <map>
 #include <random>
 
-#include "app/geometry/assembly.h"
-#include "app/geometry/import_meshes.h"
+#include "importers/assembly/assembly.h"
 #include "importers/exact/certify.h"
+#include "importers/helper/import_meshes.h"
 #include "importers/mesh/read_mesh.h"
 #include "importers/mesh/write_obj.h"
 #include "importers/patterns/arch_bridge.h"

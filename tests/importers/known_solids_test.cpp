@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/geometry/import_meshes.h"
+#include "importers/helper/import_meshes.h"
 #include "importers/mesh/write_obj.h"
 #include "tests/importers/shapes.h"
 

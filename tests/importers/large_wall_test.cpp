@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "app/geometry/assembly.h"
-#include "app/geometry/geometry.h"
+#include "importers/assembly/assembly.h"
+#include "importers/helper/geometry.h"
 #include "importers/mesh/write_obj.h"
 #include "importers/patterns/wall.h"
 #include "tests/importers/shapes.h"

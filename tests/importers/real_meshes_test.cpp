@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/geometry/geometry.h"
+#include "importers/helper/geometry.h"
 
 namespace voussoir
 {

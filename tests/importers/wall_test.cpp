@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "app/geometry/import_meshes.h"
+#include "importers/helper/import_meshes.h"
 #include "importers/mesh/write_obj.h"
 #include "tests/importers/masonry_checks.h"
 #include "tests/importers/shapes.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/geometry/geometry.h"
+#include "importers/helper/geometry.h"
 #include "libdda/analysis/energies.h"
 #include "libdda/analysis/run.h"
 

@@ -1,0 +1,65 @@
+// A case as data, ready to run, whoever has read or made it.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libdda/model/model.h"
+
+namespace voussoir
+{
+
+/// A block, and a reference point of it, whose history is written.
+struct HistoryPoint {
+    std::string name;
+    std::string block;
+    std::optional<Eigen::Vector3d> point;  // m, user's coordinates; the centroid if absent
+};
+
+enum class SnapshotColor { displacement, principal_stress };
+
+struct SnapshotOptions {
+    SnapshotColor color = SnapshotColor::displacement;
+    std::vector<double> times;  // s of run time; empty: `count` snapshots spread over the run
+    int count = 4;
+    int width = 1600, height = 900;
+    std::optional<double> deformation_scale;  // displacements drawn times this; 1 if absent
+};
+
+struct OutputOptions {
+    double every = 0;  // s between frames in results.h5
+    std::vector<HistoryPoint> histories;
+    std::optional<SnapshotOptions> snapshots;  // absent: no renderer is started
+};
+
+/// What was read about a record or a wave, for the report and `left_out`.
+struct MotionNote {
+    std::string description;  // "foundation x: records/aqv_we.at2 (PEER AT2, 0.005 s, 6.5 m/s2) x 1.5"
+    double residual_velocity = 0, residual_displacement = 0, peak_acceleration = 0;
+};
+
+/// A case, ready to run.
+struct Case {
+    std::filesystem::path file;
+    std::string title;
+    std::string text;                     // the case file as read, with --set applied noted in `overrides`
+    std::vector<std::string> overrides;   // "stages[1].time_step=1 ms"
+    std::vector<std::string> mesh_files;  // as the case names them; empty: no geometry helper was started
+    Model model;
+    std::vector<Stage> stages;
+    OutputOptions output;
+    std::vector<MotionNote> motions;
+    std::vector<std::string> defaults;  // every default that was taken, in words
+    std::vector<std::string> warnings;  // repairs included
+};
+
+/// Reads a case from a file with `key=value` overrides: read_case of app/reader, or what stands in for it. Studies
+/// that read a case anew are handed one, and know no file format.
+using CaseReader =
+    std::function<Case(const std::filesystem::path& file, const std::vector<std::string>& overrides)>;
+
+}  // namespace voussoir

@@ -1,0 +1,230 @@
+#include "app/reader/blocks.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/reader/block_reading.h"
+#include "app/reader/overlaps.h"
+#include "app/words/nearest_word.h"
+#include "importers/patterns/most_blocks.h"
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr std::size_t most_groups = 1000;  // more are a slip of the pen: there is a joint for every pair of them
+
+/// A fault and the first group for one group too many.
+int group_index(const std::string& name, const std::string& place, BlockReading& reading)
+{
+    Model& model = reading.model;
+    const auto at = std::find(model.groups.begin(), model.groups.end(), name);
+    const auto index = at - model.groups.begin();
+    if (at != model.groups.end()) return static_cast<int>(index);
+    if (model.groups.size() == most_groups) {
+        reading.findings.faults.push_back({place, fmt::format("more than {} groups", most_groups),
+                                           "groups are for blocks that are treated alike"});
+        return 0;
+    }
+    model.groups.push_back(name);
+    return static_cast<int>(index);
+}
+
+/// @param without_mesh number of blocks, the first ones, that came from no mesh
+void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
+{
+    std::vector<Block>& blocks = reading.model.blocks;
+    const std::vector<BlockOverlap> overlaps = find_overlaps(blocks, without_mesh);
+    for (const BlockOverlap& overlap : overlaps) {
+        const std::string& name_b = blocks[overlap.block_b].name;
+        reading.findings.faults.push_back(
+            {reading.places.at(name_b) + ": " + blocks[overlap.block_a].name + " and " + name_b,
+             fmt::format("overlap by {:.3g} m", overlap.depth), "stones may touch but not overlap"});
+    }
+    if (overlaps.size() < most_overlaps) return;
+    reading.findings.faults.push_back({reading.findings.file, "more than 1000 pairs of stones overlap",
+                                       "the stones seem to be drawn in one place"});
+    blocks.clear();  // a certificate of them would have a contact for every pair
+}
+
+/// Sizes and densities that are numbers can still have a mass that is none.
+void refuse_infinite_masses(BlockReading& reading)
+{
+    if (!reading.findings.faults.empty()) return;  // a missing density would be found again in every block
+    const Model& model = reading.model;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        const Block& block = model.blocks[b];
+        const double mass = model.mass(static_cast<int>(b)), volume = block.moments.volume;
+        const bool is_number = mass > 0 && volume > 0 && std::isfinite(mass) && std::isfinite(volume) &&
+                               block.moments.centroid.allFinite() &&
+                               model.mass_second(static_cast<int>(b)).allFinite();
+        if (is_number) continue;
+        reading.findings.faults.push_back({reading.places.at(block.name) + ": " + block.name,
+                                           fmt::format("a volume of {:g} m3 and a mass of {:g} kg", volume, mass),
+                                           "check its size, its place and its density"});
+        return;
+    }
+}
+
+/// A fault, and false, if the name is taken.
+bool take_name(const std::string& name, const std::string& place, BlockReading& reading)
+{
+    const auto [known, is_new] = reading.places.emplace(name, place);
+    if (!is_new)
+        reading.findings.faults.push_back(
+            {place, "a second block named " + name, "the first one is at " + known->second});
+    return is_new;
+}
+
+/// What a block can be given as, and who reads it.
+struct ShapeReader {
+    const char* key;
+    void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
+};
+constexpr std::array<ShapeReader, 5> shape_readers = {{
+    {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
+    {"box", read_box},
+    {"polygon", read_polygon},
+    {"wall", read_wall},
+    {"house", read_house},
+}};
+
+void read_entry(YamlCursor& entry, BlockReading& reading)
+{
+    if (!entry.expect_map("a block {mesh: file}, {box: {...}}, {polygon: {...}}, {wall: {...}} or {house: {...}}"))
+        return;
+    const ShapeReader* chosen = nullptr;
+    std::optional<YamlCursor> shape;
+    int shapes = 0;
+    for (const ShapeReader& reader : shape_readers) {
+        std::optional<YamlCursor> found = entry.find(reader.key);
+        if (!found) continue;
+        ++shapes;
+        chosen = &reader;
+        shape = std::move(found);
+    }
+    if (shapes == 1) {
+        try {
+            return chosen->read(entry, *shape, reading);
+        } catch (const InputError& error) {  // of a shape that knows nothing of the file it is written in
+            for (const Fault& fault : error.faults) entry.fault(fault.place + ": " + fault.found, fault.expected);
+            return;
+        }
+    }
+    const std::string all = "mesh, box, polygon, wall ";
+    entry.fault(shapes == 0 ? "no " + all + "or house" : "more than one of " + all + "and house",
+                "give one of them");
+}
+
+}  // namespace
+
+void add_block(const std::string& name, const std::string& place, const std::string& group, int material,
+               std::vector<ConvexPolyhedron> parts, BlockReading& reading, const Moments* moments)
+{
+    Model& model = reading.model;
+    if (is_planar(model.kinematics)) {
+        std::vector<ConvexPolygon> outlines = outlines_of(name, place, parts, reading);
+        if (!outlines.empty()) add_planar_block(name, place, group, material, std::move(outlines), reading);
+    } else if (take_name(name, place, reading)) {
+        const Moments own = moments != nullptr ? *moments : moments_of(parts);
+        model.blocks.push_back(
+            make_block(name, group_index(group, place, reading), material, std::move(parts), own));
+    }
+}
+
+void add_planar_block(const std::string& name, const std::string& place, const std::string& group, int material,
+                      std::vector<ConvexPolygon> outlines, BlockReading& reading)
+{
+    Model& model = reading.model;
+    if (!take_name(name, place, reading)) return;
+    model.blocks.push_back(make_planar_block(name, group_index(group, place, reading), material,
+                                             std::move(outlines), model.thickness));
+}
+
+Belonging read_belonging(YamlCursor& entry, const std::vector<BlockMaterial>& materials)
+{
+    const int material = read_material_name(entry, materials);
+    const std::optional<std::string> group = entry.find_text("group");
+    if (!group) entry.took_default("group", default_group);
+    entry.reject_unknown_keys();
+    return {material, group.value_or(default_group)};
+}
+
+int read_material_name(YamlCursor& entry, const std::vector<BlockMaterial>& materials)
+{
+    std::vector<std::string> names;
+    names.reserve(materials.size());
+    for (const BlockMaterial& material : materials) names.push_back(material.name);
+    const std::optional<YamlCursor> value = entry.find("material");
+    if (!value && names.size() == 1) {
+        entry.took_default("material", names[0]);
+        return 0;
+    }
+    if (!value) {
+        entry.require("material", "a material's name");
+        return 0;
+    }
+    const std::string name = value->as_text();
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at != names.end()) return static_cast<int>(at - names.begin());
+    if (!name.empty()) value->fault("no material \"" + name + "\"", suggestion(name, names));
+    return 0;
+}
+
+bool matches_pattern(std::string_view name, std::string_view pattern)
+{
+    // The last * is remembered and takes one letter more whenever the rest does not fit: no exponential search.
+    std::size_t n = 0, p = 0, star = std::string_view::npos, resume = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            resume = n;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+            ++n;
+            ++p;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            n = ++resume;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') ++p;
+    return p == pattern.size();
+}
+
+std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::path& folder, Model& model,
+                                     Findings& findings)
+{
+    const std::optional<double> thickness = read_thickness(top, model.kinematics);
+    std::optional<YamlCursor> section = top.require("blocks", "the stones, [{mesh: stones.obj}]");
+    if (!section) return {};
+    BlockReading reading{folder, model, findings, {}, {}, Eigen::Vector3d::Zero(), {}};
+    std::vector<YamlCursor> entries = section->items("a list of meshes, boxes, polygons, walls and houses");
+    if (entries.empty() && section->is_list())
+        section->fault("no block", "give at least one mesh, box, polygon, wall or house");
+    const auto are_too_many = [&](YamlCursor& where) {
+        if (model.blocks.size() <= most_blocks) return false;
+        where.fault(fmt::format("more than {} blocks", most_blocks), "give larger blocks or fewer walls");
+        return true;
+    };
+    for (YamlCursor& entry : entries) {
+        read_entry(entry, reading);
+        if (are_too_many(entry)) return {};
+    }
+    const std::size_t without_mesh = model.blocks.size();
+    import_meshes(reading);
+    if (are_too_many(*section)) return {};
+    settle_thickness(top, thickness, reading);
+    refuse_overlaps(reading, without_mesh);
+    refuse_infinite_masses(reading);
+    std::vector<std::string> files;
+    for (const MeshEntry& mesh : reading.meshes) files.push_back(mesh.name);
+    return files;
+}
+
+}  // namespace voussoir

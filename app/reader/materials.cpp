@@ -1,0 +1,184 @@
+#include "app/reader/materials.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+#include "app/words/nearest_word.h"
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr double standard_gravity = 9.80665;  // m/s2, by which a weight per volume is a density
+
+/// A density, or the weight per volume that engineers' tables give.
+double read_density(YamlCursor& map)
+{
+    const std::optional<YamlCursor> value = map.require("density", "a density such as 2400 kg/m3");
+    if (!value) return 0;
+    const bool is_weight = value->is_scalar() && parse_quantity(value->as_text()).has(dimension::unit_weight);
+    if (!is_weight) return value->as_quantity(dimension::density, Range::positive());
+    const double density = value->as_quantity(dimension::unit_weight, Range::positive()) / standard_gravity;
+    map.took_default("density", fmt::format("{} / 9.80665 m/s2 = {:g} kg/m3", value->as_text(), density));
+    return density;
+}
+
+/// The two spellings are told apart by the unit, so a bare number says nothing.
+ContactStiffness read_stiffness(YamlCursor& map)
+{
+    const std::optional<YamlCursor> value = map.find("contact_stiffness");
+    if (!value) {
+        map.took_default("contact_stiffness", "from the blocks' modulus and depth");
+        return {};
+    }
+    const ParsedQuantity quantity = value->is_scalar() ? parse_quantity(value->as_text()) : ParsedQuantity{};
+    if (quantity.problem.empty() && quantity.has(dimension::stiffness_per_point))
+        return {ContactStiffness::Kind::per_point,
+                value->as_quantity(dimension::stiffness_per_point, Range::positive())};
+    if (quantity.problem.empty() && quantity.has(dimension::stiffness_per_area))
+        return {ContactStiffness::Kind::per_area,
+                value->as_quantity(dimension::stiffness_per_area, Range::positive())};
+    value->fault(value->found() + (quantity.bare ? " has no unit, and here it decides the meaning" : ""),
+                 "expected 1e8 N/m (per contact point) or 50 MPa/m (per area)");
+    return {};
+}
+
+const Range friction_range{0, std::numbers::pi / 2, true, false};
+
+/// How friction changes with the speed of slip: a list of {speed, friction}.
+std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
+{
+    std::vector<FrictionAtSpeed> points;
+    const std::optional<YamlCursor> list = map.find("friction_at_speed");
+    if (!list) return points;
+    double last = 0;
+    if (list->is_list_of(0)) list->fault("an empty list", "give a point, or leave friction_at_speed out");
+    for (YamlCursor& item : list->items("a list of {speed: 1 cm/s, friction: 20 deg}")) {
+        if (!item.expect_map("a point {speed: 1 cm/s, friction: 20 deg}")) continue;
+        FrictionAtSpeed point;
+        point.speed = item.quantity("speed", dimension::velocity, Range::positive());
+        point.angle = item.quantity("friction", dimension::angle, friction_range);
+        item.reject_unknown_keys();
+        if (point.speed <= last) item.fault(in_words(point.speed, dimension::velocity), "speeds must ascend");
+        last = point.speed;
+        points.push_back(point);
+    }
+    return points;
+}
+
+JointMaterial read_joint(const std::string& name, YamlCursor& map)
+{
+    JointMaterial joint;
+    joint.name = name;
+    joint.friction_angle = map.quantity("friction", dimension::angle, friction_range);
+    joint.friction_at_speed = read_friction_at_speed(map);
+    joint.cohesion = map.quantity_or("cohesion", dimension::pressure, Range::non_negative(), joint.cohesion);
+    joint.tensile_strength =
+        map.quantity_or("tensile_strength", dimension::pressure, Range::non_negative(), joint.tensile_strength);
+    joint.stiffness = read_stiffness(map);
+    if (const std::optional<YamlCursor> factor = map.find("contact_stiffness_factor"))
+        joint.stiffness.factor = factor->as_quantity(dimension::number, Range::positive());
+    joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", dimension::number,
+                                                      Range::positive(), joint.shear_to_normal_stiffness);
+    joint.dashpot = map.quantity_or("dashpot", dimension::time, Range::non_negative(), joint.dashpot);
+    map.reject_unknown_keys();
+    return joint;
+}
+
+std::vector<std::string> names_of(const std::vector<JointMaterial>& joints)
+{
+    std::vector<std::string> names;
+    names.reserve(joints.size());
+    for (const JointMaterial& joint : joints) names.push_back(joint.name);
+    return names;
+}
+
+/// Index of a name in a list, or -1 with a fault.
+int find_name(const YamlCursor& value, const std::vector<std::string>& names, const std::string& what)
+{
+    const std::string name = value.as_text();
+    if (name.empty()) return -1;
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end()) value.fault(fmt::format("no {} \"{}\"", what, name), suggestion(name, names));
+    return at == names.end() ? -1 : static_cast<int>(at - names.begin());
+}
+
+int read_default_joint(YamlCursor& top, const std::vector<JointMaterial>& joints)
+{
+    if (const std::optional<YamlCursor> value = top.find("default_joint"))
+        return find_name(*value, names_of(joints), "joint");
+    if (joints.size() == 1) return 0;
+    if (!joints.empty()) top.require("default_joint", "the joint that applies where no rule does");
+    return -1;
+}
+
+/// One rule: sets the joint on both sides of the diagonal.
+void read_rule(YamlCursor& rule, const std::vector<JointMaterial>& joints, const std::vector<std::string>& groups,
+               std::set<std::pair<int, int>>& ruled, std::vector<int>& joint_of_groups)
+{
+    if (!rule.expect_map("a rule {between: [group, group], joint: name}")) return;
+    std::vector<int> pair;
+    if (const auto between = rule.require("between", "the two groups, [group, group]"))
+        for (const YamlCursor& group : between->items("two groups, [group, group]"))
+            pair.push_back(find_name(group, groups, "group"));
+    const auto joint = rule.require("joint", "a joint's name");
+    const int index = joint ? find_name(*joint, names_of(joints), "joint") : -1;
+    rule.reject_unknown_keys();
+    if (pair.size() != 2) return rule.fault(fmt::format("{} groups", pair.size()), "a joint lies between two");
+    if (pair[0] < 0 || pair[1] < 0 || index < 0) return;
+    if (!ruled.insert(std::minmax(pair[0], pair[1])).second)
+        return rule.fault("a second rule for the same two groups", "keep one of them");
+    joint_of_groups[pair[0] * groups.size() + pair[1]] = index;
+    joint_of_groups[pair[1] * groups.size() + pair[0]] = index;
+}
+
+}  // namespace
+
+std::vector<BlockMaterial> read_materials(YamlCursor& top)
+{
+    std::vector<BlockMaterial> materials;
+    std::optional<YamlCursor> section = top.require("materials", "the block materials, {name: {density: ...}}");
+    if (!section) return materials;
+    for (auto& [name, map] : section->named_entries("materials by name")) {
+        if (!map.expect_map("a material {density, young, poisson}")) continue;
+        BlockMaterial material;
+        material.name = name;
+        material.density = read_density(map);
+        material.young = map.quantity("young", dimension::pressure, Range::positive());
+        material.poisson = map.quantity("poisson", dimension::number, {-1, 0.5, false, false});
+        material.compressive_strength =
+            map.find_quantity("compressive_strength", dimension::pressure, Range::positive()).value_or(0);
+        map.reject_unknown_keys();
+        materials.push_back(material);
+    }
+    if (materials.empty() && section->is_map()) section->fault("no material", "give at least one");
+    return materials;
+}
+
+std::vector<JointMaterial> read_joints(YamlCursor& top)
+{
+    std::vector<JointMaterial> joints;
+    std::optional<YamlCursor> section = top.require("joints", "the joint laws, {name: {friction: 30 deg}}");
+    if (!section) return joints;
+    for (auto& [name, map] : section->named_entries("joints by name"))
+        if (map.expect_map("a joint {friction: ...}")) joints.push_back(read_joint(name, map));
+    if (joints.empty() && section->is_map()) section->fault("no joint", "give at least one");
+    return joints;
+}
+
+std::vector<int> read_joint_rules(YamlCursor& top, const std::vector<JointMaterial>& joints,
+                                  const std::vector<std::string>& groups)
+{
+    std::vector<int> joint_of_groups(groups.size() * groups.size(), read_default_joint(top, joints));
+    std::set<std::pair<int, int>> ruled;
+    if (const std::optional<YamlCursor> rules = top.find("joint_rules"))
+        for (YamlCursor& rule : rules->items("a list of rules"))
+            read_rule(rule, joints, groups, ruled, joint_of_groups);
+    return joint_of_groups;
+}
+
+}  // namespace voussoir

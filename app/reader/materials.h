@@ -1,0 +1,22 @@
+// The parts of a case about stone and joints: `materials`, `joints`, `joint_rules`, `default_joint`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/reader/yaml_cursor.h"
+#include "libdda/model/model.h"
+
+namespace voussoir
+{
+
+std::vector<BlockMaterial> read_materials(YamlCursor& top);
+
+std::vector<JointMaterial> read_joints(YamlCursor& top);
+
+/// Which joint lies between which groups: `default_joint` (the only one, if there is one), then `joint_rules`.
+/// @returns (groups x groups) row major, symmetric
+std::vector<int> read_joint_rules(YamlCursor& top, const std::vector<JointMaterial>& joints,
+                                  const std::vector<std::string>& groups);
+
+}  // namespace voussoir

@@ -1,0 +1,131 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/reader/block_reading.h"
+#include "libdda/geometry/plane.h"
+
+namespace voussoir
+{
+namespace
+{
+
+/// `unit: cm`: metres in one of the file's units; 0: what the file says, else metres.
+double read_unit(YamlCursor& entry)
+{
+    const std::optional<YamlCursor> value = entry.find("unit");
+    if (!value) {
+        entry.took_default("unit", "as the file says, else m");
+        return 0;
+    }
+    const std::string name = value->as_text();
+    const ParsedQuantity one = parse_quantity("1 " + name);
+    if (one.problem.empty() && one.has(dimension::length) && !one.bare) return one.value;
+    value->fault("\"" + name + "\" is no unit of length", "expected m, cm, mm, ft, in or km");
+    return 1;
+}
+
+/// Rounded coordinates make neighbours overlap by next to nothing; a stone that overlaps another by more than this
+/// share of its volume is a mistake.
+constexpr double most_overlap = 0.01;
+
+void judge_overlaps(const Geometry& geometry, BlockReading& reading)
+{
+    const std::string place = reading.meshes.front().file.place();
+    int small = 0;
+    double largest = 0;
+    for (const Overlap& overlap : geometry.overlaps) {
+        if (overlap.share > most_overlap) {
+            reading.findings.faults.push_back({place + ": " + overlap.stone_a + " and " + overlap.stone_b,
+                                               fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
+                                                           overlap.volume, 100 * overlap.share),
+                                               "stones may touch but not overlap by more than 1 %"});
+            continue;
+        }
+        ++small;
+        largest = std::max(largest, overlap.share);
+    }
+    if (small > 0)
+        reading.findings.warnings.push_back(fmt::format(
+            "{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: they start pressed "
+            "together; voussoir check lists them",
+            place, small, 100 * largest));
+}
+
+void warn_of_repairs(const std::string& place, const std::vector<std::string>& repairs, Findings& findings)
+{
+    for (const std::string& repair : repairs) findings.warnings.push_back(fmt::format("{}: {}", place, repair));
+}
+
+/// The answer of the geometry helper about one file, as faults, warnings and blocks.
+void take_mesh(MeshEntry& entry, const ImportedMesh& mesh, BlockReading& reading)
+{
+    const std::string place = entry.file.place() + ": " + entry.name;
+    warn_of_repairs(place, mesh.repairs, reading.findings);
+    bool stone_refused = false;
+    for (const Stone& stone : mesh.stones) {
+        const std::string stone_place = place + ": " + stone.name;
+        warn_of_repairs(stone_place, stone.repairs, reading.findings);
+        stone_refused = stone_refused || !stone.reason.empty();
+        if (!stone.reason.empty()) {
+            reading.findings.faults.push_back({stone_place, stone.reason, "mend the mesh"});
+        } else if (mesh.accepted) {
+            add_block(stone.name, stone_place, group_of(stone.name, entry.patterns), entry.material, stone.parts,
+                      reading, &stone.moments);
+        }
+    }
+    if (!mesh.accepted && !stone_refused)
+        reading.findings.faults.push_back({place, mesh.reason, "give another mesh"});
+    if (!mesh.accepted) return;
+    refuse_unused_patterns(entry.patterns, "stones are named as the objects of the mesh");
+}
+
+}  // namespace
+
+void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
+{
+    const std::size_t faults_before = reading.findings.faults.size();
+    MeshEntry mesh{file, file.as_text(), {}, 0, {}};
+    mesh.request.file = reading.folder / mesh.name;
+    mesh.material = read_material_name(entry, reading.model.materials);
+    mesh.patterns = read_group_patterns(entry);
+    mesh.request.metres_per_unit = read_unit(entry);
+    const std::optional<char> up = entry.find_choice<char>("up", {{"x", 'x'}, {"y", 'y'}, {"z", 'z'}});
+    if (!up) entry.took_default("up", "as the file says, else z");
+    mesh.request.up = up.value_or(0);
+    mesh.request.stones = entry.choice_or<StoneLevel>("stones",
+                                                      {{"detect", StoneLevel::detect},
+                                                       {"file", StoneLevel::file},
+                                                       {"object", StoneLevel::object},
+                                                       {"group", StoneLevel::group},
+                                                       {"node", StoneLevel::node},
+                                                       {"component", StoneLevel::component}},
+                                                      StoneLevel::detect);
+    mesh.request.planarity = entry.quantity_or("planarity", dimension::number, Range{0, 0.01, false, true}, 1e-5);
+    mesh.request.volume_error =
+        entry.quantity_or("volume_error", dimension::number, Range{0, 0.2, false, true}, 0.01);
+    mesh.request.close_joints = entry.quantity_or("close_joints", dimension::length, Range::non_negative(), 0);
+    entry.reject_unknown_keys();
+    if (mesh.name.empty()) return;
+    if (!std::filesystem::is_regular_file(mesh.request.file))
+        file.fault("no mesh file " + mesh.request.file.string(), "paths are relative to the case file");
+    else if (reading.findings.faults.size() == faults_before)
+        reading.meshes.push_back(std::move(mesh));
+}
+
+void import_meshes(BlockReading& reading)
+{
+    if (reading.meshes.empty()) return;
+    std::vector<MeshRequest> requests;
+    for (const MeshEntry& mesh : reading.meshes) requests.push_back(mesh.request);
+    const Geometry& geometry = reading.findings.geometry = import_geometry(requests, {});
+    reading.mesh_origin = geometry.origin;
+    Model& model = reading.model;
+    model.origin = is_planar(model.kinematics) ? to_space(from_space<2>(geometry.origin)) : geometry.origin;
+    for (Block& box : model.blocks) box.moments.centroid -= model.origin;
+    for (std::size_t i = 0; i < reading.meshes.size(); ++i)
+        take_mesh(reading.meshes[i], geometry.meshes.at(i), reading);
+    judge_overlaps(geometry, reading);
+}
+
+}  // namespace voussoir

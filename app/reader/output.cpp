@@ -1,0 +1,130 @@
+#include "app/reader/output.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/reader/plane.h"
+#include "app/words/nearest_word.h"
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr double default_interval = 0.02;  // s between frames: 25 frames a period of 2 Hz
+
+constexpr double most_intervals = 1e12;  // in a stage; they are counted in 64 bits
+
+HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model& model,
+                          const std::vector<std::string>& blocks)
+{
+    HistoryPoint history;
+    history.name = name;
+    if (!map.expect_map("a history {block: name}")) return history;
+    if (const std::optional<YamlCursor> block = map.require("block", "the name of a block")) {
+        history.block = block->as_text();
+        const bool found = std::binary_search(blocks.begin(), blocks.end(), history.block);
+        // Without blocks there are faults already, and a missing one is only their echo.
+        if (!found && !blocks.empty() && !history.block.empty())
+            block->fault("no block \"" + history.block + "\"", suggestion(history.block, blocks));
+    }
+    if (const std::optional<YamlCursor> point = map.find("point"))
+        history.point = read_place(*point, model.kinematics);
+    else
+        map.took_default("point", "the block's centroid");
+    map.reject_unknown_keys();
+    return history;
+}
+
+/// [width, height] in pixels.
+void read_size(const YamlCursor& value, SnapshotOptions& snapshots)
+{
+    const std::vector<YamlCursor> sides = value.items("a size in pixels, [1600, 900]");
+    if (!value.is_list()) return;
+    if (sides.size() != 2)
+        return value.fault(fmt::format("a list of {}", sides.size()), "expected [width, height]");
+    const Range pixels{200, 8000, true, true};
+    const double width = sides[0].as_quantity(dimension::number, pixels);
+    const double height = sides[1].as_quantity(dimension::number, pixels);
+    if (!(width > 0) || !(height > 0)) return;
+    snapshots.width = static_cast<int>(width);
+    snapshots.height = static_cast<int>(height);
+    if (snapshots.width != width || snapshots.height != height) value.fault("a part of a pixel", "whole numbers");
+}
+
+void read_times(YamlCursor& map, const std::vector<Stage>& stages, SnapshotOptions& snapshots)
+{
+    const std::optional<YamlCursor> times = map.find("times");
+    if (!times) {
+        snapshots.count = map.integer_or("count", 1, 10'000, snapshots.count);
+        return;
+    }
+    map.forbid("count", "the times say how many");
+    double end = 0;
+    for (const Stage& stage : stages) end += stage.type == StageType::dynamic ? stage.duration : 0;
+    for (const YamlCursor& time : times->items("a list of times, [0 s, 2.5 s]")) {
+        snapshots.times.push_back(time.as_quantity(dimension::time, Range::non_negative()));
+        if (end > 0 && snapshots.times.back() > end)
+            time.fault(time.found(), fmt::format("the run ends at {:g} s", end));
+    }
+    if (snapshots.times.empty() && times->is_list()) times->fault("no time", "give at least one");
+}
+
+SnapshotOptions read_snapshots(YamlCursor& map, const Model& model, const std::vector<Stage>& stages)
+{
+    SnapshotOptions snapshots;
+    if (!map.expect_map("snapshots {color: displacement}")) return snapshots;
+    snapshots.color = map.choice_or<SnapshotColor>(
+        "color",
+        {{"displacement", SnapshotColor::displacement}, {"principal_stress", SnapshotColor::principal_stress}},
+        snapshots.color);
+    if (snapshots.color == SnapshotColor::principal_stress && !is_deformable(model.kinematics))
+        map.find("color")->fault("principal_stress in a rigid scene, which has no stress", "use displacement");
+    read_times(map, stages, snapshots);
+    if (const std::optional<YamlCursor> size = map.find("size"))
+        read_size(*size, snapshots);
+    else
+        map.took_default("size", fmt::format("[{}, {}]", snapshots.width, snapshots.height));
+    snapshots.deformation_scale = map.find_quantity("deformation_scale", dimension::number, Range::positive());
+    if (!snapshots.deformation_scale) map.took_default("deformation_scale", "1");
+    map.reject_unknown_keys();
+    return snapshots;
+}
+
+std::vector<std::string> sorted_block_names(const Model& model)
+{
+    std::vector<std::string> names;
+    for (const Block& block : model.blocks) names.push_back(block.name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector<Stage>& stages)
+{
+    OutputOptions output;
+    output.every = default_interval;
+    std::optional<YamlCursor> map = top.find("output");
+    if (!map) {
+        top.took_default("output", fmt::format("every {:g} s, no histories, no snapshots", default_interval));
+        return output;
+    }
+    if (!map->expect_map("output {every: 20 ms}")) return output;
+    output.every = map->quantity_or("every", dimension::time, Range::positive(), default_interval);
+    for (const Stage& stage : stages)
+        if (stage.type == StageType::dynamic && stage.duration / output.every > most_intervals)
+            map->fault(fmt::format("{:.3g} intervals in {}", stage.duration / output.every, stage.name),
+                       "give a longer interval");
+    const std::vector<std::string> blocks = sorted_block_names(model);
+    if (std::optional<YamlCursor> histories = map->find("histories"))
+        for (auto& [name, history] : histories->named_entries("histories by name, {crown: {block: voussoir_47}}"))
+            output.histories.push_back(read_history(name, history, model, blocks));
+    if (std::optional<YamlCursor> snapshots = map->find("snapshots"))
+        output.snapshots = read_snapshots(*snapshots, model, stages);
+    map->reject_unknown_keys();
+    return output;
+}
+
+}  // namespace voussoir

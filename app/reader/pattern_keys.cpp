@@ -1,0 +1,164 @@
+#include "app/reader/pattern_keys.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <limits>
+
+#include "libdda/geometry/plane.h"
+
+namespace voussoir
+{
+namespace
+{
+
+/// The value a path such as "openings[1]" or "lintel.height" leads to, or the last one on the way that exists.
+YamlCursor follow(YamlCursor from, std::string_view path)
+{
+    const std::size_t end = path.find_first_of(".[");
+    std::optional<YamlCursor> next = from.find(std::string(path.substr(0, end)));
+    if (!next || end == std::string_view::npos) return next.value_or(from);
+    if (path[end] == '.') return follow(*next, path.substr(end + 1));
+    std::size_t index = 0;
+    std::from_chars(path.data() + end + 1, path.data() + path.size(), index);
+    if (!next->is_list()) return *next;
+    const std::vector<YamlCursor> items = next->items("a list");
+    return index < items.size() ? items[index] : *next;
+}
+
+}  // namespace
+
+PatternEntry read_pattern_entry(YamlCursor& entry, BlockReading& reading)
+{
+    PatternEntry read{read_material_name(entry, reading.model.materials), read_group_patterns(entry)};
+    entry.reject_unknown_keys();
+    return read;
+}
+
+std::string read_pattern_name(YamlCursor& map, const std::string& otherwise)
+{
+    const std::optional<std::string> name = map.find_text("name");
+    if (!name) map.took_default("name", otherwise);
+    return name.value_or(otherwise);
+}
+
+Eigen::Vector2d read_block_format(YamlCursor& map)
+{
+    Eigen::Vector2d format = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+    const std::optional<YamlCursor> value = map.require("block", "length and height of a block, [60 cm, 30 cm]");
+    if (!value) return format;
+    if (!value->is_list_of(2)) {
+        value->fault(value->found(), "expected length and height of a block, [60 cm, 30 cm]");
+        return format;
+    }
+    const std::vector<YamlCursor> sizes = value->items("length and height of a block");
+    for (int i = 0; i < 2; ++i) format[i] = sizes[i].as_quantity(dimension::length, Range::positive());
+    return format;
+}
+
+Opening read_opening(YamlCursor& map)
+{
+    Opening opening;
+    opening.at = map.quantity("at", dimension::length, Range::non_negative());
+    opening.sill = map.quantity_or("sill", dimension::length, Range::non_negative(), 0);
+    opening.width = map.quantity("width", dimension::length, Range::positive());
+    opening.height = map.quantity("height", dimension::length, Range::positive());
+    map.reject_unknown_keys();
+    return opening;
+}
+
+Lintel read_lintel(YamlCursor& map, const Eigen::Vector2d& block, bool needed)
+{
+    Lintel lintel{block.y(), block.x() / 2};
+    std::optional<YamlCursor> keys = map.find("lintel");
+    if (!keys) {
+        if (needed)
+            map.took_default("lintel",
+                             fmt::format("{{height: {:g} m, bearing: {:g} m}}", lintel.height, lintel.bearing));
+        return lintel;
+    }
+    if (!keys->expect_map("a lintel {height, bearing}")) return lintel;
+    lintel.height = keys->quantity_or("height", dimension::length, Range::positive(), lintel.height);
+    lintel.bearing = keys->quantity_or("bearing", dimension::length, Range::positive(), lintel.bearing);
+    keys->reject_unknown_keys();
+    return lintel;
+}
+
+MasonryBase read_base(YamlCursor& map, double otherwise)
+{
+    std::optional<YamlCursor> keys = map.find("base");
+    if (!keys) {
+        map.took_default("base", otherwise > 0 ? fmt::format("{{height: {:g} m}}", otherwise) : "none");
+        return {otherwise, 0};
+    }
+    if (!keys->expect_map("a base {height, projection}")) return {};
+    MasonryBase base;
+    base.height = keys->quantity("height", dimension::length, Range::positive());
+    base.projection = keys->quantity_or("projection", dimension::length, Range::non_negative(), 0);
+    keys->reject_unknown_keys();
+    return base;
+}
+
+Imperfection read_imperfection(YamlCursor& map)
+{
+    Imperfection imperfection;
+    std::optional<YamlCursor> keys = map.find("imperfection");
+    if (!keys || !keys->expect_map("imperfections {seed, size, joint, friction}")) return imperfection;
+    imperfection.seed =
+        static_cast<std::uint64_t>(keys->integer_or("seed", 0, std::numeric_limits<int>::max(), 1));
+    imperfection.size = keys->quantity_or("size", dimension::number, Range::non_negative(), 0);
+    imperfection.joint = keys->quantity_or("joint", dimension::length, Range::non_negative(), 0);
+    imperfection.friction = keys->quantity_or("friction", dimension::number, Range::non_negative(), 0);
+    keys->reject_unknown_keys();
+    return imperfection;
+}
+
+Placement read_placement(YamlCursor& map, const BlockReading& reading)
+{
+    const bool planar = is_planar(reading.model.kinematics);
+    Placement placement;
+    if (const std::optional<YamlCursor> origin = map.find("origin"))
+        placement.origin = planar && origin->is_list_of(2) ? to_space(origin->as_plane_vector(dimension::length))
+                                                           : origin->as_vector(dimension::length);
+    else
+        map.took_default("origin", "[0, 0, 0]");
+    if (planar)
+        map.forbid("direction", "a wall of a planar scene runs along x");
+    else
+        placement.direction = map.quantity_or("direction", dimension::angle, Range::any(), 0);
+    return placement;
+}
+
+void place_faults(const InputError& error, const YamlCursor& map)
+{
+    for (const Fault& fault : error.faults) follow(map, fault.place).fault(fault.found, fault.expected);
+}
+
+void add_pattern(const std::vector<MasonryBlock>& blocks, const YamlCursor& map, PatternEntry& entry,
+                 BlockReading& reading)
+{
+    for (const MasonryBlock& block : blocks) {
+        const auto known = reading.places.find(block.name);
+        if (known == reading.places.end()) continue;
+        return map.fault("a second block named " + block.name,
+                         "the first one is at " + known->second + ": give one of them another name");
+    }
+    if (blocks.empty()) return map.fault("a pattern without blocks", "leave some of it standing");
+    const std::string place = map.place();
+    std::vector<Block>& all = reading.model.blocks;
+    all.reserve(all.size() + blocks.size());
+    try {
+        for (const MasonryBlock& block : blocks) {
+            const std::size_t before = all.size();
+            add_block(block.name, place, group_of(block.name, entry.groups), entry.material,
+                      {to_polyhedron(block)}, reading);
+            if (all.size() > before) all.back().friction_factor = block.friction_factor;
+        }
+    } catch (const InputError& error) {
+        for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
+    }
+    refuse_unused_patterns(entry.groups,
+                           "blocks are named " + blocks.front().name + ", ..., " + blocks.back().name);
+}
+
+}  // namespace voussoir

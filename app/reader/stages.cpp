@@ -1,0 +1,248 @@
+#include "app/reader/stages.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/reader/plane.h"
+#include "app/reader/step_control.h"
+#include "app/words/nearest_word.h"
+
+namespace voussoir
+{
+namespace
+{
+
+/// A stage whose motions are still to be read.
+struct StageEntry {
+    Stage stage;
+    YamlCursor written;
+    std::optional<double> duration;
+    std::optional<YamlCursor> motion, body_acceleration;
+    bool expects_motion = false;
+};
+
+bool is_dynamic(const Stage& stage)
+{
+    return stage.type == StageType::dynamic;
+}
+
+void read_damping(YamlCursor& map, Damping& damping)
+{
+    if (!map.expect_map("damping {rate: 0.5 1/s} or {factor_per_step: 0.94}")) return;
+    const auto rate = map.find_quantity("rate", dimension::rate, Range::non_negative());
+    const auto factor = map.find_quantity("factor_per_step", dimension::number, {0, 1, true, true});
+    map.reject_unknown_keys();
+    if (rate && factor) map.fault("both rate and factor_per_step", "give one of the two");
+    damping.rate = rate.value_or(0);
+    damping.factor_per_step = factor.value_or(1);
+}
+
+/// When fallen blocks end the stage's run.
+int read_collapse(YamlCursor& map)
+{
+    if (!map.expect_map("collapse {stop_after: 1}")) return 0;
+    const int blocks = map.find("stop_after") ? map.integer_or("stop_after", 1, 1'000'000'000, 1) : 0;
+    if (blocks == 0) map.require("stop_after", "how many fallen blocks end the run, such as 1");
+    map.reject_unknown_keys();
+    return blocks;
+}
+
+void read_dynamic(YamlCursor& map, StageEntry& entry)
+{
+    for (const char* key : {"unbalanced_tolerance", "max_static_steps", "gravity_increments"})
+        map.forbid(key, "it belongs to static stages");
+    entry.duration = map.find_quantity("duration", dimension::time, Range::positive());
+    entry.motion = map.find("motion");
+    entry.body_acceleration = map.find("body_acceleration");
+    entry.expects_motion = entry.motion || entry.body_acceleration;
+    if (std::optional<YamlCursor> collapse = map.find("collapse"))
+        entry.stage.stop_after_fallen = read_collapse(*collapse);
+    if (std::optional<YamlCursor> damping = map.find("damping"))
+        read_damping(*damping, entry.stage.damping);
+    else
+        map.took_default("damping", "none");
+}
+
+void read_static(YamlCursor& map, Stage& stage)
+{
+    map.forbid("duration", "a static stage ends at equilibrium");
+    for (const char* key : {"motion", "body_acceleration", "damping", "collapse", "integrator", "dissipation"})
+        map.forbid(key, "it belongs to dynamic stages");
+    stage.unbalanced_tolerance = map.quantity_or("unbalanced_tolerance", dimension::number, {0, 1, false, false},
+                                                 stage.unbalanced_tolerance);
+    stage.max_static_steps = map.integer_or("max_static_steps", 1, 1'000'000'000, stage.max_static_steps);
+    stage.gravity_increments = map.integer_or("gravity_increments", 1, 1'000'000, stage.gravity_increments);
+}
+
+StageEntry read_stage(YamlCursor& map, const Eigen::Vector3d& gravity, std::size_t index)
+{
+    StageEntry entry{{}, map, {}, {}, {}, false};
+    Stage& stage = entry.stage;
+    stage.gravity = gravity;
+    const std::optional<std::string> name = map.find_text("name");
+    stage.name = name.value_or(fmt::format("stage {}", index + 1));
+    if (!name) map.took_default("name", stage.name);
+    const auto type = map.find_choice<StageType>(
+        "type", {{"static", StageType::static_equilibrium}, {"dynamic", StageType::dynamic}});
+    if (!type) map.require("type", "static or dynamic");
+    stage.type = type.value_or(StageType::dynamic);
+    stage.control = read_step_control(map, stage.type);
+    if (is_dynamic(stage))
+        read_dynamic(map, entry);
+    else
+        read_static(map, stage);
+    map.reject_unknown_keys();
+    return entry;
+}
+
+void read_body_accelerations(StageEntry& entry, const Model& model, MotionContext& context)
+{
+    for (YamlCursor& item : entry.body_acceleration->items("a list of {blocks: group, x: motion}")) {
+        if (!item.expect_map("a body acceleration {blocks: group, x: motion}")) continue;
+        const auto group = item.require("blocks", "the group of blocks it acts on");
+        const std::string whose = entry.stage.name + ": body acceleration of " + (group ? group->as_text() : "?");
+        const std::vector<AxisMotion> motions = read_axis_motions(item, whose, entry.duration, context);
+        item.reject_unknown_keys();
+        if (!group) continue;
+        for (const int block : blocks_of_group(*group, model))
+            for (const AxisMotion& axis : motions)
+                entry.stage.body_accelerations.push_back({block, axis.component, axis.motion});
+    }
+}
+
+/// The stage a foundation's motion acts in: the only dynamic one, or the one it names. Null, with a fault, if
+/// none.
+StageEntry* stage_of_motion(const FoundationEntry& foundation, std::vector<StageEntry>& stages)
+{
+    std::vector<StageEntry*> dynamic;
+    std::vector<std::string> names;
+    for (StageEntry& entry : stages)
+        if (is_dynamic(entry.stage)) {
+            dynamic.push_back(&entry);
+            names.push_back(entry.stage.name);
+        }
+    if (foundation.motion_stage) {
+        const std::string name = foundation.motion_stage->as_text();
+        for (StageEntry* entry : dynamic)
+            if (entry->stage.name == name) return entry;
+        if (!name.empty())
+            foundation.motion_stage->fault("no dynamic stage \"" + name + "\"", suggestion(name, names));
+        return nullptr;
+    }
+    if (dynamic.size() == 1) return dynamic.front();
+    if (dynamic.empty())
+        foundation.motion->fault("a motion, but no dynamic stage", "add a stage of type dynamic");
+    else
+        foundation.motion->fault(fmt::format("{} dynamic stages it could act in", dynamic.size()),
+                                 "name one with motion_stage, or give the stages their own motion");
+    return nullptr;
+}
+
+/// More steps than this are a slip of the pen: at a millisecond each they take eleven days.
+constexpr double most_steps = 1e9;
+
+/// A dynamic stage without duration lasts as long as its longest motion.
+void settle_duration(StageEntry& entry)
+{
+    Stage& stage = entry.stage;
+    if (!is_dynamic(stage)) return;
+    double longest = 0;
+    const auto consider = [&](const std::shared_ptr<const GroundMotion>& motion) {
+        if (motion) longest = std::max(longest, motion->duration());
+    };
+    for (const FoundationMotion& motion : stage.motions) consider(motion.motion);
+    for (const BodyAcceleration& load : stage.body_accelerations) consider(load.motion);
+    stage.duration = entry.duration.value_or(longest);
+    if (stage.duration / stage.control.time_step > most_steps)
+        entry.written.fault(
+            fmt::format("{:.3g} steps: {:g} s in steps of {:g} s", stage.duration / stage.control.time_step,
+                        stage.duration, stage.control.time_step),
+            fmt::format("a stage has at most {:g}", most_steps));
+    if (entry.duration) return;
+    if (longest > 0)
+        entry.written.took_default("duration", fmt::format("{:g} s, of its longest motion", longest));
+    else if (!entry.expects_motion)  // else its motion could not be read, and that is said already
+        entry.written.require("duration", "a time such as 20 s; there is no motion to take it from");
+}
+
+/// The published iteration knows neither bonds nor dashpots: it would silently leave them out.
+void refuse_published_iteration_of(const std::vector<JointMaterial>& joints, StageEntry& entry)
+{
+    if (entry.stage.control.open_close != OpenClose::published) return;
+    for (const JointMaterial& joint : joints)
+        if (joint.has_strength() || joint.dashpot > 0)
+            entry.written.fault(
+                "open_close: published has no cohesion, tensile strength or dashpots, which joint " + joint.name +
+                    " has",
+                "take newton, or joints with friction only");
+}
+
+std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d& gravity)
+{
+    std::vector<StageEntry> stages;
+    std::vector<YamlCursor> items = section.items("a list of stages");
+    if (items.empty() && section.is_list()) section.fault("no stage", "give at least one");
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (!items[i].expect_map("a stage {name, type: static or dynamic}")) continue;
+        StageEntry entry = read_stage(items[i], gravity, i);
+        const bool known = std::any_of(stages.begin(), stages.end(), [&](const StageEntry& other) {
+            return other.stage.name == entry.stage.name;
+        });
+        if (known) items[i].fault("a second stage named " + entry.stage.name, "give each stage its own name");
+        stages.push_back(std::move(entry));
+    }
+    return stages;
+}
+
+}  // namespace
+
+Eigen::Vector3d read_gravity(YamlCursor& top, Kinematics kinematics)
+{
+    Eigen::Vector3d otherwise = Stage{}.gravity;
+    std::optional<YamlCursor> map = top.find("gravity");
+    if (!map) {
+        top.took_default("gravity", fmt::format("{:g} m/s2 along -z", otherwise.norm()));
+        return otherwise;
+    }
+    if (!map->expect_map("gravity {magnitude: 9.80665 m/s2, direction: [0, 0, -1]}")) return otherwise;
+    const double magnitude =
+        map->quantity_or("magnitude", dimension::acceleration, Range::non_negative(), otherwise.norm());
+    Eigen::Vector3d direction = otherwise.normalized();
+    if (const std::optional<YamlCursor> value = map->find("direction")) {
+        direction = read_direction(*value, kinematics);
+        if (direction.norm() == 0) value->fault("a direction of length 0", "give one such as [0, 0, -1]");
+    } else {
+        map->took_default("direction", "[0, 0, -1]");
+    }
+    map->reject_unknown_keys();
+    return magnitude * direction.normalized();
+}
+
+std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<FoundationEntry>& foundations,
+                               MotionContext& context)
+{
+    const Eigen::Vector3d gravity = read_gravity(top, model.kinematics);
+    std::vector<Stage> stages;
+    std::optional<YamlCursor> section = top.require("stages", "what happens, [{name: self-weight, type: static}]");
+    if (!section) return stages;
+    std::vector<StageEntry> entries = read_entries(*section, gravity);
+    for (FoundationEntry& foundation : foundations) {
+        if (!foundation.motion) continue;
+        StageEntry* entry = stage_of_motion(foundation, entries);
+        if (entry == nullptr) continue;
+        entry->expects_motion = true;
+        read_foundation_motions(*foundation.motion, {foundation}, entry->duration, context, entry->stage);
+    }
+    for (StageEntry& entry : entries) {
+        refuse_published_iteration_of(model.joints, entry);
+        if (entry.motion)
+            read_foundation_motions(*entry.motion, foundations, entry.duration, context, entry.stage);
+        if (entry.body_acceleration) read_body_accelerations(entry, model, context);
+        settle_duration(entry);
+        stages.push_back(std::move(entry.stage));
+    }
+    return stages;
+}
+
+}  // namespace voussoir

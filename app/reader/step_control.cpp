@@ -1,0 +1,80 @@
+#include "app/reader/step_control.h"
+
+namespace voussoir
+{
+namespace
+{
+
+// A static step has no inertia to resolve: it only scales the inertia that guides the iteration.
+constexpr double static_time_step = 1;  // s
+// Resolves 25 Hz with 20 steps a period, above what shakes masonry.
+constexpr double dynamic_time_step = 2e-3;  // s
+// Shi's six passes; his scheme does not improve with more.
+constexpr int published_open_close = 6;
+
+void read_integrator(YamlCursor& stage, StepControl& control)
+{
+    control.integrator = stage.choice_or<Integrator>(
+        "integrator", {{"newmark", Integrator::newmark}, {"energy_decaying", Integrator::energy_decaying}},
+        control.integrator);
+    if (control.integrator == Integrator::energy_decaying)
+        control.dissipation =
+            stage.quantity_or("dissipation", dimension::number, {0, 1, true, true}, control.dissipation);
+    else
+        stage.forbid("dissipation", "it belongs to integrator: energy_decaying");
+}
+
+void read_open_close(YamlCursor& stage, StepControl& control)
+{
+    control.open_close = stage.choice_or<OpenClose>(
+        "open_close", {{"newton", OpenClose::newton}, {"published", OpenClose::published}}, control.open_close);
+    if (control.open_close == OpenClose::published) {
+        for (const char* key : {"max_open_close", "force_tolerance"})
+            stage.forbid(key, "the published iteration has six passes and no tolerance of force");
+        control.max_open_close = published_open_close;
+        return;
+    }
+    control.max_open_close = stage.integer_or("max_open_close", 1, 100'000, control.max_open_close);
+    control.force_tolerance =
+        stage.quantity_or("force_tolerance", dimension::number, {0, 1, false, false}, control.force_tolerance);
+}
+
+/// What only dynamic stages have.
+void read_motion_control(YamlCursor& stage, StepControl& control)
+{
+    if (control.open_close == OpenClose::published) {
+        for (const char* key : {"integrator", "dissipation", "divide_up_to_blocks"})
+            stage.forbid(key, "the published iteration has the integrator newmark and whole steps");
+        return;
+    }
+    read_integrator(stage, control);
+    control.divide_up_to_blocks =
+        stage.integer_or("divide_up_to_blocks", 0, 1'000'000'000, control.divide_up_to_blocks);
+}
+
+}  // namespace
+
+StepControl read_step_control(YamlCursor& stage, StageType type)
+{
+    StepControl control;
+    const bool is_static = type == StageType::static_equilibrium;
+    control.time_step = stage.quantity_or("time_step", dimension::time, Range::positive(),
+                                          is_static ? static_time_step : dynamic_time_step);
+    control.min_time_step =
+        stage.quantity_or("min_time_step", dimension::time, Range::positive(), control.min_time_step);
+    if (control.min_time_step > control.time_step)
+        stage.fault("min_time_step exceeds time_step", "it must be the smaller one");
+    read_open_close(stage, control);
+    if (!is_static) read_motion_control(stage, control);
+    using Kind = LinearSolverKind;
+    control.linear_solver = stage.choice_or<Kind>("linear_solver",
+                                                  {{"automatic", Kind::automatic},
+                                                   {"cholmod", Kind::cholmod},
+                                                   {"conjugate_gradients", Kind::conjugate_gradients}},
+                                                  control.linear_solver);
+    control.linear_tolerance =
+        stage.quantity_or("linear_tolerance", dimension::number, {0, 1, false, false}, control.linear_tolerance);
+    return control;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,13 @@
+// How a stage is stepped: the numerical settings of `stages`.
+#pragma once
+
+#include "app/reader/yaml_cursor.h"
+#include "libdda/model/model.h"
+
+namespace voussoir
+{
+
+/// Reads time_step, integrator, open_close, tolerances and solver of one stage.
+StepControl read_step_control(YamlCursor& stage, StageType type);
+
+}  // namespace voussoir

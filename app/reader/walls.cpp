@@ -1,0 +1,93 @@
+// Walls and houses as a case file gives them.
+#include "app/reader/pattern_keys.h"
+#include "importers/patterns/house.h"
+#include "importers/patterns/wall.h"
+
+namespace voussoir
+{
+namespace
+{
+
+/// The keys both have, after their own ones. @param has_base has the pattern a base by default?
+template <class Pattern>
+void read_common_keys(YamlCursor& map, bool has_base, Pattern& pattern, const BlockReading& reading)
+{
+    const Eigen::Vector2d block = read_block_format(map);
+    pattern.block_length = block.x();
+    pattern.block_height = block.y();
+    map.choice_or<bool>("bond", {{"running", true}}, true);
+    pattern.lintel = read_lintel(map, block, !pattern.openings.empty());
+    pattern.base = read_base(map, has_base ? block.y() : 0);
+    pattern.imperfection = read_imperfection(map);
+    pattern.placement = read_placement(map, reading);
+    map.reject_unknown_keys();
+}
+
+/// Makes the blocks with `make` and adds them, unless faults were found since there were `faults_before`.
+template <class Make>
+void finish(const YamlCursor& map, YamlCursor& entry, std::size_t faults_before, BlockReading& reading,
+            const Make& make)
+{
+    PatternEntry beside = read_pattern_entry(entry, reading);
+    if (reading.findings.faults.size() > faults_before) return;
+    try {
+        add_pattern(make(), map, beside, reading);
+    } catch (const InputError& error) {
+        place_faults(error, map);
+    }
+}
+
+HouseOpening read_house_opening(YamlCursor& map)
+{
+    HouseOpening opening;
+    const std::optional<Side> side = map.find_choice<Side>(
+        "wall", {{"south", Side::south}, {"east", Side::east}, {"north", Side::north}, {"west", Side::west}});
+    if (!side) map.require("wall", "south, east, north or west");
+    opening.side = side.value_or(Side::south);
+    opening.opening = read_opening(map);
+    return opening;
+}
+
+}  // namespace
+
+void read_wall(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
+{
+    if (!map.expect_map("a wall {length, height, thickness, block: [length, height], ...}")) return;
+    const std::size_t faults_before = reading.findings.faults.size();
+    Wall asked;
+    asked.name = read_pattern_name(map, "wall");
+    asked.length = map.quantity("length", dimension::length, Range::positive());
+    asked.height = map.quantity("height", dimension::length, Range::positive());
+    asked.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    asked.leaves = map.integer_or("leaves", 1, 99, 1);
+    if (asked.leaves > 1) asked.header_every = map.integer_or("header_every", 0, 1000, 0);
+    if (const auto openings = map.find("openings"))
+        for (YamlCursor& item : openings->items("a list of openings {at, sill, width, height}"))
+            if (item.expect_map("an opening {at, sill, width, height}"))
+                asked.openings.push_back(read_opening(item));
+    read_common_keys(map, false, asked, reading);
+    asked.flat = is_planar(reading.model.kinematics);
+    finish(map, entry, faults_before, reading, [&] { return wall(asked); });
+}
+
+void read_house(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
+{
+    if (is_planar(reading.model.kinematics))
+        return map.fault("a house in a planar scene", "draw a wall, or set kinematics to a spatial one");
+    if (!map.expect_map("a house {length, width, height, wall_thickness, block: [length, height], ...}")) return;
+    const std::size_t faults_before = reading.findings.faults.size();
+    House asked;
+    asked.name = read_pattern_name(map, "house");
+    asked.length = map.quantity("length", dimension::length, Range::positive());
+    asked.width = map.quantity("width", dimension::length, Range::positive());
+    asked.height = map.quantity("height", dimension::length, Range::positive());
+    asked.wall_thickness = map.quantity("wall_thickness", dimension::length, Range::positive());
+    if (const auto openings = map.find("openings"))
+        for (YamlCursor& item : openings->items("a list of openings {wall, at, sill, width, height}"))
+            if (item.expect_map("an opening {wall, at, sill, width, height}"))
+                asked.openings.push_back(read_house_opening(item));
+    read_common_keys(map, true, asked, reading);
+    finish(map, entry, faults_before, reading, [&] { return house(asked); });
+}
+
+}  // namespace voussoir

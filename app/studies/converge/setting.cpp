@@ -1,0 +1,150 @@
+#include "app/studies/converge/setting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "app/results/settings.h"
+#include "app/words/nearest_word.h"
+#include "app/words/quantity.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+namespace
+{
+
+constexpr double default_step_factors[] = {4, 2, 1, 0.5, 0.25};
+constexpr double default_stiffness_factors[] = {0.25, 0.5, 1, 2, 4};
+
+// Shares by which a step may miss a limit: a factor times a step is rounded.
+constexpr double slack = 1e-9;
+
+/// A value that is not positive or comes twice is a fault.
+/// @param texts (factors) as they were given
+void check(const std::vector<double>& factors, const std::vector<std::string>& texts, const std::string& option,
+           std::vector<Fault>& faults)
+{
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        if (!std::isfinite(factors[i]) || factors[i] <= 0)
+            faults.push_back({option, texts[i], "give positive numbers"});
+        if (std::count(factors.begin(), factors.begin() + static_cast<std::ptrdiff_t>(i), factors[i]) > 0)
+            faults.push_back({option, texts[i] + " is given twice", "give each once"});
+    }
+}
+
+/// Why the time steps cannot be run with a factor; empty when they can.
+std::string why_not_run(const Case& the_case, double factor)
+{
+    for (const Stage& stage : the_case.stages) {
+        if (stage.type != StageType::dynamic) continue;
+        const double step = factor * stage.control.time_step;
+        if (step > stage.duration * (1 + slack))
+            return fmt::format("longer than stage '{}', which lasts {:g} s", stage.name, stage.duration);
+        if (step < stage.control.min_time_step * (1 - slack))
+            return fmt::format("below min_time_step of stage '{}', {:g} s", stage.name,
+                               stage.control.min_time_step);
+    }
+    return {};
+}
+
+/// The default series as far as it can be run; a note of every step that is left out.
+std::vector<double> default_steps(const Case& the_case, std::vector<std::string>& notes)
+{
+    std::vector<double> factors;
+    for (const double factor : default_step_factors) {
+        const std::string problem = why_not_run(the_case, factor);
+        if (problem.empty())
+            factors.push_back(factor);
+        else
+            notes.push_back(fmt::format("{} x the time step is left out: {}", factor, problem));
+    }
+    return factors;
+}
+
+std::vector<double> read_steps(const std::vector<std::string>& texts, const Case& the_case,
+                               std::vector<Fault>& faults)
+{
+    const double own = first_dynamic_stage(the_case).control.time_step;
+    std::vector<double> factors;
+    std::vector<std::string> read;
+    for (const std::string& text : texts) {
+        const ParsedQuantity quantity = parse_quantity(text);
+        if (quantity.problem.empty() && (quantity.bare || quantity.has(dimension::time))) {
+            factors.push_back(quantity.value / own);
+            read.push_back(text);
+        } else
+            faults.push_back({"--time-steps", "\"" + text + "\" is no time", "write 2 ms, or 0.002 in seconds"});
+    }
+    check(factors, read, "--time-steps", faults);
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        if (const std::string problem = why_not_run(the_case, factors[i]); factors[i] > 0 && !problem.empty())
+            faults.push_back({"--time-steps", read[i] + " is " + problem, "leave it out"});
+    return factors;
+}
+
+std::vector<double> read_stiffness(const std::vector<double>& given, std::vector<Fault>& faults)
+{
+    if (given.empty()) return {std::begin(default_stiffness_factors), std::end(default_stiffness_factors)};
+    std::vector<std::string> texts;
+    for (const double factor : given) texts.push_back(fmt::format("{}", factor));
+    check(given, texts, "--stiffness-factors", faults);
+    return given;
+}
+
+std::vector<Integrator> read_integrators(const std::vector<std::string>& names, Integrator own,
+                                         std::vector<Fault>& faults)
+{
+    std::vector<Integrator> integrators{own};
+    std::vector<std::string> known;
+    for (const Integrator each : {Integrator::newmark, Integrator::energy_decaying}) {
+        known.emplace_back(name_of(each));
+        if (each != own && std::find(names.begin(), names.end(), known.back()) != names.end())
+            integrators.push_back(each);
+    }
+    for (const std::string& name : names)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            faults.push_back({"--integrators", "\"" + name + "\"", suggestion(name, known)});
+    return integrators;
+}
+
+}  // namespace
+
+const Stage& first_dynamic_stage(const Case& the_case)
+{
+    for (const Stage& stage : the_case.stages)
+        if (stage.type == StageType::dynamic) return stage;
+    throw InputError(the_case.file.string() + ": stages", "none is dynamic",
+                     "converge varies the time step of dynamic stages: add one");
+}
+
+ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case)
+{
+    const StepControl& own = first_dynamic_stage(the_case).control;
+    std::vector<Fault> faults;
+    ConvergePlan plan;
+    plan.integrators = read_integrators(choices.integrators, own.integrator, faults);
+    plan.step_factors = choices.time_steps.empty() ? default_steps(the_case, plan.notes)
+                                                   : read_steps(choices.time_steps, the_case, faults);
+    plan.stiffness_factors = read_stiffness(choices.stiffness_factors, faults);
+    if (!faults.empty()) throw InputError(std::move(faults));
+    std::sort(plan.step_factors.begin(), plan.step_factors.end(), std::greater<>());
+    std::sort(plan.stiffness_factors.begin(), plan.stiffness_factors.end());
+    return plan;
+}
+
+Case with_setting(const Case& the_case, const ConvergeSetting& setting)
+{
+    Case changed = the_case;
+    for (Stage& stage : changed.stages) {
+        if (stage.type != StageType::dynamic) continue;
+        stage.control.time_step *= setting.step_factor;
+        stage.control.integrator = setting.integrator;
+    }
+    for (JointMaterial& joint : changed.model.joints) joint.stiffness.factor *= setting.stiffness_factor;
+    return changed;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,46 @@
+// What converge varies: the time step, the contact stiffness and, if asked, the integrator.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/case/case.h"
+
+namespace voussoir
+{
+
+struct ConvergeSetting {
+    Integrator integrator = Integrator::newmark;  // of the dynamic stages
+    double step_factor = 1;                       // times the time step of every dynamic stage
+    double stiffness_factor = 1;                  // times the contact stiffness of every joint
+
+    bool operator==(const ConvergeSetting&) const = default;
+};
+
+/// The series to run. Factors fall in step and rise in stiffness, so that each run is finer than the one before.
+struct ConvergePlan {
+    std::vector<Integrator> integrators;    // a series of time steps for each; the first is the case's own
+    std::vector<double> step_factors;       // falling
+    std::vector<double> stiffness_factors;  // rising
+    std::vector<std::string> notes;         // what is left out of the default, and why
+};
+
+/// What the command line says of them; empty is the default.
+struct ConvergeChoices {
+    std::vector<std::string> time_steps;    // "4 ms": of the first dynamic stage, the others keep their proportion
+    std::vector<double> stiffness_factors;  // times the case's own
+    std::vector<std::string> integrators;   // newmark, energy_decaying
+};
+
+/// The first dynamic stage: its time step and integrator name the runs.
+/// @throws InputError when the case has none: static stages have no time step to vary
+const Stage& first_dynamic_stage(const Case& the_case);
+
+/// @throws InputError with every value that is no time, not positive, given twice, or a time step that a dynamic
+/// stage cannot be run with: longer than the stage, or below its min_time_step
+ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case);
+
+/// The case with a setting put in.
+Case with_setting(const Case& the_case, const ConvergeSetting& setting);
+
+}  // namespace voussoir

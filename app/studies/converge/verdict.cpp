@@ -1,0 +1,173 @@
+#include "app/studies/converge/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/results/settings.h"
+#include "app/words/figures_in_words.h"
+
+namespace voussoir
+{
+namespace
+{
+
+std::string cost_in_words(const RunCost& cost)
+{
+    return fmt::format("{:.3g} s CPU", cost.cpu());
+}
+
+std::string order_in_words(const QuantityStudy& study, const Series& series)
+{
+    if (!series.reference) return "not compared: " + series.no_order;
+    const std::string reference = value_in_words(series.reference, study.unit);
+    const std::string limit = series.varied == Varied::time_step ? "time step 0" : "rigid contact";
+    if (series.order)
+        return fmt::format("observed order {:.2f}; reference: extrapolated to {}, {}, uncertain by {}{}",
+                           *series.order, limit, reference, share_in_words(series.uncertainty),
+                           series.vanishes ? "; it cannot be told from 0: shares are of the finest run" : "");
+    if (series.vanishes)
+        return fmt::format("no order: {}; reference: the finest run, which is 0: shares are of the largest run",
+                           series.no_order);
+    if (std::isinf(series.uncertainty))
+        return fmt::format("no order: {}; nothing to compare with", series.no_order);
+    return fmt::format("no order: {}; reference: the finest run, {}, uncertain by {}", series.no_order, reference,
+                       share_in_words(series.uncertainty));
+}
+
+std::string cheapest_in_words(const Series& series, double tolerance)
+{
+    const SeriesRow* row = cheapest(series, tolerance);
+    if (!row) return "none of these does";
+    return fmt::format("{} ({})", setting_in_words(series, *row), cost_in_words(row->cost));
+}
+
+/// "x 1, x 2, x 4; cheapest: x 1 (7.2 s CPU)".
+std::string all_within(const Series& series, double tolerance)
+{
+    std::string text;
+    for (const SeriesRow& row : series.rows)
+        if (meets(series, row, tolerance)) text += (text.empty() ? "" : ", ") + setting_in_words(series, row);
+    return text.empty() ? "none of these" : text + "; cheapest: " + cheapest_in_words(series, tolerance);
+}
+
+std::string sensitivity_in_words(const Series& series)
+{
+    const std::optional<double> change = change_per_doubling(series);
+    if (!change) return "sensitivity: unknown, for neighbouring runs are missing";
+    return fmt::format("sensitivity: doubling the contact stiffness changes it by {}", share_in_words(change));
+}
+
+/// Is any quantity compared in this series?
+bool compares(const ConvergeStudy& study, std::size_t series)
+{
+    return std::any_of(study.quantities.begin(), study.quantities.end(), [&](const QuantityStudy& quantity) {
+        return quantity.series[series].reference.has_value();
+    });
+}
+
+/// Does the setting of a row meet the tolerance in all quantities that are compared in this series?
+bool meets_everywhere(const ConvergeStudy& study, std::size_t series, std::size_t row, double tolerance)
+{
+    return std::all_of(study.quantities.begin(), study.quantities.end(), [&](const QuantityStudy& quantity) {
+        const Series& here = quantity.series[series];
+        return !here.reference || meets(here, here.rows[row], tolerance);
+    });
+}
+
+}  // namespace
+
+std::string title_of(const Series& series)
+{
+    const std::string integrator(name_of(series.integrator));
+    if (series.varied == Varied::time_step) return "time step, " + integrator;
+    return fmt::format("contact stiffness, {}, at {}", integrator, step_in_words(series.rows.front().time_step));
+}
+
+std::string setting_in_words(const Series& series, const SeriesRow& row)
+{
+    if (series.varied == Varied::time_step) return step_in_words(row.time_step);
+    return fmt::format("x {:g}", row.setting.stiffness_factor);
+}
+
+std::string value_in_words(const std::optional<double>& value, const std::string& unit)
+{
+    if (!value) return "-";
+    return fmt::format("{:.5g}{}{}", *value, unit.empty() ? "" : " ", unit);
+}
+
+std::string share_in_words(const std::optional<double>& share)
+{
+    return share ? error_in_words(*share) : "-";
+}
+
+std::string error_of(const Series& series, const SeriesRow& row)
+{
+    const bool is_reference = series.reference && !series.order && row.value && !row.difference;
+    return is_reference ? "reference" : share_in_words(row.error);
+}
+
+std::string remark_of(const SeriesRow& row)
+{
+    if (!row.failure.empty()) return "failed: " + row.failure;
+    if (row.collapse)
+        return fmt::format("collapsed at {:.4g} s, block '{}'", row.collapse->time, row.collapse->block);
+    return {};
+}
+
+std::optional<double> change_per_doubling(const Series& series)
+{
+    std::optional<double> change;
+    for (std::size_t i = 0; i + 1 < series.rows.size(); ++i) {
+        const SeriesRow &soft = series.rows[i], &stiff = series.rows[i + 1];
+        if (!soft.difference || !stiff.value) continue;
+        const double doublings = std::log2(stiff.setting.stiffness_factor / soft.setting.stiffness_factor);
+        change = *soft.value == 0 ? 0 : *soft.difference * series.scale / std::abs(*soft.value) / doublings;
+        if (soft.setting.stiffness_factor >= 1) break;
+    }
+    return change;
+}
+
+std::vector<std::string> verdict(const QuantityStudy& study, const Series& series)
+{
+    std::vector<std::string> lines{order_in_words(study, series)};
+    if (series.reference && series.varied == Varied::time_step) {
+        for (const double tolerance : tolerances)
+            lines.push_back(fmt::format("cheapest that meets {:g} %: {}", 100 * tolerance,
+                                        cheapest_in_words(series, tolerance)));
+    } else if (series.reference) {
+        lines.push_back(sensitivity_in_words(series));
+        for (const double tolerance : tolerances)
+            lines.push_back(fmt::format("within {:g} % of the {}: {}", 100 * tolerance,
+                                        series.order ? "rigid limit" : "stiffest", all_within(series, tolerance)));
+    }
+    lines.insert(lines.end(), series.notes.begin(), series.notes.end());
+    return lines;
+}
+
+std::vector<std::string> overall_verdict(const ConvergeStudy& study)
+{
+    std::vector<std::string> lines;
+    if (study.quantities.size() < 2) return lines;
+    const std::vector<Series>& first = study.quantities.front().series;
+    for (std::size_t s = 0; s < first.size(); ++s) {
+        if (first[s].varied != Varied::time_step || !compares(study, s)) continue;
+        for (const double tolerance : tolerances) {
+            const SeriesRow* best = nullptr;
+            for (std::size_t r = 0; r < first[s].rows.size(); ++r) {
+                const SeriesRow& row = first[s].rows[r];
+                const bool good = row.failure.empty() && meets_everywhere(study, s, r, tolerance);
+                if (good && (!best || row.cost.cpu() < best->cost.cpu())) best = &row;
+            }
+            lines.push_back(
+                fmt::format("{}: cheapest that meets {:g} % in all quantities that are compared: {}",
+                            title_of(first[s]), 100 * tolerance,
+                            best ? setting_in_words(first[s], *best) + " (" + cost_in_words(best->cost) + ")"
+                                 : "none of these does"));
+        }
+    }
+    return lines;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include "app/studies/ensemble/report.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr std::size_t most_points = 1500;  // of a curve: more than a picture is wide
+
+Curve curve_of(const std::string& name, const std::vector<double>& times,
+               const std::vector<Eigen::Vector3d>& history)
+{
+    Curve curve{name, {}, {}};
+    const std::size_t every = 1 + times.size() / most_points;
+    for (std::size_t i = 0; i < times.size(); i += every) {
+        curve.x.push_back(times[i]);
+        curve.y.push_back(1e3 * history[i].norm());
+    }
+    return curve;
+}
+
+}  // namespace
+
+std::vector<Figure> ensemble_figures(const EnsembleStudy& study)
+{
+    Figure figure{
+        "drift", study.title, fmt::format("{} = {}", study.variation.key, fmt::join(study.variation.values, ", ")),
+        {},      true,        {}};
+    for (std::size_t point = 0; point < study.points.size(); ++point) {
+        Diagram diagram{"time [s]", study.points[point] + " [mm]", {}, {}, false, false, false};
+        for (const auto& runs : study.runs)
+            for (const MemberRun& run : runs)
+                diagram.curves.push_back(curve_of(setting_in_words(study, run.setting), run.recording.times,
+                                                  run.recording.values[point]));
+        figure.diagrams.push_back(diagram);
+    }
+    return {figure};
+}
+
+}  // namespace voussoir

@@ -1,0 +1,116 @@
+#include "app/studies/ensemble/member_run.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "importers/process/thread_time.h"
+#include "libdda/analysis/joint_openings.h"
+#include "libdda/analysis/run.h"
+#include "libdda/step/advance.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+EnergyShares shares_of(const EnergyLedger& energy)
+{
+    EnergyShares shares;
+    shares.residual = energy.relative_residual();
+    shares.input = energy.input() + energy.start_kinetic + energy.start_strain + energy.start_contact;
+    if (!(shares.input > 0)) {  // a share of nothing
+        shares.algorithmic = shares.friction = shares.damping = std::numeric_limits<double>::quiet_NaN();
+        return shares;
+    }
+    shares.algorithmic = (energy.algorithmic + energy.algorithmic_rotation + energy.redetection) / shares.input;
+    shares.friction = energy.friction / shares.input;
+    shares.damping = (energy.damping_kinetic + energy.damping_static + energy.damping_contact) / shares.input;
+    return shares;
+}
+
+/// The joints that the structure has when the motion begins, looked at again and again.
+class OpeningBook
+{
+ public:
+    OpeningBook(const Model& model, double limit) : model_(model), limit_(limit) {}
+
+    void look(const State& state, MemberRun& run)
+    {
+        if (state.time == 0) {  // at rest: what a static stage ends with replaces what was before
+            State touching = state;
+            find_initial_contacts(model_, touching);
+            joints_ = joints_of(model_, touching);
+            opened_.assign(joints_.size(), false);
+            at_rest_.clear();
+            for (const WatchedJoint& joint : joints_)
+                at_rest_.push_back(std::max(opening_of(joint, model_, state), 0.0));
+        }
+        run.joints = static_cast<int>(joints_.size());
+        run.open = 0;
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
+            const double opening = opening_of(joints_[i], model_, state) - at_rest_[i];
+            run.largest_opening = std::max(run.largest_opening, opening);
+            run.open += opening > limit_;
+            if (opening > limit_) opened_[i] = true;
+        }
+        run.opened = static_cast<int>(std::count(opened_.begin(), opened_.end(), true));
+    }
+
+ private:
+    const Model& model_;
+    double limit_;
+    std::vector<WatchedJoint> joints_;
+    std::vector<double> at_rest_;  // m, gaps that joints have before the motion begins
+    std::vector<bool> opened_;
+};
+
+std::vector<Quantity> drifts_of(const Case& member)
+{
+    std::vector<Quantity> drifts;
+    for (int point = 0; point < static_cast<int>(member.output.histories.size()); ++point)
+        drifts.push_back({Field::drift, point, -1, Measure::history, point});
+    return drifts;
+}
+
+}  // namespace
+
+MemberRun run_member(const Case& member, const ConvergeSetting& setting, double limit,
+                     const std::function<bool()>& stop)
+{
+    Case changed = with_setting(member, setting);
+    for (std::size_t i = 0; i < changed.stages.size(); ++i) {
+        changed.stages[i].control.threads = 1;
+        changed.stages[i].control.integrator = member.stages[i].control.integrator;
+    }
+    MemberRun result;
+    OpeningBook openings(changed.model, limit);
+    State state = initial_state(changed.model);
+    Recorder recorder(changed, drifts_of(changed), {});
+    const double start = thread_time();
+    double rest = start;
+    RunObserver observer;
+    observer.every = changed.output.every;
+    observer.frame = [&](const State& now, const RunReport&) { openings.look(now, result); };
+    observer.step = [&](const State& now, const StepReport&, const RunReport&) {
+        recorder.step(now);
+        if (now.time == 0) rest = thread_time();
+    };
+    observer.stop = [&] { return (stop && stop()) || recorder.collapse; };
+    const RunReport report = run(changed.model, changed.stages, state, observer);
+    result.cpu = thread_time() - start;
+    result.cpu_dynamic = thread_time() - rest;
+    if (report.outcome == Outcome::gave_up) result.failure = report.message;
+    result.warnings = report.warnings;
+    result.steps = report.steps;
+    result.step_cuts = report.step_cuts;
+    result.iterations = report.open_close_iterations;
+    result.simulated = report.simulated_time;
+    result.energy = shares_of(report.energy);
+    result.recording = std::move(recorder.recording);
+    result.collapse = std::move(recorder.collapse);
+    return result;
+}
+
+}  // namespace voussoir

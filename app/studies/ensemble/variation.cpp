@@ -1,0 +1,73 @@
+#include "app/studies/ensemble/variation.h"
+
+#include <set>
+#include <sstream>
+
+#include "app/studies/converge/setting.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+Variation read_variation(const std::string& text)
+{
+    const auto refuse = [&](const std::string& found) {
+        return InputError("--vary", "\"" + text + "\" " + found,
+                          "write KEY=VALUE,VALUE,..., as blocks[0].house.imperfection.seed=1,2,3");
+    };
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) throw refuse("names no key");
+    Variation variation{text.substr(0, equals), {}};
+    std::istringstream list(text.substr(equals + 1));
+    for (std::string value; std::getline(list, value, ',');) variation.values.push_back(value);
+    const std::set<std::string> different(variation.values.begin(), variation.values.end());
+    if (different.contains("")) throw refuse("has an empty value");
+    if (different.size() != variation.values.size()) throw refuse("has a value twice");
+    if (different.empty()) throw refuse("has no value");
+    return variation;
+}
+
+namespace
+{
+
+std::vector<std::string> points_of(const Case& member)
+{
+    std::vector<std::string> names;
+    for (const HistoryPoint& point : member.output.histories) names.push_back(point.name);
+    return names;
+}
+
+/// Members have the same points and the same time step, which may be halved.
+void expect_comparable(const Case& member, const Case& first)
+{
+    const StepControl &control = first_dynamic_stage(member).control, &other = first_dynamic_stage(first).control;
+    if (points_of(member) != points_of(first) || control.time_step != other.time_step ||
+        member.stages.size() != first.stages.size())
+        throw InputError("--vary", "the members differ in their time step, stages or output.histories",
+                         "vary what the structure or its motion is made of; the step is halved by itself");
+    for (const Stage& stage : member.stages)
+        if (stage.type == StageType::dynamic && 0.5 * stage.control.time_step < stage.control.min_time_step)
+            throw InputError(member.file.string() + ": stages",
+                             "half the time_step of '" + stage.name + "' is below its min_time_step",
+                             "lower the min_time_step");
+}
+
+}  // namespace
+
+std::vector<Case> read_members(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                               const Variation& variation, const CaseReader& read)
+{
+    std::vector<Case> members;
+    for (const std::string& value : variation.values) {
+        std::vector<std::string> settings = overrides;
+        settings.push_back(variation.key + "=" + value);
+        members.push_back(read(file, settings));
+    }
+    for (const Case& member : members) expect_comparable(member, members.front());
+    if (members.front().output.histories.empty())
+        throw InputError(file.string() + ": output.histories", "there is no point whose drift could be compared",
+                         "name some, as histories: {top: {block: NAME}}");
+    return members;
+}
+
+}  // namespace voussoir

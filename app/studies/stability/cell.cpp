@@ -1,0 +1,26 @@
+#include "app/studies/stability/cell.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/studies/stability/families.h"
+
+namespace voussoir
+{
+
+std::vector<StabilityScene> stability_scenes(const CaseReader& read)
+{
+    return {sliding_scene(),  rocking_scene(),        wall_scene(),    modulus_scene(), column_scene(),
+            density_scene(),  size_scene(),           shape_scene(),   needle_scene(),  point_scene(),
+            friction_scene(), coordinate_scene(read), gravity_scene(), shaking_scene(), impact_scene(),
+            uplift_scene(),   landing_scene(),        many_scene(),    heap_scene()};
+}
+
+std::string in_words(const CellParameter& parameter)
+{
+    if (std::isinf(parameter.value)) return "rigid";
+    return fmt::format("{:.4g}{}{}", parameter.value, parameter.unit.empty() ? "" : " ", parameter.unit);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,115 @@
+#include "app/studies/stability/engine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "importers/process/thread_time.h"
+#include "libdda/analysis/diagnosis.h"
+
+namespace voussoir::stability
+{
+
+Stage rest_stage(double g)
+{
+    Stage stage;
+    stage.name = "self-weight";
+    stage.type = StageType::static_equilibrium;
+    stage.gravity = {0, 0, -g};
+    stage.control.time_step = 0.1;  // static stages take large steps
+    return stage;
+}
+
+Stage motion_stage(double duration, double time_step, double g)
+{
+    Stage stage;
+    stage.name = "motion";
+    stage.duration = duration;
+    stage.gravity = {0, 0, -g};
+    stage.control.time_step = time_step;
+    return stage;
+}
+
+JointMaterial dry_joint(double friction)
+{
+    JointMaterial joint;
+    joint.name = "dry";
+    joint.friction_angle = std::atan(friction);
+    return joint;
+}
+
+JointMaterial dry_joint(double friction, double stiffness)
+{
+    JointMaterial joint = dry_joint(friction);
+    joint.stiffness = {ContactStiffness::Kind::per_point, stiffness};
+    return joint;
+}
+
+BlockMaterial stone(double density, double young)
+{
+    return {"stone", density, young, 0.2};
+}
+
+namespace
+{
+
+/// Only what the run says of the worth of its figures; what it says of the scene excuses no error.
+void note_warnings(const Model& model, const RunReport& report, CellRun& cell)
+{
+    for (const auto& warning : {energy_warning(report.energy), overlap_warning(model, report)})
+        if (warning) cell.warning += (cell.warning.empty() ? "" : "; ") + *warning;
+}
+
+}  // namespace
+
+bool run_counted(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer,
+                 CellRun& cell)
+{
+    const double start = thread_time();
+    const RunReport report = run(model, stages, state, observer);
+    cell.cpu_time += thread_time() - start;
+    cell.steps += report.steps;
+    cell.step_cuts += report.step_cuts;
+    cell.iterations += report.open_close_iterations;
+    cell.energy_residual = report.energy.relative_residual();
+    cell.max_penetration = std::max(cell.max_penetration, report.max_penetration);
+    if (report.outcome == Outcome::gave_up) cell.diagnosis = report.message;
+    note_warnings(model, report, cell);
+    return report.outcome != Outcome::gave_up;
+}
+
+std::string run_reference(const Model& model, const std::vector<Stage>& stages, State& state,
+                          const RunObserver& observer)
+{
+    const RunReport report = run(model, stages, state, observer);
+    return report.outcome == Outcome::gave_up ? report.message : "";
+}
+
+std::string cell_name(const std::string& scene, const std::vector<std::string>& parts)
+{
+    std::string name = scene;
+    for (const std::string& part : parts) name += "/" + part;
+    return name;
+}
+
+StabilityCell& add_cell(StabilityScene& scene, const std::string& label, std::vector<CellParameter> parameters,
+                        double time_step, std::function<CellRun()> run)
+{
+    constexpr double usual_budget = 60;  // s
+    StabilityCell cell;
+    std::vector<std::string> parts{label};
+    if (time_step > 0) parts.push_back(fmt::format("h={:g}", time_step));
+    cell.name = cell_name(scene.name, parts);
+    cell.scene = scene.name;
+    cell.parameters = std::move(parameters);
+    cell.time_step = time_step;
+    cell.reference = scene.reference;
+    cell.tolerance = scene.tolerance;
+    cell.budget = usual_budget;
+    cell.run = std::move(run);
+    scene.cells.push_back(std::move(cell));
+    return scene.cells.back();
+}
+
+}  // namespace voussoir::stability

@@ -1,0 +1,17 @@
+// docs/stability.md: the maps and what every scene is, written by `voussoir stability`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/studies/stability/runner.h"
+
+namespace voussoir
+{
+
+/// @param command how the page was made, written at its head
+/// @param pictures names of the maps that lie in `stability/NAME.png` beside the page
+std::string stability_page(const std::vector<StabilityScene>& scenes, const std::vector<CellResult>& results,
+                           const std::string& command, const std::vector<std::string>& pictures);
+
+}  // namespace voussoir

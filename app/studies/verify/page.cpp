@@ -1,0 +1,136 @@
+#include "app/studies/verify/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/studies/verify/settings.h"
+#include "app/studies/verify/table.h"
+#include "app/words/figures_in_words.h"
+
+namespace voussoir
+{
+namespace
+{
+
+std::string ours(const VerifyResult& result)
+{
+    return result.failure.empty() ? error_in_words(result.error) : "failed";
+}
+
+std::string main_table(const std::vector<VerifyOutcome>& outcomes)
+{
+    std::string text =
+        "| benchmark | paper's error | ours | tolerance | time step | CPU s per simulated s | pass |\n"
+        "|---|---|---|---|---|---|---|\n";
+    for (const VerifyOutcome& outcome : outcomes) {
+        const Benchmark& benchmark = outcome.benchmark;
+        text += fmt::format("| [{0}](#{0}) | {1} | {2} | {3} | {4} | {5:.3g} | {6} |\n", benchmark.name,
+                            benchmark.paper_error.empty() ? "none given" : benchmark.paper_error,
+                            ours(outcome.row.result), error_in_words(benchmark.tolerance),
+                            step_in_words(outcome.row.setting.time_step), cpu_share(outcome.row.result),
+                            outcome.pass ? "yes" : "**no**");
+    }
+    return text;
+}
+
+/// The scenes that were run in several unknowns: what each costs, and how near they are to one another.
+std::string companion_table(const std::vector<VerifyOutcome>& outcomes)
+{
+    std::string text =
+        "\n## The same scene in other unknowns\n\n"
+        "Every row is held to the tolerance of its benchmark. Rigid scenes are compared with rigid ones and "
+        "deformable with deformable ones: the largest difference of the answers as a share of the largest "
+        "answer.\n\n"
+        "| benchmark | unknowns | per block | error | difference | CPU s per simulated s |\n"
+        "|---|---|---|---|---|---|\n";
+    const auto line = [](const std::string& name, const VerifyRow& row, const std::optional<double>& distance) {
+        const Kinematics kinematics = row.setting.kinematics;
+        return fmt::format("| {} | {} | {} | {} | {} | {:.3g} |\n", name, name_of(kinematics),
+                           unknowns_per_block(kinematics), ours(row.result),
+                           distance ? fmt::format("{:.1e}", *distance) : "", cpu_share(row.result));
+    };
+    for (const VerifyOutcome& outcome : outcomes) {
+        if (outcome.companions.empty()) continue;
+        text += line(outcome.benchmark.name, outcome.row, {});
+        for (const Companion& companion : outcome.companions) text += line("", companion.row, companion.distance);
+    }
+    return text;
+}
+
+std::string sweep_table(const VerifyOutcome& outcome)
+{
+    std::string text =
+        "\n| method | time step | contact stiffness | error | CPU s | steps | iterations | cuts |\n"
+        "|---|---|---|---|---|---|---|---|\n";
+    for (const VerifyRow& row : outcome.rows) {
+        const VerifyResult& result = row.result;
+        const std::string stiffness = row.setting.stiffness_factor
+                                          ? fmt::format("default x {:g}", *row.setting.stiffness_factor)
+                                          : "default";
+        const std::string failure = result.failure.empty() ? "" : ": " + result.failure;
+        text += fmt::format("| {} | {} | {} | {}{} | {:.3g} | {} | {} | {} |\n", method_name(row.setting),
+                            step_in_words(row.setting.time_step), stiffness, ours(result), failure,
+                            result.cpu_time, result.steps, result.iterations, result.step_cuts);
+    }
+    if (!outcome.orders.empty()) text += "\nObserved order of convergence: ";
+    for (std::size_t i = 0; i < outcome.orders.size(); ++i)
+        text +=
+            fmt::format("{}{:.2f} ({})", i == 0 ? "" : ", ", outcome.orders[i].order, outcome.orders[i].method);
+    if (outcome.orders.empty())
+        text +=
+            "\nNo order of convergence: no method has three sound runs with errors above 1e-5, which is what a "
+            "step may "
+            "leave unbalanced";
+    return text + ".\n";
+}
+
+std::string section(const VerifyOutcome& outcome, const std::vector<std::string>& plots)
+{
+    const Benchmark& benchmark = outcome.benchmark;
+    const VerifyResult& result = outcome.row.result;
+    std::string text = fmt::format("\n## {}\n\n{}. Source: {}. Error: {}.\n", benchmark.name, benchmark.title,
+                                   benchmark.source, benchmark.quantity);
+    if (!benchmark.choices.empty()) text += "\n" + benchmark.choices + "\n";
+    text += fmt::format("\nAt {} ({}): {}", step_in_words(outcome.row.setting.time_step),
+                        method_name(outcome.row.setting), ours(result));
+    if (result.paper_measure)
+        text += fmt::format(", by the paper's own measure {}", error_in_words(*result.paper_measure));
+    text += fmt::format("; {} steps, {} cut, {} iterations.\n", result.steps, result.step_cuts, result.iterations);
+    if (!result.failure.empty()) text += "\nFailed: " + result.failure + "\n";
+    if (!result.note.empty()) text += "\n" + result.note + "\n";
+    for (const std::string& plot : {benchmark.name + "-run", benchmark.name})
+        if (std::find(plots.begin(), plots.end(), plot) != plots.end())
+            text += fmt::format("\n![{}](verification/{}.png)\n", benchmark.title, plot);
+    if (outcome.rows.size() > 1) text += sweep_table(outcome);
+    return text;
+}
+
+}  // namespace
+
+std::string verification_page(const std::vector<VerifyOutcome>& outcomes, const std::string& command,
+                              const std::vector<std::string>& plots)
+{
+    const bool swept = std::any_of(outcomes.begin(), outcomes.end(),
+                                   [](const VerifyOutcome& outcome) { return outcome.rows.size() > 1; });
+    std::string text = fmt::format(
+        "# Verification\n\n"
+        "Generated by `{}`; nothing here is typed. The error of a row is the largest distance from the reference "
+        "over all times, no part of the record left out, as a share of the largest displacement of the reference, "
+        "unless the benchmark says otherwise. Papers' errors are as printed, by the measures of the papers. The "
+        "contact stiffness is the documented default (docs/method.md), the same rule for all. CPU times are of "
+        "one "
+        "thread by the process clock{}.\n\n"
+        "Every scene first comes to rest under its weight. A block that cannot stay on its plane is held for that "
+        "by "
+        "what friction can carry and then let go, so that its friction is mobilised at the start as the closed "
+        "forms "
+        "have it: let go with unloaded shear springs it would fall through them first and gain a speed of g sin a "
+        "sqrt(m / k), about 1e-3 m/s here.\n\n",
+        command, swept ? ", those of a sweep the median of three runs" : "");
+    text += main_table(outcomes) + companion_table(outcomes);
+    for (const VerifyOutcome& outcome : outcomes) text += section(outcome, plots);
+    return text;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,17 @@
+// docs/verification.md: the table, the diagrams and what every benchmark is, written by `voussoir verify`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/studies/verify/runner.h"
+
+namespace voussoir
+{
+
+/// @param command how the page was made, written at its head
+/// @param plots names of the benchmarks that have a diagram in `verification/NAME.png` beside the page
+std::string verification_page(const std::vector<VerifyOutcome>& outcomes, const std::string& command,
+                              const std::vector<std::string>& plots);
+
+}  // namespace voussoir

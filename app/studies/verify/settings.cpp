@@ -1,0 +1,74 @@
+#include "app/studies/verify/settings.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+Kinematics planar_form(Kinematics spatial)
+{
+    return is_deformable(spatial) ? Kinematics::planar_deformable : Kinematics::planar_rigid;
+}
+
+}  // namespace
+
+std::string method_name(const VerifySetting& setting)
+{
+    std::string name(name_of(setting.kinematics));
+    name += setting.integrator == Integrator::newmark ? ", Newmark" : ", energy decaying";
+    if (setting.open_close == OpenClose::published) name += ", published iteration";
+    return name;
+}
+
+std::vector<VerifySetting> standard_sweep(const std::vector<double>& time_steps,
+                                          const std::vector<double>& stiffness_factors)
+{
+    VerifySetting rigid, deformable, decaying, published;
+    deformable.kinematics = Kinematics::spatial_deformable;
+    decaying.integrator = Integrator::energy_decaying;
+    published.open_close = OpenClose::published;
+    std::vector<VerifySetting> sweep;
+    for (const VerifySetting& method : {rigid, deformable, decaying, published})
+        for (const double step : time_steps) {
+            sweep.push_back(method);
+            sweep.back().time_step = step;
+        }
+    for (const double factor : stiffness_factors) {
+        sweep.push_back(rigid);
+        sweep.back().stiffness_factor = factor;
+    }
+    return sweep;
+}
+
+void add_planar(Benchmark& benchmark)
+{
+    benchmark.also = {planar_form(benchmark.setting.kinematics)};
+}
+
+void make_planar(Benchmark& benchmark, bool other_blocks)
+{
+    const bool deformable = is_deformable(benchmark.setting.kinematics);
+    benchmark.also = {benchmark.setting.kinematics};
+    if (other_blocks && deformable)
+        benchmark.also.insert(benchmark.also.end(), {Kinematics::planar_rigid, Kinematics::spatial_rigid});
+    if (other_blocks && !deformable)
+        benchmark.also.insert(benchmark.also.end(),
+                              {Kinematics::planar_deformable, Kinematics::spatial_deformable});
+    benchmark.setting.kinematics = planar_form(benchmark.setting.kinematics);
+    for (VerifySetting& setting : benchmark.sweep) setting.kinematics = planar_form(setting.kinematics);
+}
+
+std::vector<Benchmark> made_planar(std::vector<Benchmark> benchmarks, bool other_blocks)
+{
+    for (Benchmark& benchmark : benchmarks) make_planar(benchmark, other_blocks);
+    return benchmarks;
+}
+
+std::vector<Benchmark> with_planar(std::vector<Benchmark> benchmarks)
+{
+    for (Benchmark& benchmark : benchmarks) add_planar(benchmark);
+    return benchmarks;
+}
+
+}  // namespace voussoir

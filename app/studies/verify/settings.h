@@ -1,0 +1,34 @@
+// What a work-precision diagram varies, in words and in lists.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/studies/verify/benchmark.h"
+
+namespace voussoir
+{
+
+/// "spatial rigid, Newmark", with ", published iteration" where it is Shi's.
+std::string method_name(const VerifySetting& setting);
+
+/// Time steps x methods (rigid and deformable, both integrators, the published iteration), then the contact
+/// stiffnesses at the default time step.
+/// @param time_steps [s]; @param stiffness_factors times the documented default
+std::vector<VerifySetting> standard_sweep(const std::vector<double>& time_steps,
+                                          const std::vector<double>& stiffness_factors = {});
+
+/// Makes a planar benchmark of one whose scene lies in the x-z plane, its sweep too. Beside it stand the
+/// one-block-thick spatial scene and, with `other_blocks`, both with deformable blocks instead of rigid ones or
+/// the other way round.
+void make_planar(Benchmark& benchmark, bool other_blocks = true);
+std::vector<Benchmark> made_planar(std::vector<Benchmark> benchmarks, bool other_blocks = true);
+
+/// Stands the planar scene beside the spatial one of a benchmark whose scene lies in the x-z plane.
+void add_planar(Benchmark& benchmark);
+std::vector<Benchmark> with_planar(std::vector<Benchmark> benchmarks);
+
+/// Time steps of the sliding benchmarks [s].
+inline const std::vector<double> sliding_steps{1e-2, 5e-3, 2.5e-3, 1e-3, 5e-4, 2.5e-4};
+
+}  // namespace voussoir

@@ -1,0 +1,12 @@
+// Stones that are awkward by themselves.
+#pragma once
+
+#include "importers/assembly/assembly.h"
+
+namespace voussoir
+{
+
+/// Fills slivers, the largest and the smallest stone, the typical size and the extent.
+void judge_shapes(Assembly& assembly);
+
+}  // namespace voussoir

@@ -1,0 +1,81 @@
+#include "importers/helper/geometry.h"
+
+#include <exception>
+
+#include "importers/helper/wire.h"
+#include "importers/process/child_process.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+// Twenty times what 10,000 stones need; as a tree in memory it takes some sixteen times as much.
+constexpr std::size_t most_answer_bytes = std::size_t{1} << 28;
+
+/// One run of the helper. @param failure why there is no answer, in words
+Geometry ask_helper(const std::vector<MeshRequest>& requests, const GeometryLimits& limits, std::string& failure)
+{
+    // The limit is per file, so that many files are not refused for being many.
+    GeometryLimits all = limits;
+    all.seconds *= static_cast<double>(requests.size());
+    const ChildAnswer answer = ask_child(helper_folder() / "voussoir-geometry",
+                                         to_json(HelperRequest{requests, all}), all.seconds, most_answer_bytes);
+    failure = answer.failure;
+    if (!failure.empty()) return {};
+    try {
+        Geometry geometry = geometry_from_json(answer.output);
+        if (geometry.meshes.size() == requests.size()) return geometry;
+        failure = "it answered for another number of files";
+    } catch (const std::exception& error) {
+        failure = std::string("its answer makes no sense: ") + error.what();
+    }
+    return {};
+}
+
+ImportedMesh refused(const MeshRequest& request, const std::string& failure)
+{
+    ImportedMesh mesh;
+    mesh.file = request.file.string();
+    mesh.reason = "the geometry helper gave no answer: " + failure;
+    if (request.metres_per_unit > 0) mesh.metres_per_unit = request.metres_per_unit;
+    return mesh;
+}
+
+}  // namespace
+
+Geometry import_geometry(const std::vector<MeshRequest>& requests, const GeometryLimits& limits)
+{
+    if (requests.empty()) return {};
+    std::string failure;
+    Geometry geometry = ask_helper(requests, limits, failure);
+    if (failure.empty()) return geometry;
+    if (requests.size() == 1) return {Eigen::Vector3d::Zero(), {refused(requests.front(), failure)}, {}};
+
+    // Some file kills the helper: each is asked for alone, and those that live are asked for together again.
+    std::vector<MeshRequest> survivors;
+    std::vector<ImportedMesh> alone;
+    for (const MeshRequest& request : requests) {
+        alone.push_back(import_geometry({request}, limits).meshes.front());
+        if (alone.back().accepted || !alone.back().stones.empty()) survivors.push_back(request);
+    }
+    if (survivors.size() < requests.size()) {
+        geometry = import_geometry(survivors, limits);
+    } else {  // each alone is fine, together they are too much
+        for (std::size_t i = 0; i < requests.size(); ++i) alone[i] = refused(requests[i], failure);
+        survivors.clear();
+    }
+    auto survivor = geometry.meshes.begin();
+    std::vector<ImportedMesh> merged;
+    for (std::size_t i = 0, s = 0; i < requests.size(); ++i) {
+        const bool survived = s < survivors.size() && survivors[s].file == requests[i].file;
+        merged.push_back(survived ? *survivor++ : alone[i]);
+        s += survived;
+    }
+    geometry.meshes = std::move(merged);
+    return geometry;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,45 @@
+// voussoir-geometry: reads and certifies meshes on behalf of voussoir. A JSON request on the standard input, a
+// JSON answer on the standard output. It limits its own memory and processor time: the files it reads are not
+// trusted.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <string>
+
+#include "importers/helper/import_meshes.h"
+#include "importers/helper/wire.h"
+#include "importers/process/own_limits.h"
+
+namespace
+{
+
+void limit_resources(const voussoir::GeometryLimits& limits)
+{
+    voussoir::limit_self(RLIMIT_CORE, 0);
+    voussoir::limit_self(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::clamp(limits.seconds, 1.0, 1e6))));
+    voussoir::limit_own_memory(limits.bytes);
+}
+
+}  // namespace
+
+int main(int argc, char**)
+{
+    if (argc > 1) {
+        std::fputs("voussoir-geometry is started by voussoir: a JSON request on the standard input\n", stderr);
+        return 2;
+    }
+    try {
+        const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+        const voussoir::HelperRequest request = voussoir::request_from_json(text);
+        limit_resources(request.limits);
+        const std::string answer = voussoir::to_json(voussoir::import_meshes(request.meshes));
+        std::cout << answer << std::flush;
+        return std::cout ? 0 : 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,236 @@
+#include "importers/helper/import_meshes.h"
+
+#include <cmath>
+#include <new>
+#include <sstream>
+
+#include "importers/exact/certify.h"
+#include "importers/exact/overlap.h"
+#include "importers/exact/stones_of.h"
+#include "importers/exact/triangle_surface.h"
+#include "importers/helper/close_joints.h"
+#include "importers/mesh/read_mesh.h"
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr double largest_plain_coordinate = 1e4;  // m; doubles keep 2e-12 m there
+
+std::string sentence(const InputError& error)
+{
+    std::string text;
+    for (const Fault& fault : error.faults) text += (text.empty() ? "" : "; ") + to_sentence(fault);
+    return text;
+}
+
+void check(const MeshRequest& request)
+{
+    std::vector<Fault> faults;
+    const std::string place = request.file.string();
+    const auto require = [&](bool good, const std::string& found, const char* expected) {
+        if (!good) faults.push_back({place, found, expected});
+    };
+    require(std::isfinite(request.metres_per_unit) && request.metres_per_unit >= 0,
+            "the unit is " + std::to_string(request.metres_per_unit) + " m", "must be > 0 m");
+    require(request.up == 0 || request.up == 'x' || request.up == 'y' || request.up == 'z',
+            std::string("the up axis is '") + request.up + "'", "must be x, y or z");
+    require(request.planarity > 0 && request.planarity <= 1e-2,
+            "the planarity is " + std::to_string(request.planarity), "must be > 0 and at most 0.01");
+    require(request.volume_error > 0 && request.volume_error <= 0.2,
+            "the volume error is " + std::to_string(request.volume_error), "must be > 0 and at most 0.2");
+    if (!faults.empty()) throw InputError(faults);
+}
+
+/// File coordinates to metres with z up: a rotation, so that nothing is mirrored.
+Eigen::Vector3d to_metres_z_up(const Eigen::Vector3d& x, double metres_per_unit, char up)
+{
+    Eigen::Vector3d scaled = metres_per_unit * x;
+    if (up == 'y') return {scaled.x(), 0.0 - scaled.z(), scaled.y()};
+    if (up == 'x') return {scaled.y(), scaled.z(), scaled.x()};
+    return scaled;
+}
+
+/// The unit and the axis: what the user says, else what the file says, else metres and z.
+char settle_frame(const MeshRequest& request, const MeshFile& content, ImportedMesh& mesh)
+{
+    mesh.unit_from = request.metres_per_unit > 0 ? "option" : content.metres_per_unit ? "file" : "assumed";
+    mesh.metres_per_unit =
+        request.metres_per_unit > 0 ? request.metres_per_unit : content.metres_per_unit.value_or(1);
+    if (content.metres_per_unit && std::abs(*content.metres_per_unit / mesh.metres_per_unit - 1) > 1e-9) {
+        std::ostringstream words;
+        words << "the file says that its unit is " << *content.metres_per_unit << " m; the option says "
+              << mesh.metres_per_unit << " m and is followed";
+        mesh.repairs.push_back(words.str());
+    }
+    return request.up != 0 ? request.up : content.up.value_or('z');
+}
+
+StonesBy stones_by(StoneLevel level)
+{
+    switch (level) {
+        case StoneLevel::object:
+            return StonesBy::object;
+        case StoneLevel::group:
+            return StonesBy::group;
+        case StoneLevel::node:
+            return StonesBy::node;
+        case StoneLevel::file:
+        case StoneLevel::component:
+            return StonesBy::file;
+        case StoneLevel::detect:
+            break;
+    }
+    return StonesBy::detect;
+}
+
+/// States the rounding of a file that was read in 32-bit numbers. @throws InputError when it exceeds the weld
+/// tolerance of a stone, for then vertices that were apart may have become one
+void judge_rounding(const MeshFile& content, ImportedMesh& mesh)
+{
+    if (content.rounding == 0) return;
+    std::ostringstream rounding;
+    rounding << content.rounding * mesh.metres_per_unit << " m";
+    for (const PolygonSurface& surface : content.surfaces)
+        if (content.rounding > CertifyOptions{}.weld_tolerance * diagonal_of(surface.vertices))
+            throw InputError(
+                mesh.file + ": " + surface.name,
+                "reading rounds its coordinates by up to " + rounding.str() + ", too much for its size",
+                "move the stones nearer to the origin of the file, or convert it to OBJ");
+    mesh.repairs.push_back("coordinates were read as 32-bit numbers: rounded by up to " + rounding.str());
+}
+
+/// Reads one file into metres. @returns surfaces; a refusal is written into `mesh`
+std::vector<PolygonSurface> read(const MeshRequest& request, ImportedMesh& mesh)
+{
+    mesh.file = request.file.string();
+    try {
+        check(request);
+        MeshFile content = read_mesh(request.file, {stones_by(request.stones)});
+        mesh.repairs = content.repairs;
+        const char up = settle_frame(request, content, mesh);
+        judge_rounding(content, mesh);
+        for (PolygonSurface& surface : content.surfaces)
+            for (Eigen::Vector3d& x : surface.vertices) x = to_metres_z_up(x, mesh.metres_per_unit, up);
+        return content.surfaces;
+    } catch (const InputError& error) {
+        mesh.reason = sentence(error);
+    } catch (const std::bad_alloc&) {
+        mesh.reason = mesh.file + ": reading it needs more memory than is allowed";
+    }
+    return {};
+}
+
+Eigen::Vector3d choose_origin(const std::vector<std::vector<PolygonSurface>>& files)
+{
+    Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
+    for (const auto& surfaces : files)
+        for (const PolygonSurface& surface : surfaces)
+            for (const Eigen::Vector3d& x : surface.vertices) {
+                lower = lower.cwiseMin(x);
+                upper = upper.cwiseMax(x);
+            }
+    const bool far = lower.x() <= upper.x() &&
+                     std::max(lower.cwiseAbs().maxCoeff(), upper.cwiseAbs().maxCoeff()) > largest_plain_coordinate;
+    if (!far) return Eigen::Vector3d::Zero();
+    return (0.5 * lower + 0.5 * upper).array().round();
+}
+
+Stone certified(PolygonSurface surface, const MeshRequest& request, const Eigen::Vector3d& origin)
+{
+    for (Eigen::Vector3d& x : surface.vertices) x -= origin;
+    CertifyOptions options;
+    options.origin = origin;
+    options.planarity_tolerance = request.planarity;
+    options.volume_error = request.volume_error;
+    Certificate certificate = certify(std::move(surface), options);
+    Stone stone;
+    stone.name = certificate.name;
+    stone.closed = certificate.closed;
+    stone.convex = certificate.convex;
+    stone.reason = certificate.reason;
+    stone.repairs = certificate.repairs;
+    stone.parts = std::move(certificate.parts);
+    stone.moments = certificate.moments;
+    stone.volume_error = certificate.volume_error;
+    stone.features = std::move(certificate.features);
+    if (!stone.features.empty()) {
+        stone.vertices = std::move(certificate.surface.vertices);
+        stone.faces = std::move(certificate.surface.faces);
+    }
+    return stone;
+}
+
+bool may_be_separated(StoneLevel level)
+{
+    return level == StoneLevel::detect || level == StoneLevel::file || level == StoneLevel::component;
+}
+
+void certify_all(std::vector<PolygonSurface> surfaces, const MeshRequest& request, const Eigen::Vector3d& origin,
+                 ImportedMesh& mesh)
+{
+    int refused = 0;
+    std::string first;
+    for (PolygonSurface& surface : surfaces) {
+        SeparatedStones separated;
+        if (may_be_separated(request.stones))
+            separated = separate_stones(std::move(surface), CertifyOptions{}.weld_tolerance);
+        else
+            separated.stones.push_back(std::move(surface));
+        mesh.repairs.insert(mesh.repairs.end(), separated.repairs.begin(), separated.repairs.end());
+        for (PolygonSurface& one : separated.stones) {
+            const std::string name = one.name;
+            try {
+                mesh.stones.push_back(certified(std::move(one), request, origin));
+            } catch (const std::bad_alloc&) {
+                mesh.stones.emplace_back().name = name;
+                mesh.stones.back().reason = "certifying it needs more memory than is allowed";
+            }
+            const Stone& stone = mesh.stones.back();
+            if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
+        }
+    }
+    mesh.accepted = refused == 0 && !mesh.stones.empty();
+    if (refused > 0)
+        mesh.reason = mesh.file + ": " + std::to_string(refused) + " of " + std::to_string(mesh.stones.size()) +
+                      " stones refused; " + first;
+}
+
+std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
+{
+    std::vector<std::vector<ConvexPolyhedron>> stones;
+    std::vector<std::string> names;
+    for (const ImportedMesh& mesh : meshes)
+        for (const Stone& stone : mesh.stones) {
+            stones.push_back(stone.parts);
+            names.push_back(stone.name);
+        }
+    std::vector<Overlap> overlaps;
+    for (const OverlappingPair& pair : find_overlaps(stones))
+        overlaps.push_back({names[pair.a], names[pair.b], pair.volume, pair.share});
+    return overlaps;
+}
+
+}  // namespace
+
+Geometry import_meshes(const std::vector<MeshRequest>& requests)
+{
+    Geometry geometry;
+    std::vector<std::vector<PolygonSurface>> files;
+    for (const MeshRequest& request : requests) {
+        geometry.meshes.emplace_back();
+        files.push_back(read(request, geometry.meshes.back()));
+    }
+    geometry.origin = choose_origin(files);
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (geometry.meshes[i].reason.empty())
+            certify_all(std::move(files[i]), requests[i], geometry.origin, geometry.meshes[i]);
+    for (std::size_t i = 0; i < requests.size(); ++i) close_joints(requests[i].close_joints, geometry.meshes[i]);
+    geometry.overlaps = overlaps_of(geometry.meshes);
+    return geometry;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,260 @@
+#include "importers/helper/wire.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "libdda/errors.h"
+
+namespace voussoir
+{
+
+using nlohmann::json;
+
+namespace
+{
+
+constexpr double largest_planarity_tolerance =
+    1e-2;  // what a user may allow at most; the helper has judged by his
+
+/// Names that are not UTF-8 get replacement characters; nothing else can fail.
+std::string dump(const json& value)
+{
+    return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+json to_json_value(const Eigen::Vector3d& x)
+{
+    return json::array({x.x(), x.y(), x.z()});
+}
+
+Eigen::Vector3d vector_from(const json& value)
+{
+    const auto numbers = value.get<std::array<double, 3>>();
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+json to_json_value(const std::vector<Eigen::Vector3d>& points)
+{
+    json value = json::array();
+    for (const Eigen::Vector3d& x : points) value.push_back(to_json_value(x));
+    return value;
+}
+
+std::vector<Eigen::Vector3d> points_from(const json& value)
+{
+    std::vector<Eigen::Vector3d> points;
+    for (const json& x : value) points.push_back(vector_from(x));
+    return points;
+}
+
+/// json would convert a number of any size and kind to an int, whatever comes out.
+int index_from(const json& value)
+{
+    const auto index = value.is_number_integer() ? value.get<std::int64_t>() : -1;
+    if (index < 0 || index > std::numeric_limits<int>::max())
+        throw InputError("mesh", value.dump() + " is no place in a list", "the answer was damaged on the way");
+    return static_cast<int>(index);
+}
+
+std::vector<std::vector<int>> loops_from(const json& value)
+{
+    std::vector<std::vector<int>> loops;
+    for (const json& loop : value) {
+        loops.emplace_back();
+        for (const json& corner : loop) loops.back().push_back(index_from(corner));
+    }
+    return loops;
+}
+
+json to_json_value(const ConvexPolyhedron& part)
+{
+    return {{"vertices", to_json_value(part.vertices)}, {"faces", part.faces}, {"glued", part.glued}};
+}
+
+ConvexPolyhedron part_from(const json& value, const std::string& name)
+{
+    ConvexPolyhedron part = make_convex_polyhedron(
+        points_from(value.at("vertices")), loops_from(value.at("faces")), name, largest_planarity_tolerance);
+    part.glued = value.at("glued").get<std::vector<bool>>();
+    if (!part.glued.empty() && part.glued.size() != part.faces.size())
+        throw InputError(name, "marks of glued faces do not fit the faces", "one mark a face");
+    return part;
+}
+
+json to_json_value(const Moments& moments)
+{
+    json second = json::array();
+    for (int k = 0; k < 3; ++k) second.push_back(to_json_value(Eigen::Vector3d(moments.second.col(k))));
+    return {{"volume", moments.volume}, {"centroid", to_json_value(moments.centroid)}, {"second", second}};
+}
+
+Moments moments_from(const json& value)
+{
+    Moments moments{value.at("volume"), vector_from(value.at("centroid")), Eigen::Matrix3d::Zero()};
+    for (int k = 0; k < 3; ++k) moments.second.col(k) = vector_from(value.at("second").at(k));
+    return moments;
+}
+
+json to_json_value(const MarkedFeature& feature)
+{
+    json lines = json::array(), polygons = json::array();
+    for (const auto& [from, to] : feature.lines) lines.push_back({to_json_value(from), to_json_value(to)});
+    for (const std::vector<Eigen::Vector3d>& polygon : feature.polygons)
+        polygons.push_back(to_json_value(polygon));
+    return {{"label", feature.label},
+            {"points", to_json_value(feature.points)},
+            {"lines", std::move(lines)},
+            {"polygons", std::move(polygons)}};
+}
+
+MarkedFeature feature_from(const json& value)
+{
+    MarkedFeature feature{value.at("label"), points_from(value.at("points")), {}, {}};
+    for (const json& line : value.at("lines"))
+        feature.lines.push_back({vector_from(line.at(0)), vector_from(line.at(1))});
+    for (const json& polygon : value.at("polygons")) feature.polygons.push_back(points_from(polygon));
+    return feature;
+}
+
+json to_json_value(const Stone& stone)
+{
+    json parts = json::array();
+    for (const ConvexPolyhedron& part : stone.parts) parts.push_back(to_json_value(part));
+    json features = json::array();
+    for (const MarkedFeature& feature : stone.features) features.push_back(to_json_value(feature));
+    return {{"name", stone.name},
+            {"closed", stone.closed},
+            {"convex", stone.convex},
+            {"reason", stone.reason},
+            {"repairs", stone.repairs},
+            {"parts", std::move(parts)},
+            {"moments", to_json_value(stone.moments)},
+            {"volume_error", stone.volume_error},
+            {"features", std::move(features)},
+            {"vertices", to_json_value(stone.vertices)},
+            {"faces", stone.faces}};
+}
+
+/// @throws InputError when figures of a stone are none, or its picture names corners that are not there
+void check(const Stone& stone)
+{
+    const auto require = [&](bool holds, const char* found) {
+        if (!holds) throw InputError(stone.name, found, "the answer was damaged on the way");
+    };
+    const Moments& moments = stone.moments;
+    require(std::isfinite(moments.volume) && moments.centroid.allFinite() && moments.second.allFinite(),
+            "moments that are no numbers");
+    require(!stone.reason.empty() || (moments.volume > 0 && !stone.parts.empty()), "a stone without volume");
+    const auto is_vertex = [&](int v) { return v >= 0 && static_cast<std::size_t>(v) < stone.vertices.size(); };
+    for (const std::vector<int>& face : stone.faces)
+        require(std::all_of(face.begin(), face.end(), is_vertex), "a face with a corner that is not there");
+}
+
+Stone stone_from(const json& value)
+{
+    Stone stone;
+    stone.name = value.at("name");
+    stone.closed = value.at("closed");
+    stone.convex = value.at("convex");
+    stone.reason = value.at("reason");
+    stone.repairs = value.at("repairs").get<std::vector<std::string>>();
+    for (const json& part : value.at("parts")) stone.parts.push_back(part_from(part, stone.name));
+    stone.moments = moments_from(value.at("moments"));
+    stone.volume_error = value.at("volume_error");
+    for (const json& feature : value.at("features")) stone.features.push_back(feature_from(feature));
+    stone.vertices = points_from(value.at("vertices"));
+    stone.faces = loops_from(value.at("faces"));
+    check(stone);
+    return stone;
+}
+
+json to_json_value(const ImportedMesh& mesh)
+{
+    json stones = json::array();
+    for (const Stone& stone : mesh.stones) stones.push_back(to_json_value(stone));
+    return {{"file", mesh.file},           {"accepted", mesh.accepted},
+            {"reason", mesh.reason},       {"metres_per_unit", mesh.metres_per_unit},
+            {"unit_from", mesh.unit_from}, {"repairs", mesh.repairs},
+            {"stones", std::move(stones)}};
+}
+
+ImportedMesh mesh_from(const json& value)
+{
+    ImportedMesh mesh;
+    mesh.file = value.at("file");
+    mesh.accepted = value.at("accepted");
+    mesh.reason = value.at("reason");
+    mesh.metres_per_unit = value.at("metres_per_unit");
+    if (!(mesh.metres_per_unit > 0)) throw InputError(mesh.file, "a unit without length", "must be > 0 m");
+    mesh.unit_from = value.at("unit_from");
+    mesh.repairs = value.at("repairs").get<std::vector<std::string>>();
+    for (const json& stone : value.at("stones")) mesh.stones.push_back(stone_from(stone));
+    return mesh;
+}
+
+}  // namespace
+
+const std::vector<std::string> stone_level_names{"detect", "file", "object", "group", "node", "component"};
+
+std::string to_json(const HelperRequest& request)
+{
+    json meshes = json::array();
+    for (const MeshRequest& mesh : request.meshes)
+        meshes.push_back({{"file", mesh.file.string()},
+                          {"metres_per_unit", mesh.metres_per_unit},
+                          {"up", static_cast<int>(mesh.up)},
+                          {"stones", static_cast<int>(mesh.stones)},
+                          {"planarity", mesh.planarity},
+                          {"volume_error", mesh.volume_error},
+                          {"close_joints", mesh.close_joints}});
+    try {
+        return json{{"meshes", meshes}, {"seconds", request.limits.seconds}, {"bytes", request.limits.bytes}}
+            .dump();
+    } catch (const json::exception&) {
+        throw InputError("mesh", "a file name is not UTF-8", "rename the file");
+    }
+}
+
+HelperRequest request_from_json(const std::string& text)
+{
+    const json value = json::parse(text);
+    HelperRequest request;
+    request.limits = {value.at("seconds").get<double>(), value.at("bytes").get<std::size_t>()};
+    for (const json& mesh : value.at("meshes"))
+        request.meshes.push_back({mesh.at("file").get<std::string>(), mesh.at("metres_per_unit").get<double>(),
+                                  static_cast<char>(mesh.at("up").get<int>()),
+                                  static_cast<StoneLevel>(mesh.at("stones").get<int>()),
+                                  mesh.at("planarity").get<double>(), mesh.at("volume_error").get<double>(),
+                                  mesh.at("close_joints").get<double>()});
+    return request;
+}
+
+std::string to_json(const Geometry& geometry)
+{
+    json meshes = json::array(), overlaps = json::array();
+    for (const ImportedMesh& mesh : geometry.meshes) meshes.push_back(to_json_value(mesh));
+    for (const Overlap& overlap : geometry.overlaps)
+        overlaps.push_back({{"a", overlap.stone_a},
+                            {"b", overlap.stone_b},
+                            {"volume", overlap.volume},
+                            {"share", overlap.share}});
+    return dump({{"origin", to_json_value(geometry.origin)},
+                 {"meshes", std::move(meshes)},
+                 {"overlaps", std::move(overlaps)}});
+}
+
+Geometry geometry_from_json(const std::string& text)
+{
+    const json value = json::parse(text);
+    Geometry geometry;
+    geometry.origin = vector_from(value.at("origin"));
+    for (const json& mesh : value.at("meshes")) geometry.meshes.push_back(mesh_from(mesh));
+    for (const json& overlap : value.at("overlaps"))
+        geometry.overlaps.push_back({overlap.at("a"), overlap.at("b"), overlap.at("volume"), overlap.at("share")});
+    return geometry;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,29 @@
+// What the program and its geometry helper say to each other: JSON text, doubles to the last bit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "importers/helper/geometry.h"
+
+namespace voussoir
+{
+
+struct HelperRequest {
+    std::vector<MeshRequest> meshes;
+    GeometryLimits limits;
+};
+
+/// @throws InputError when a file name is not UTF-8
+std::string to_json(const HelperRequest& request);
+
+/// @throws std::exception when the text is not what to_json wrote
+HelperRequest request_from_json(const std::string& text);
+
+std::string to_json(const Geometry& geometry);
+
+/// Trusts nothing: every polyhedron is made, and so checked, again.
+/// @throws std::exception when the text is not what to_json wrote
+Geometry geometry_from_json(const std::string& text);
+
+}  // namespace voussoir
