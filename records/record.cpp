@@ -1,12 +1,9 @@
 #include "records/record.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "libdda/errors.h"
-#include "libdda/text/utf.h"
 #include "records/content.h"
 #include "records/formats/format.h"
 #include "records/units.h"
@@ -17,87 +14,16 @@ namespace voussoir
 namespace
 {
 
-// Asked in this order; a text table is the least particular.
-const auto formats = std::to_array<const Format*>({
-    &miniseed,
-    &sac_format,
-    &dyna,
-    &knet,
-    &cwb,
-    &unam,
-    &isesd,
-    &csmip,
-    &cosmos,
-    &smc,
-    &usc,
-    &geonet,
-    &bhrc,
-    &peer_at2,
-    &corrected_acc,
-    &eqsig,
-    &text_table,
-});
-
 std::string known_formats()
 {
     std::string names;
-    for (const Format* format : formats) names += (names.empty() ? "" : ", ") + std::string(format->name);
+    for (const Format* format : all_formats()) names += (names.empty() ? "" : ", ") + std::string(format->name);
     return names;
 }
 
-}  // namespace
-
-std::span<const Format* const> all_formats()
-{
-    return formats;
-}
-
-namespace
-{
-
-/// What no reader alone need think of: a file that ends before its first channel; the largest numbers, which
-/// overflow when they are turned into SI.
-void require_sound(const Record& record)
-{
-    if (record.channels.empty())
-        throw InputError(record.file, "a header of " + record.format + " without samples",
-                         "the file is cut short or damaged: fetch it again");
-    for (const Channel& channel : record.channels)
-        for (const double sample : channel.samples)
-            if (!std::isfinite(sample))
-                throw InputError(record.file, "samples so large that they overflow in SI", "check their unit");
-}
-
-/// Names come in the file's encoding; what leaves here is UTF-8.
-void encode_names(Record& record)
-{
-    for (std::string* text : {&record.station, &record.event}) *text = as_utf8(*text);
-    for (std::string& remark : record.remarks) remark = as_utf8(remark);
-    for (Channel& channel : record.channels) {
-        channel.component = as_utf8(channel.component);
-        channel.unit_in_file = as_utf8(channel.unit_in_file);
-    }
-}
-
-}  // namespace
-
-Record read_as(const Format& format, const SourceFile& source, const ReadOptions& options)
-{
-    if (!options.response.empty() && !format.may_hold_counts)
-        throw InputError(source.name, "a response was given, but " + std::string(format.name) + " holds no counts",
-                         "leave the response out");
-    Record record = format.read(source, options);
-    require_sound(record);
-    encode_names(record);
-    return record;
-}
-
-namespace
-{
-
 Record read_source(const SourceFile& source, const ReadOptions& options)
 {
-    for (const Format* format : formats)
+    for (const Format* format : all_formats())
         if (format->recognises(source)) return read_as(*format, source, options);
     throw InputError({why_unknown(source, known_formats())});
 }

@@ -12,13 +12,63 @@ from pathlib import Path
 
 ROOMS = ("libdda", "importers", "records", "app", "tests")
 
-# What files of a room may include from the repository, by the beginning of the path.
-PROJECT_RULES = {
-    "libdda/": ("libdda/",),
-    "importers/": ("importers/", "libdda/geometry/", "libdda/errors.h"),
-    "records/": ("records/", "libdda/model/ground_motion.h", "libdda/errors.h"),
-    "app/": ("app/", "importers/", "records/", "libdda/"),
+# What files of a folder may include from the repository beside their own folder, by the beginning of the path. The
+# longest folder that a file lies in decides; every folder with sources stands here. From below: a folder names only
+# folders above it in its own block.
+ENGINE_MODEL = ("libdda/errors.h", "libdda/geometry/", "libdda/model/")
+READS = ("libdda/errors.h", "libdda/text/")  # what takes files apart
+ENGINE = ("libdda/errors.h", "libdda/geometry/", "libdda/model/", "libdda/contact/", "libdda/step/", "libdda/analysis/",
+          "libdda/run/")
+FOLDER_RULES = {
+    "libdda/": (),
+    "libdda/text/": ("libdda/errors.h",),
+    "libdda/geometry/": ("libdda/errors.h",),
+    "libdda/model/": ("libdda/errors.h", "libdda/geometry/"),
+    "libdda/contact/": ENGINE_MODEL,
+    "libdda/solve/": ENGINE_MODEL,
+    "libdda/step/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/"),
+    "libdda/analysis/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/"),
+    "libdda/run/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/", "libdda/analysis/"),
+
+    "records/": READS + ("libdda/model/ground_motion.h", "records/formats/", "records/synthetic/"),
+    "records/formats/": READS + ("records/*",),
+    "records/measures/": READS + ("records/*",),
+    "records/synthetic/": READS + ("records/*", "records/measures/"),
+    "records/processing/": READS + ("records/*", "records/measures/", "records/synthetic/"),
+
+    "importers/process/": ("libdda/errors.h",),
+    "importers/mesh/": READS + ("libdda/geometry/",),
+    "importers/exact/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/"),
+    "importers/patterns/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/"),
+    "importers/helper/": ENGINE_MODEL + ("libdda/contact/", "importers/process/", "importers/mesh/", "importers/exact/"),
+    "importers/assembly/": ENGINE_MODEL + ("libdda/contact/", "importers/mesh/", "importers/helper/"),
+
+    "app/words/": ENGINE + ("libdda/text/",),
+    "app/case/": ENGINE_MODEL,
+    "app/reader/": ENGINE + ("libdda/text/", "importers/", "records/", "app/words/", "app/case/"),
+    "app/results/": ENGINE + ("app/words/", "app/case/"),
+    "app/drawing/": ("libdda/errors.h",),
+    "app/plots/": ("libdda/errors.h", "importers/process/", "app/words/", "app/drawing/"),
+    "app/render/": ENGINE + ("importers/process/", "importers/mesh/", "importers/helper/", "app/case/", "app/results/",
+                             "app/drawing/"),
+    "app/generate/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/", "importers/patterns/"),
+    "app/studies/scenes/": ENGINE,
+    "app/studies/verify/": ENGINE + ("importers/patterns/", "app/words/", "app/plots/", "app/studies/scenes/",
+                                     "app/studies/verify/references/"),
+    "app/studies/verify/references/": (),
+    "app/studies/converge/": ENGINE + ("libdda/text/", "app/words/", "app/case/", "app/results/", "app/plots/"),
+    "app/studies/ensemble/": ENGINE + ("importers/process/", "app/words/", "app/case/", "app/results/", "app/plots/",
+                                       "app/studies/converge/"),
+    "app/studies/stability/": ENGINE + ("importers/process/", "app/words/", "app/case/", "app/plots/",
+                                        "app/studies/scenes/", "app/studies/stability/references/"),
+    "app/studies/stability/references/": (),
+    "app/commands/": ENGINE + ("libdda/text/", "importers/", "records/", "app/"),
+    "app/": ENGINE + ("importers/", "app/"),
+
     "tests/": ("tests/", "app/", "importers/", "records/", "libdda/"),
+    "tests/libdda/": ("tests/", "libdda/"),
+    "tests/records/": ("tests/", "libdda/", "records/"),
+    "tests/importers/": ("tests/", "libdda/", "importers/"),
 }
 
 # Foreign libraries: how their includes look, the folders that may include them, and whether headers may.
@@ -30,23 +80,24 @@ FOREIGN_RULES = (
     ("OpenMP", r"omp\.h$", ("libdda/",), False),
     ("assimp", r"assimp/", ("importers/mesh/",), False),
     ("CGAL", r"(CGAL/|boost/|gmp|mpfr)", ("importers/exact/",), False),
-    ("yaml-cpp", r"yaml-cpp/", ("app/case/",), False),
+    ("yaml-cpp", r"yaml-cpp/", ("app/reader/",), False),
     ("HDF5", r"(hdf5|H5)", ("app/results/",), False),
-    ("Cairo", r"cairo", ("app/render/", "app/plots/"), False),
+    ("Cairo", r"cairo", ("app/drawing/", "app/render/", "app/plots/"), False),
     ("OSMesa, OpenGL, PNG", r"(GL/|EGL/|png\.h|ft2build|freetype)", ("app/render/",), False),
     ("pugixml", r"pugixml\.hpp$", ("importers/mesh/", "records/formats/"), False),
     ("libzip", r"zip\.h$", ("importers/mesh/",), False),
     ("zlib", r"zlib\.h$", ("records/", "tests/"), False),
     ("libmseed", r"libmseed\.h$", ("records/formats/",), False),
     ("FFTW", r"fftw3\.h$", ("records/",), False),
-    ("nlohmann-json", r"nlohmann/", ("app/", "importers/mesh/", "tests/"), False),
-    ("fmt", r"fmt/", ("app/",), False),
+    ("nlohmann-json", r"nlohmann/", ("app/", "importers/mesh/", "importers/helper/", "tests/"), False),
+    ("fmt", r"fmt/", ("app/", "importers/assembly/"), False),
+    ("utf8cpp", r"utf8(\.h$|/)", ("libdda/text/",), False),
     ("CLI11", r"CLI/", ("app/",), False),
 )
 TESTS_OF = {"libdda/solve/": ("tests/libdda",), "libdda/": ("tests/libdda",),
             "importers/mesh/": ("tests/importers",), "importers/exact/": ("tests/importers",),
-            "app/case/": ("tests/app",), "app/results/": ("tests/app", "tests/verification"),
-            "app/render/": ("tests/app",), "app/verify/": ("tests/app_verify",), "app/": ("tests/app", "tests/verification")}
+            "app/reader/": ("tests/app",), "app/results/": ("tests/app", "tests/verification"),
+            "app/render/": ("tests/app",), "app/drawing/": ("tests/app",), "app/studies/verify/": ("tests/app_verify",), "app/": ("tests/app", "tests/verification")}
 
 # The system's own headers beside those of the C++ standard (which have no slash and no ".h").
 POSIX = re.compile(r"(sys/.*|unistd|fcntl|getopt|spawn|poll|signal|pthread|dlfcn|fenv|ftw|termios|time)\.h$")
@@ -75,14 +126,35 @@ def project_fault(root, path, included):
     """The fault of including our own header from `path`, or None."""
     if not (root / included).is_file():
         return f'"{included}": no such file; write the path from the repository root'
-    room = path.split("/")[0] + "/"
-    allowed = PROJECT_RULES[room]
+    folder = folder_of(path)
+    if folder is None:
+        return f"{path.rsplit('/', 1)[0]}/ has no rule; add one to FOLDER_RULES of scripts/check_includes.py"
     # Another room's .cpp is nobody's to include.
     if not included.endswith(".h"):
         return f'"{included}": only headers are included'
-    if not included.startswith(allowed):
-        return f'"{included}": {room} may include only {", ".join(allowed)}'
-    return None
+    if may_include(folder, included):
+        return None
+    return f'"{included}": {folder} may include only {", ".join((folder,) + FOLDER_RULES[folder])}'
+
+
+def folder_of(path):
+    """The longest folder of FOLDER_RULES that holds a file, if that is its own or a folder of tests."""
+    holding = [folder for folder in FOLDER_RULES if path.startswith(folder)]
+    longest = max(holding, key=len, default=None)
+    own = path.rsplit("/", 1)[0] + "/"
+    return longest if longest == own or path.startswith("tests/") else None
+
+
+def may_include(folder, included):
+    if included.startswith(folder) and (folder.startswith("tests/") or "/" not in included[len(folder):]):
+        return True
+    for allowed in FOLDER_RULES[folder]:
+        if allowed.endswith("/*"):  # the files of the folder, not those of its own folders
+            if included.startswith(allowed[:-1]) and "/" not in included[len(allowed) - 1:]:
+                return True
+        elif included.startswith(allowed):
+            return True
+    return False
 
 
 def faults_of_file(root, path):
@@ -130,10 +202,13 @@ PLANTED = (
     ("importers/exact/d.cpp", '#include "libdda/geometry/moments.h"', False),
     ("records/a.cpp", '#include "libdda/model/model.h"', True),
     ("records/b.cpp", '#include "libdda/model/ground_motion.h"', False),
+    ("tests/importers/a.cpp", '#include "app/reader/case_file.h"', True),
+    ("tests/importers/b.cpp", '#include "importers/mesh/read_mesh.h"', False),
+    ("app/nowhere/a.cpp", '#include "libdda/errors.h"', True),
     ("records/c.cpp", "#include <nlohmann/json.hpp>", True),
     ("records/d.cpp", "#pragma omp parallel for", True),
     ("records/e.cpp", '  #  include "importers/mesh/read_mesh.h"', True),
-    ("app/run.cpp", '#include "records/record.h"', False),
+    ("app/commands/run.cpp", '#include "records/record.h"', False),
     ("app/run.h", "#include <CLI/CLI.hpp>", True),
     ("app/commands/a.cpp", "#include <yaml-cpp/yaml.h>", True),
     ("app/reader/a.cpp", "#include <yaml-cpp/yaml.h>", False),
@@ -154,24 +229,49 @@ PLANTED = (
     ("app/results/g.cpp", "#include <sys/wait.h>", False),
     ("app/results/h.cpp", "#include <vector>", False),
 )
+# Folders from below: none may include what stands behind it in its row.
+ROWS = (
+    ("libdda/geometry/", "libdda/model/", "libdda/contact/", "libdda/step/", "libdda/analysis/", "libdda/run/"),
+    ("libdda/model/", "libdda/solve/", "libdda/step/"),
+    ("libdda/text/", "libdda/geometry/"),
+    ("records/measures/", "records/synthetic/", "records/processing/"),
+    ("importers/process/", "importers/mesh/", "importers/exact/", "importers/helper/", "importers/assembly/"),
+    ("app/words/", "app/case/", "app/results/", "app/drawing/", "app/plots/", "app/render/", "app/generate/",
+     "app/studies/scenes/", "app/studies/verify/", "app/studies/converge/", "app/studies/ensemble/",
+     "app/studies/stability/", "app/commands/"),
+    ("app/words/", "app/case/", "app/reader/", "app/commands/"),
+    # The reader of case files is the commands' alone.
+    ("app/results/", "app/reader/"), ("app/render/", "app/reader/"), ("app/plots/", "app/reader/"),
+    ("app/studies/verify/", "app/reader/"), ("app/studies/converge/", "app/reader/"),
+    ("app/studies/ensemble/", "app/reader/"), ("app/studies/stability/", "app/reader/"),
+)
 HEADERS = ("libdda/errors.h", "libdda/geometry/moments.h", "libdda/model/model.h", "libdda/model/ground_motion.h",
            "records/record.h", "importers/mesh/read_mesh.h", "app/reader/case_file.h")
+
+
+def verdict(planted, line, headers):
+    """What `check` finds in a file of one comment and this line, in a tree with these headers."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder)
+        for path in headers + (planted,):
+            (root / path).parent.mkdir(parents=True, exist_ok=True)
+            (root / path).write_text("// clean\n", encoding="utf-8")
+        (root / planted).write_text(f"// first line\n{line}\n", encoding="utf-8")
+        return check(root)[1]
 
 
 def self_test():
     wrong = []
     for planted, line, is_fault in PLANTED:
-        with tempfile.TemporaryDirectory() as folder:
-            root = Path(folder)
-            for path in HEADERS + (planted,):
-                (root / path).parent.mkdir(parents=True, exist_ok=True)
-                (root / path).write_text("// clean\n", encoding="utf-8")
-            (root / planted).write_text(f"// first line\n{line}\n", encoding="utf-8")
-            _, faults = check(root)
-            found = len(faults) == 1 and faults[0].startswith(f"{planted}:2:")
-            if found != is_fault or (not is_fault and faults):
-                wrong.append(f"{planted}: {line}: {'not found' if is_fault else 'wrongly refused'} {faults}")
-    return len(PLANTED), wrong
+        faults = verdict(planted, line, HEADERS)
+        found = len(faults) == 1 and faults[0].startswith(f"{planted}:2:")
+        if found != is_fault or (not is_fault and faults):
+            wrong.append(f"{planted}: {line}: {'not found' if is_fault else 'wrongly refused'} {faults}")
+    upward = [(lower, higher) for row in ROWS for i, lower in enumerate(row) for higher in row[i + 1:]]
+    for lower, higher in upward:
+        if len(verdict(lower + "a.cpp", f'#include "{higher}b.h"', (higher + "b.h",))) != 1:
+            wrong.append(f"{lower} may include {higher}, which stands above it")
+    return len(PLANTED) + len(upward), wrong
 
 
 def main(arguments):

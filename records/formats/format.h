@@ -39,7 +39,7 @@ extern const Format sac_format;
 extern const Format text_table;
 extern const Format unam;
 
-/// Every format, in the order in which files are asked whether they are one (record.cpp).
+/// Every format, in the order in which files are asked whether they are one (all_formats.cpp).
 std::span<const Format* const> all_formats();
 
 /// Reads a file that `format` recognises. @throws InputError also when there is no channel or a

@@ -103,8 +103,8 @@ TEST(Rebound, of_the_papers_scheme)
 // In every point of the chart exactly the mode of the chart keeps all its own conditions.
 TEST(ModeChart, modes_keep_the_conditions_of_rigid_bodies)
 {
-    using dynamic_scenes::ChartCase;
-    using dynamic_scenes::ChartKind;
+    using ChartCase;
+    using ChartKind;
     int counts[4] = {};
     for (const ChartCase& point : chart_points(ChartKind::pseudo_static, 400, 7)) {
         const auto& [psi, delta, phi] = point.chart;

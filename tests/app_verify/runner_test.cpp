@@ -25,7 +25,7 @@ Benchmark second_order()
     benchmark.name = "second-order";
     benchmark.tolerance = 2e-4;
     benchmark.sweep = standard_sweep({1e-2, 5e-3, 2e-3, 1e-3, 5e-4});
-    benchmark.run = [](const VerifySetting& setting) {
+    benchmark.run = [](const SceneSetting& setting) {
         if (setting.time_step == 5e-3) throw std::runtime_error("no such thing");
         VerifyResult result;
         result.error = 100 * setting.time_step * setting.time_step;
@@ -60,7 +60,7 @@ TEST(Runner, an_error_above_the_tolerance_or_none_at_all_does_not_pass)
     benchmark.setting.time_step = 5e-3;
     benchmark.tolerance = 1;
     EXPECT_FALSE(run_benchmark(benchmark, false).pass);
-    benchmark.run = [](const VerifySetting&) {
+    benchmark.run = [](const SceneSetting&) {
         VerifyResult result;
         result.error = std::nan("");
         return result;
@@ -91,7 +91,7 @@ TEST(Runner, draws_what_was_swept_and_nothing_where_every_error_is_none)
     EXPECT_EQ(swept.notes.size(), 8u) << "two steps of each method fail";
     EXPECT_TRUE(picture(run_benchmark(benchmark, false)).diagrams.empty());
     benchmark.tolerance = 0;
-    benchmark.run = [](const VerifySetting&) { return VerifyResult{}; };
+    benchmark.run = [](const SceneSetting&) { return VerifyResult{}; };
     const Figure none = work_precision(run_benchmark(benchmark, true));
     EXPECT_TRUE(none.diagrams.empty());
     EXPECT_EQ(none.notes.size(), 20u) << "each row is one without error";
@@ -102,7 +102,7 @@ TEST(Runner, the_same_scene_in_other_unknowns_must_pass_and_agree)
     Benchmark benchmark = second_order();
     benchmark.also = {Kinematics::planar_rigid, Kinematics::planar_deformable, Kinematics::spatial_deformable};
     double apart = 1e-6;
-    benchmark.run = [&](const VerifySetting& setting) {
+    benchmark.run = [&](const SceneSetting& setting) {
         VerifyResult result;
         const double place = is_deformable(setting.kinematics) ? 2 : 1;
         result.answer = {place * (is_planar(setting.kinematics) ? 1 + apart : 1)};
@@ -142,7 +142,7 @@ TEST(Benchmarks, have_names_of_their_own_tolerances_and_sweeps_of_four_steps)
         EXPECT_GE(benchmark.tolerance, 0) << benchmark.name;
         EXPECT_LE(benchmark.tolerance, 1) << benchmark.name;
         std::set<double> steps;
-        for (const VerifySetting& setting : benchmark.sweep) steps.insert(setting.time_step);
+        for (const SceneSetting& setting : benchmark.sweep) steps.insert(setting.time_step);
         EXPECT_TRUE(steps.empty() || steps.size() >= 4) << benchmark.name;
         swept += !steps.empty();
     }

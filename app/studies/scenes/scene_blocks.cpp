@@ -17,7 +17,7 @@ StartContact first_of(const ContactSetIn<D>& contacts)
 
 }  // namespace
 
-Model make_scene_model(const VerifySetting& setting, const BlockMaterial& material, const JointMaterial& joint,
+Model make_scene_model(const SceneSetting& setting, const BlockMaterial& material, const JointMaterial& joint,
                        double thickness)
 {
     Model model = make_model(setting.kinematics, material, joint);

@@ -1,9 +1,9 @@
-// Boxes for the scenes of the benchmarks, spatial or planar as the setting says.
+// Boxes for scenes, spatial or planar as the setting says.
 #pragma once
 
 #include <string>
 
-#include "app/studies/verify/benchmark.h"
+#include "app/studies/scenes/scene_setting.h"
 #include "libdda/model/model.h"
 #include "libdda/model/state.h"
 
@@ -12,7 +12,7 @@ namespace voussoir
 
 /// make_model for a scene that may be planar: a slice of `thickness` [m] that nothing pushes sideways (plane
 /// stress), which is what a single row of blocks is.
-Model make_scene_model(const VerifySetting& setting, const BlockMaterial& material, const JointMaterial& joint,
+Model make_scene_model(const SceneSetting& setting, const BlockMaterial& material, const JointMaterial& joint,
                        double thickness);
 
 /// Adds a box of group 0 and material 0; a planar scene takes its outline. @returns its index

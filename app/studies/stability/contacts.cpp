@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "app/studies/scenes/scene_blocks.h"
+#include "app/studies/scenes/shapes.h"
 #include "app/studies/stability/audit.h"
 #include "app/studies/stability/engine.h"
 #include "app/studies/stability/families.h"
-#include "app/studies/stability/shapes.h"
 
 namespace voussoir
 {
@@ -30,7 +30,7 @@ CellRun run_needles(double tip, double time_step)
         parts.push_back(needle(place, tip, 0, 0.1, 0.2));
     model.blocks.push_back(make_block("stone", 0, 0, std::move(parts)));
     CellRun cell;
-    run_at_rest(model, time_step, 1, gravity, cell);
+    run_at_rest(model, time_step, 1, papers_gravity, cell);
     return cell;
 }
 

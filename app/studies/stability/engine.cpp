@@ -11,46 +11,6 @@
 namespace voussoir::stability
 {
 
-Stage rest_stage(double g)
-{
-    Stage stage;
-    stage.name = "self-weight";
-    stage.type = StageType::static_equilibrium;
-    stage.gravity = {0, 0, -g};
-    stage.control.time_step = 0.1;  // static stages take large steps
-    return stage;
-}
-
-Stage motion_stage(double duration, double time_step, double g)
-{
-    Stage stage;
-    stage.name = "motion";
-    stage.duration = duration;
-    stage.gravity = {0, 0, -g};
-    stage.control.time_step = time_step;
-    return stage;
-}
-
-JointMaterial dry_joint(double friction)
-{
-    JointMaterial joint;
-    joint.name = "dry";
-    joint.friction_angle = std::atan(friction);
-    return joint;
-}
-
-JointMaterial dry_joint(double friction, double stiffness)
-{
-    JointMaterial joint = dry_joint(friction);
-    joint.stiffness = {ContactStiffness::Kind::per_point, stiffness};
-    return joint;
-}
-
-BlockMaterial stone(double density, double young)
-{
-    return {"stone", density, young, 0.2};
-}
-
 namespace
 {
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/studies/scenes/materials.h"
+#include "app/studies/scenes/stages.h"
 #include "app/studies/stability/cell.h"
 #include "libdda/analysis/run.h"
 #include "libdda/model/model.h"
@@ -11,23 +13,6 @@
 
 namespace voussoir::stability
 {
-
-constexpr double gravity = 9.81;  // m/s2
-
-/// Static equilibrium under gravity (0, 0, -g), all else by default.
-Stage rest_stage(double g = gravity);
-
-/// Motion with no damping but the integrator's own, all else by default.
-Stage motion_stage(double duration, double time_step, double g = gravity);
-
-/// A dry joint with Shi's stiffness per contact point. @param friction coefficient; @param stiffness [N/m]
-JointMaterial dry_joint(double friction, double stiffness);
-
-/// A dry joint with the stiffness by the documented rule. @param friction coefficient
-JointMaterial dry_joint(double friction);
-
-/// A block material of the default elasticity. @param density [kg/m3]; @param young [Pa]
-BlockMaterial stone(double density = 2000, double young = 1e10);
 
 /// Runs the stages from the state and counts into `cell`.
 /// @returns whether it came to the end; else cell.diagnosis says why not. cell.warning: what the report warns of,

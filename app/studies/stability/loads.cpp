@@ -6,10 +6,11 @@
 #include <numbers>
 
 #include "app/studies/scenes/scene_blocks.h"
+#include "app/studies/scenes/shapes.h"
 #include "app/studies/stability/audit.h"
 #include "app/studies/stability/engine.h"
 #include "app/studies/stability/families.h"
-#include "app/studies/stability/shapes.h"
+#include "app/studies/stability/run_down.h"
 #include "libdda/analysis/energies.h"
 
 namespace voussoir
@@ -32,7 +33,7 @@ CellRun run_friction(double angle, double friction_angle, double time_step)
 {
     const double friction = std::tan(friction_angle * std::numbers::pi / 180);
     CellRun cell;
-    run_down(slab_on_incline(friction), angle, friction, gravity, time_step, cell);
+    run_down(slab_on_incline(friction), angle, friction, papers_gravity, time_step, cell);
     return cell;
 }
 
@@ -88,9 +89,9 @@ CellRun run_shaken_stack(double shaking, double frequency, double time_step)
     const auto wave = [&](double a, double f) {
         return std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(a, f, 0, 2));
     };
-    motion.motions = {{0, 0, wave(shaking * gravity, frequency)},
-                      {0, 1, wave(0.8 * shaking * gravity, 1.3 * frequency)},
-                      {0, 2, wave(0.4 * shaking * gravity, 1.7 * frequency)}};
+    motion.motions = {{0, 0, wave(shaking * papers_gravity, frequency)},
+                      {0, 1, wave(0.8 * shaking * papers_gravity, 1.3 * frequency)},
+                      {0, 2, wave(0.4 * shaking * papers_gravity, 1.7 * frequency)}};
     run_audited(model, motion, -0.5, state, cell);
     return cell;
 }
@@ -178,7 +179,7 @@ StabilityScene gravity_scene()
                  [h] { return run_flight(Kinematics::spatial_deformable, h); });
         for (const double g : {0., 1., 3., 10.})
             add_cell(scene, fmt::format("stack={:g}", g), {{"stack", g, "g"}}, h,
-                     [=] { return run_stack_at_rest(g * gravity, h); });
+                     [=] { return run_stack_at_rest(g * papers_gravity, h); });
     }
     return scene;
 }

@@ -8,10 +8,10 @@
 #include <random>
 
 #include "app/studies/scenes/scene_blocks.h"
+#include "app/studies/scenes/shapes.h"
 #include "app/studies/stability/audit.h"
 #include "app/studies/stability/engine.h"
 #include "app/studies/stability/families.h"
-#include "app/studies/stability/shapes.h"
 
 namespace voussoir
 {
@@ -33,7 +33,7 @@ CellRun run_columns(Kinematics kinematics, int columns, double time_step)
             add_box(model, fmt::format("column {} stone {}", c + 1, i + 1), {1.5 * c, 0, 0.3 * i},
                     {1.5 * c + 1, 1, 0.3 * (i + 1)});
     CellRun cell;
-    run_at_rest(model, time_step, 20 * time_step, gravity, cell);
+    run_at_rest(model, time_step, 20 * time_step, papers_gravity, cell);
     return cell;
 }
 
@@ -54,7 +54,7 @@ CellRun run_large_wall(double time_step)
         }
     }
     CellRun cell;
-    run_at_rest(model, time_step, 20 * time_step, gravity, cell);
+    run_at_rest(model, time_step, 20 * time_step, papers_gravity, cell);
     return cell;
 }
 

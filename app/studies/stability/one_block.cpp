@@ -31,7 +31,7 @@ reference::SpringBlock spring_block(const OneBlock& scene)
     block.normal_stiffness = points_an_edge * scene.stiffness;
     block.shear_stiffness = JointMaterial{}.shear_to_normal_stiffness * block.normal_stiffness;
     block.friction = scene.friction;
-    block.gravity = gravity;
+    block.gravity = papers_gravity;
     block.amplitude = scene.amplitude;
     block.period = scene.period;
     block.pulse_end = scene.pulse_end;

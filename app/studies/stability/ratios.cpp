@@ -5,11 +5,12 @@
 #include <limits>
 
 #include "app/studies/scenes/scene_blocks.h"
+#include "app/studies/scenes/shapes.h"
 #include "app/studies/stability/audit.h"
 #include "app/studies/stability/engine.h"
 #include "app/studies/stability/families.h"
 #include "app/studies/stability/one_block.h"
-#include "app/studies/stability/shapes.h"
+#include "app/studies/stability/run_down.h"
 
 namespace voussoir
 {
@@ -31,7 +32,8 @@ double settlement(double young, double density)
 {
     double sum = 0;
     for (int i = 0; i < cubes; ++i) {
-        const double above = (cubes - 1 - i) * density * gravity * cube, own = density * gravity * cube;
+        const double above = (cubes - 1 - i) * density * papers_gravity * cube,
+                     own = density * papers_gravity * cube;
         const double p = above + own / 2;
         double a = 1;
         for (int n = 0; n < 50; ++n) a -= (a * (a * a - 1) / 2 + p / young) / ((3 * a * a - 1) / 2);
@@ -67,7 +69,7 @@ CellRun run_density(double upper, double lower, double time_step)
     add_box(model, "upper", {-0.15, -0.15, 0.3}, {0.15, 0.15, 0.6});
     model.blocks.back().material = 1;
     CellRun cell;
-    run_at_rest(model, time_step, 1, gravity, cell);
+    run_at_rest(model, time_step, 1, papers_gravity, cell);
     return cell;
 }
 
@@ -79,7 +81,7 @@ CellRun run_small_on_large(double size, double time_step)
     add_box(model, "large", {-0.5, -0.5, 0}, {0.5, 0.5, 1});
     add_box(model, "small", {-size / 2, -size / 2, 1}, {size / 2, size / 2, 1 + size});
     CellRun cell;
-    run_at_rest(model, time_step, 1, gravity, cell);
+    run_at_rest(model, time_step, 1, papers_gravity, cell);
     return cell;
 }
 
@@ -95,7 +97,7 @@ CellRun run_large_on_small(double size, double time_step)
                     Vector3d(x, y, 0) + half + up);
     add_box(model, "large", {-0.5, -0.5, size}, {0.5, 0.5, 1 + size});
     CellRun cell;
-    run_at_rest(model, time_step, 1, gravity, cell);
+    run_at_rest(model, time_step, 1, papers_gravity, cell);
     return cell;
 }
 
@@ -106,7 +108,7 @@ CellRun run_slender(double slenderness, double time_step)
     hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
     add_box(model, "pillar", {-0.05, -0.05, 0}, {0.05, 0.05, 0.1 * slenderness});
     CellRun cell;
-    run_at_rest(model, time_step, 1, gravity, cell);
+    run_at_rest(model, time_step, 1, papers_gravity, cell);
     return cell;
 }
 
@@ -117,7 +119,7 @@ CellRun run_flat(double flatness, double time_step)
     hold(model, add_box(model, "base", {-2, -2, -1}, {20, 2, 0}));
     add_box(model, "slab", {-0.5, -0.5, 0}, {0.5, 0.5, 1 / flatness});
     CellRun cell;
-    run_down(model, 30, 0.2, gravity, time_step, cell);
+    run_down(model, 30, 0.2, papers_gravity, time_step, cell);
     return cell;
 }
 

@@ -8,19 +8,10 @@
 #include <vector>
 
 #include "app/plots/diagram.h"
-#include "libdda/model/model.h"
+#include "app/studies/scenes/scene_setting.h"
 
 namespace voussoir
 {
-
-/// What a row of a work-precision diagram varies.
-struct VerifySetting {
-    Kinematics kinematics = Kinematics::spatial_rigid;
-    Integrator integrator = Integrator::newmark;
-    OpenClose open_close = OpenClose::newton;
-    double time_step = 1e-3;                 // s
-    std::optional<double> stiffness_factor;  // times the documented default contact stiffness
-};
 
 /// What one run gave.
 struct VerifyResult {
@@ -44,11 +35,11 @@ struct Benchmark {
     std::string choices;      // what the paper leaves out, what we took, and how the run shows it does not matter
     std::string paper_error;  // as printed: "below 1 % after 0.2 s"; empty when the paper gives none
     std::optional<double> paper_level;  // the number in it, for the line in the diagram
-    VerifySetting setting;              // the default one, on which `tolerance` is held
+    SceneSetting setting;               // the default one, on which `tolerance` is held
     double tolerance = 0;               // of `error`
     std::vector<Kinematics> also = {};  // other unknowns for the same scene: they must pass too, and agree
-    std::vector<VerifySetting> sweep;   // of the work-precision diagram; at least 4 time steps x methods
-    std::function<VerifyResult(const VerifySetting&)> run;
+    std::vector<SceneSetting> sweep;    // of the work-precision diagram; at least 4 time steps x methods
+    std::function<VerifyResult(const SceneSetting&)> run;
 };
 
 /// All benchmarks, in the order of the papers. Each family is a function of its own in a file of its own.

@@ -10,13 +10,11 @@
 
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/picture.h"
-#include "app/studies/verify/scenes_dynamic.h"
+#include "app/studies/verify/run_scene.h"
 #include "importers/patterns/arch_bridge.h"
 
 namespace voussoir
 {
-
-using namespace dynamic_scenes;
 
 namespace
 {
@@ -34,7 +32,7 @@ Block block_of(const PolygonSurface& stone, const Model& model)
     return make_planar_block(stone.name, 0, 0, {outline_of(shape, depth, stone.name)}, model.thickness);
 }
 
-Scene bridge_scene(const VerifySetting& setting, double velocity_kept)
+StagedScene bridge_scene(const SceneSetting& setting, double velocity_kept)
 {
     ArchBridge bridge;
     bridge.rise = printed_rise;
@@ -45,7 +43,7 @@ Scene bridge_scene(const VerifySetting& setting, double velocity_kept)
     const double points = is_planar(setting.kinematics) ? 2 : 4;
     joint.stiffness = {ContactStiffness::Kind::per_point,
                        setting.stiffness_factor.value_or(1) * 2 * spring * bridge.width / points};
-    Scene scene;
+    StagedScene scene;
     scene.model = make_scene_model(setting, {"granite", 2400, 4.5e9, 0.25}, joint, bridge.width);
     for (const PolygonSurface& stone : arch_bridge(bridge))
         scene.model.blocks.push_back(block_of(stone, scene.model));
@@ -54,7 +52,7 @@ Scene bridge_scene(const VerifySetting& setting, double velocity_kept)
     hold(scene.model, last);
     Stage weight = dynamic_stage(setting, 0.02), shaking = dynamic_stage(setting, 0.4);
     const auto sine =
-        std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(0.5 * gravity, 2.5, 0, 10));
+        std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(0.5 * papers_gravity, 2.5, 0, 10));
     shaking.motions = {{0, 0, sine}, {1, 0, sine}};
     // As published at its step; at other steps the same rate, not the same factor.
     constexpr double printed_step = 2e-3;
@@ -105,9 +103,9 @@ void read_end(const Model& model, const State& state, Answer& answer)
     answer.abutment = moved(abutments[1]).x();
 }
 
-Answer shake(const VerifySetting& setting, double velocity_kept, VerifyResult& result)
+Answer shake(const SceneSetting& setting, double velocity_kept, VerifyResult& result)
 {
-    const Scene scene = bridge_scene(setting, velocity_kept);
+    const StagedScene scene = bridge_scene(setting, velocity_kept);
     State state = initial_state(scene.model);
     Answer answer;
     answer.histories.resize(std::size(watched));
@@ -162,7 +160,7 @@ std::string in_words(const Answer& answer, const char* what)
     return text + fmt::format("; voussoirs 46 and 47 {}", beside(answer.histories[2], answer.histories[3]));
 }
 
-VerifyResult run_bridge(const VerifySetting& setting)
+VerifyResult run_bridge(const SceneSetting& setting)
 {
     VerifyResult result;
     const Answer undamped = shake(setting, 1, result);

@@ -15,7 +15,7 @@ namespace
 
 constexpr double static_step = 0.1;  // s; static stages take large ones
 
-Stage stage_of(const Scene& scene, const VerifySetting& setting, StageType type)
+Stage stage_of(const SlidingScene& scene, const SceneSetting& setting, StageType type)
 {
     const bool at_rest = type == StageType::static_equilibrium;
     Stage stage;
@@ -42,7 +42,7 @@ void count(const RunReport& report, VerifyResult& result)
     if (report.outcome != Outcome::completed) result.failure = report.message;
 }
 
-void watch(const Scene& scene, const Eigen::Vector3d& start, RunObserver& observer, History& history)
+void watch(const SlidingScene& scene, const Eigen::Vector3d& start, RunObserver& observer, History& history)
 {
     observer.step = [&scene, start, &history](const State& now, const StepReport&, const RunReport&) {
         history.times.push_back(now.stage_time);
@@ -53,7 +53,7 @@ void watch(const Scene& scene, const Eigen::Vector3d& start, RunObserver& observ
 
 }  // namespace
 
-EngineRun run_engine(const Scene& scene, const VerifySetting& setting)
+EngineRun run_engine(const SlidingScene& scene, const SceneSetting& setting)
 {
     EngineRun run_out;
     const std::clock_t start = std::clock();

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "app/studies/scenes/sliding_scenes.h"
 #include "app/studies/verify/benchmark.h"
-#include "app/studies/verify/scenes.h"
 
 namespace voussoir
 {
@@ -23,7 +23,7 @@ struct EngineRun {
 };
 
 /// Brings the scene to rest under its weight, then moves it. CPU time covers both stages.
-EngineRun run_engine(const Scene& scene, const VerifySetting& setting);
+EngineRun run_engine(const SlidingScene& scene, const SceneSetting& setting);
 
 /// max |u - u_ref| / max |u_ref| over all times; both histories at the same times.
 double worst_error(const History& ours, const History& reference);

@@ -12,10 +12,7 @@
 namespace voussoir
 {
 
-namespace dynamic_scenes
-{
-
-Scene li_scene(const VerifySetting& setting, const LiBlock& block, double duration)
+StagedScene li_scene(const SceneSetting& setting, const LiBlock& block, double duration)
 {
     const BlockMaterial material{"block", block.density, block.young, li_poisson};
     JointMaterial joint;
@@ -23,7 +20,7 @@ Scene li_scene(const VerifySetting& setting, const LiBlock& block, double durati
     // Planar, each of the two corners stands for two.
     const double springs_per_corner = is_planar(setting.kinematics) ? 2 : 1;
     joint.stiffness = {ContactStiffness::Kind::per_point, springs_per_corner * block.corner_spring};
-    Scene scene;
+    StagedScene scene;
     scene.model = make_scene_model(setting, material, joint, li_side);
     const double half = 0.5 * li_side;
     // Held, the plate is rigid: "the elastic modulus of the flat plate is very large".
@@ -33,9 +30,9 @@ Scene li_scene(const VerifySetting& setting, const LiBlock& block, double durati
     return scene;
 }
 
-Bounces drop(const VerifySetting& setting, const LiBlock& block, int count, VerifyResult& result)
+Bounces drop(const SceneSetting& setting, const LiBlock& block, int count, VerifyResult& result)
 {
-    const Scene scene = li_scene(setting, block, 20);
+    const StagedScene scene = li_scene(setting, block, 20);
     State state = initial_state(scene.model);
     const double rest = 0.5 * li_side;
     Bounces bounces;
@@ -47,7 +44,7 @@ Bounces drop(const VerifySetting& setting, const LiBlock& block, int count, Veri
         const double rate = velocity_of(scene.model.kinematics, now, 1).z();
         // In flight the speed at the end of the step tells how far above z the apex was.
         if (rise > 0 && rate <= 0 && step.closed_points == 0)
-            bounces.heights.push_back(z + rate * rate / (2 * gravity));
+            bounces.heights.push_back(z + rate * rate / (2 * papers_gravity));
         if (bounces.heights.size() == 1) {
             bounces.corner_depth = std::max(bounces.corner_depth, step.max_penetration);
             bounces.centroid_depth = std::max(bounces.centroid_depth, -z);
@@ -65,14 +62,14 @@ namespace
 {
 
 /// A cube set down with its springs unloaded, watched until the integrator has taken its motion away.
-VerifyResult run_open_close(const VerifySetting& setting)
+VerifyResult run_open_close(const SceneSetting& setting)
 {
     const LiBlock block{2000, 3e12, 3e8, 0};
     const double omega = std::sqrt(4 * block.corner_spring / (block.density * std::pow(li_side, 3)));
     const double settled = 25 / (own_damping(setting, omega) * omega);  // s: exp(-25) of the motion is left
-    const Scene scene = li_scene(setting, block, settled);
+    const StagedScene scene = li_scene(setting, block, settled);
     const double expected = reference::settled_penetration(
-        {li_side, block.density, block.young, li_poisson, 4 * block.corner_spring, 0, gravity});
+        {li_side, block.density, block.young, li_poisson, 4 * block.corner_spring, 0, papers_gravity});
     VerifyResult result;
     State state = initial_state(scene.model);
     double deepest = 0, last = 0;
@@ -92,11 +89,8 @@ VerifyResult run_open_close(const VerifySetting& setting)
 
 }  // namespace
 
-}  // namespace dynamic_scenes
-
 std::vector<Benchmark> impact_benchmarks()
 {
-    using namespace dynamic_scenes;
     Benchmark settled;
     settled.name = "open-close";
     settled.title = "A block settling on its contact springs";

@@ -5,12 +5,10 @@
 
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/references/kinetic_damping.h"
-#include "app/studies/verify/scenes_dynamic.h"
+#include "app/studies/verify/run_scene.h"
 
 namespace voussoir
 {
-
-using namespace dynamic_scenes;
 
 namespace
 {
@@ -20,10 +18,10 @@ constexpr double factor = 0.97;                              // "kinetic damping
 constexpr double acceleration = 1, duration = 5;  // m/s2, s: not printed; the sum is linear in the first
 
 /// A free block of 1 m and its weight.
-double fall(VerifySetting setting, double time_step, const Damping& damping, VerifyResult& result)
+double fall(SceneSetting setting, double time_step, const Damping& damping, VerifyResult& result)
 {
     setting.time_step = time_step;
-    Scene scene;
+    StagedScene scene;
     scene.model = make_scene_model(setting, {"mass", 1000, 1e9, 0.2}, {}, 1);
     add_box(scene.model, "mass", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
     scene.stages = {dynamic_stage(setting, duration, {acceleration, 0, 0})};
@@ -35,7 +33,7 @@ double fall(VerifySetting setting, double time_step, const Damping& damping, Ver
     return moved;
 }
 
-VerifyResult run_factor(const VerifySetting& setting)
+VerifyResult run_factor(const SceneSetting& setting)
 {
     VerifyResult result;
     result.note = "displacement / undamped displacement:";
@@ -55,7 +53,7 @@ VerifyResult run_factor(const VerifySetting& setting)
 }
 
 /// The rate that equals the factor at the largest step: the answer must stay where it was there.
-VerifyResult run_rate(const VerifySetting& setting)
+VerifyResult run_rate(const SceneSetting& setting)
 {
     VerifyResult result;
     const double rate = -std::log(factor) / time_steps[0];

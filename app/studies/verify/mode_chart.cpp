@@ -7,13 +7,12 @@
 
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/mode_chart_points.h"
-#include "app/studies/verify/scenes_dynamic.h"
+#include "app/studies/verify/run_scene.h"
 #include "app/studies/verify/settings.h"
 
 namespace voussoir
 {
 
-using namespace dynamic_scenes;
 using Eigen::Vector3d;
 using reference::Mode;
 
@@ -33,13 +32,13 @@ constexpr double smallest = 10 * 1e-5;  // of force / mass
 /// The load per mass as the plane sees it: x down the slope, z out of it.
 Vector3d gravity_on(const ChartCase& point)
 {
-    return gravity * Vector3d(std::sin(point.alpha), 0, -std::cos(point.alpha));
+    return papers_gravity * Vector3d(std::sin(point.alpha), 0, -std::cos(point.alpha));
 }
 
 Vector3d push_on(const ChartCase& point)
 {
     const double beta = point.chart.psi - point.alpha;
-    return gravity * std::tan(beta) * Vector3d(std::cos(point.alpha), 0, std::sin(point.alpha));
+    return papers_gravity * std::tan(beta) * Vector3d(std::cos(point.alpha), 0, std::sin(point.alpha));
 }
 
 BodyAcceleration body_load(int component, std::vector<double> samples, double time_step)
@@ -50,7 +49,7 @@ BodyAcceleration body_load(int component, std::vector<double> samples, double ti
 
 /// A hand holds the block against the slope and lets go within `ramp`, gently, for a sudden load on elastic
 /// contacts overshoots twofold.
-Scene chart_scene(const VerifySetting& setting, const ChartCase& point)
+StagedScene chart_scene(const SceneSetting& setting, const ChartCase& point)
 {
     JointMaterial joint;
     joint.name = "joint";
@@ -58,7 +57,7 @@ Scene chart_scene(const VerifySetting& setting, const ChartCase& point)
     const double width = 2 * half_diagonal * std::sin(point.chart.delta);
     const double height = 2 * half_diagonal * std::cos(point.chart.delta);
     joint.stiffness = stiffness_by_rule(setting, height / young);
-    Scene scene;
+    StagedScene scene;
     scene.model = make_scene_model(setting, {"rock", density, young, 0.2}, joint, thickness);
     hold(scene.model, add_box(scene.model, "slope", {-90, -0.5 * thickness, -15}, {90, 0.5 * thickness, 0}));
     add_box(scene.model, "block", {-0.5 * width, -0.5 * thickness, 0}, {0.5 * width, 0.5 * thickness, height});
@@ -95,9 +94,9 @@ Motion motion_of(const Model& model, const State& state, const ChartCase& point)
 }
 
 /// Mean accelerations from the end of the ramp on, in units of force / mass.
-Motion first_motion(const VerifySetting& setting, const ChartCase& point, VerifyResult& result)
+Motion first_motion(const SceneSetting& setting, const ChartCase& point, VerifyResult& result)
 {
-    const Scene scene = chart_scene(setting, point);
+    const StagedScene scene = chart_scene(setting, point);
     State state = initial_state(scene.model);
     Motion early, late;
     double early_time = 0;
@@ -136,7 +135,7 @@ void add(double seen, double expected, Spread& spread)
     spread.largest_difference = std::max(spread.largest_difference, std::abs(seen - expected));
 }
 
-VerifyResult run_chart(const VerifySetting& setting, ChartKind kind, int count, std::uint64_t seed)
+VerifyResult run_chart(const SceneSetting& setting, ChartKind kind, int count, std::uint64_t seed)
 {
     VerifyResult result;
     int wrong = 0;
@@ -178,7 +177,7 @@ Benchmark row(const std::string& name, const std::string& title, const std::stri
     benchmark.paper_error = paper_error;
     benchmark.setting.time_step = 1e-3;
     benchmark.sweep = sweep_of(benchmark.setting, {2e-3, 1e-3, 5e-4, 2e-4});
-    benchmark.run = [=](const VerifySetting& setting) { return run_chart(setting, kind, count, seed); };
+    benchmark.run = [=](const SceneSetting& setting) { return run_chart(setting, kind, count, seed); };
     return benchmark;
 }
 

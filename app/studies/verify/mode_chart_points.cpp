@@ -3,7 +3,7 @@
 #include <numbers>
 #include <random>
 
-namespace voussoir::dynamic_scenes
+namespace voussoir
 {
 
 namespace
@@ -55,4 +55,4 @@ std::vector<ChartCase> chart_points(ChartKind kind, int count, std::uint64_t see
     return points;
 }
 
-}  // namespace voussoir::dynamic_scenes
+}  // namespace voussoir

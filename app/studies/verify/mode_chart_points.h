@@ -6,7 +6,7 @@
 
 #include "app/studies/verify/references/mode_chart.h"
 
-namespace voussoir::dynamic_scenes
+namespace voussoir
 {
 
 /// A block on a slope under gravity and a horizontal force m g tan beta.
@@ -24,4 +24,4 @@ enum class ChartKind {
 /// `within_of_a_boundary`. "Mostly" is four of five; the others have alpha (phi) anywhere in 10 to 45 degrees.
 std::vector<ChartCase> chart_points(ChartKind kind, int count, std::uint64_t seed);
 
-}  // namespace voussoir::dynamic_scenes
+}  // namespace voussoir

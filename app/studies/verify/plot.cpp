@@ -31,7 +31,7 @@ std::vector<Curve> curves_of(const std::vector<VerifyRow>& rows, bool of_stiffne
     return curves;
 }
 
-std::string in_words(const VerifySetting& setting)
+std::string in_words(const SceneSetting& setting)
 {
     const std::optional<double>& factor = setting.stiffness_factor;
     return fmt::format("{} at {}{}", method_name(setting), step_in_words(setting.time_step),

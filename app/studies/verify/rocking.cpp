@@ -9,12 +9,10 @@
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/references/rocking.h"
-#include "app/studies/verify/scenes_dynamic.h"
+#include "app/studies/verify/run_scene.h"
 
 namespace voussoir
 {
-
-using namespace dynamic_scenes;
 
 namespace
 {
@@ -32,11 +30,11 @@ constexpr double contact_damping = 0.5;  // xi of the documented rule for rockin
 
 reference::RockingBlock rigid_block(double amplitude)
 {
-    return {half_width, half_height, gravity, amplitude, frequency, false};
+    return {half_width, half_height, papers_gravity, amplitude, frequency, false};
 }
 
 /// Angular frequency of the block on all its contact springs [rad/s].
-double contact_frequency(const VerifySetting& setting, const Choices& choices)
+double contact_frequency(const SceneSetting& setting, const Choices& choices)
 {
     const double depth = 2 * half_height;
     const double stiffness =
@@ -47,7 +45,7 @@ double contact_frequency(const VerifySetting& setting, const Choices& choices)
 /// eta = 2 max(0, xi - own damping of the integrator) / omega, by the documented rule (docs/method.md): omega is
 /// that of the edge that lands. It has half of the springs and, the block turning about the other edge, the mass
 /// (4/3 m R^2) / (2 b)^2: sqrt(3/2) b / R of the frequency of the block on all its springs.
-double dashpot_by_rule(const VerifySetting& setting, const Choices& choices)
+double dashpot_by_rule(const SceneSetting& setting, const Choices& choices)
 {
     const double share = std::sqrt(1.5) * half_width / std::hypot(half_width, half_height);
     const double omega = share * contact_frequency(setting, choices);
@@ -55,14 +53,14 @@ double dashpot_by_rule(const VerifySetting& setting, const Choices& choices)
 }
 
 /// A block 1 m thick on a base that shakes along x.
-Scene rocking_scene(const VerifySetting& setting, const Choices& choices, double amplitude, double duration)
+StagedScene rocking_scene(const SceneSetting& setting, const Choices& choices, double amplitude, double duration)
 {
     JointMaterial joint;
     joint.name = "rough";
     joint.friction_angle = choices.friction * std::numbers::pi / 180;
     joint.stiffness = stiffness_by_rule(setting, 2 * half_height / choices.young);
     joint.dashpot = dashpot_by_rule(setting, choices);
-    Scene scene;
+    StagedScene scene;
     scene.model = make_scene_model(setting, {"stone", choices.density, choices.young, 0.2}, joint, 1);
     hold(scene.model, add_box(scene.model, "base", {-3, -0.5, -1}, {3, 0.5, 0}));
     add_box(scene.model, "block", {-half_width, -0.5, 0}, {half_width, 0.5, 2 * half_height});
@@ -78,10 +76,10 @@ struct Record {
     std::vector<double> times, angles;
 };
 
-Record watch(const VerifySetting& setting, const Choices& choices, double amplitude, double duration,
+Record watch(const SceneSetting& setting, const Choices& choices, double amplitude, double duration,
              VerifyResult& result, const std::function<bool(double time, double lean)>& stop)
 {
-    const Scene scene = rocking_scene(setting, choices, amplitude, duration);
+    const StagedScene scene = rocking_scene(setting, choices, amplitude, duration);
     State state = initial_state(scene.model);
     Record record;
     bool done = false;
@@ -103,7 +101,7 @@ Record watch(const VerifySetting& setting, const Choices& choices, double amplit
 }
 
 /// Whether the engine's block falls: before its first return to the upright after the pulse, or never.
-bool falls(const VerifySetting& setting, double amplitude, VerifyResult& result)
+bool falls(const SceneSetting& setting, double amplitude, VerifyResult& result)
 {
     const double far = std::numbers::pi / 4;
     const Record record = watch(setting, {}, amplitude, 10, result, [&](double time, double lean) {
@@ -112,7 +110,7 @@ bool falls(const VerifySetting& setting, double amplitude, VerifyResult& result)
     return std::abs(record.angles.back()) > far;
 }
 
-VerifyResult run_threshold(const VerifySetting& setting)
+VerifyResult run_threshold(const SceneSetting& setting)
 {
     VerifyResult result;
     const double exact = reference::overturning_threshold(rigid_block(0));
@@ -156,7 +154,7 @@ Diagram picture_of(const Record& record, const std::vector<double>& exact)
 }
 
 /// Error up to the first impact of the reference.
-double before_impact(const VerifySetting& setting, const Choices& choices, VerifyResult& result)
+double before_impact(const SceneSetting& setting, const Choices& choices, VerifyResult& result)
 {
     const reference::RockingBlock block = rigid_block(printed_amplitude);
     const double impact = *reference::first_impact(block);
@@ -168,7 +166,7 @@ double before_impact(const VerifySetting& setting, const Choices& choices, Verif
     return difference(record, exact, impact);
 }
 
-VerifyResult run_before_impact(const VerifySetting& setting)
+VerifyResult run_before_impact(const SceneSetting& setting)
 {
     VerifyResult result;
     result.error = before_impact(setting, {}, result);
@@ -182,7 +180,7 @@ VerifyResult run_before_impact(const VerifySetting& setting)
 }
 
 /// The same with other values of what is not printed.
-VerifyResult run_choices(const VerifySetting& setting)
+VerifyResult run_choices(const SceneSetting& setting)
 {
     VerifyResult result;
     struct Other {
@@ -219,7 +217,7 @@ std::vector<double> apexes(const Record& record)
 }
 
 /// Error over 5 s; says in the note which restitution the impacts had.
-double history(const VerifySetting& setting, const Choices& choices, VerifyResult& result)
+double history(const SceneSetting& setting, const Choices& choices, VerifyResult& result)
 {
     const reference::RockingBlock block = rigid_block(printed_amplitude);
     const Record record = watch(setting, choices, printed_amplitude, 5, result, {});
@@ -237,13 +235,13 @@ double history(const VerifySetting& setting, const Choices& choices, VerifyResul
     return difference(record, exact, 5);
 }
 
-VerifyResult run_history(const VerifySetting& setting)
+VerifyResult run_history(const SceneSetting& setting)
 {
     VerifyResult result;
     Choices choices;
     result.error = history(setting, choices, result);
     // On softer contacts and with a finer step the integrator damps little and the dashpot does all.
-    VerifySetting fine = setting;
+    SceneSetting fine = setting;
     fine.time_step = 1e-4;
     choices.young = 1e10;
     result.note += "; at 1e10 Pa and 0.1 ms: ";
@@ -253,7 +251,7 @@ VerifyResult run_history(const VerifySetting& setting)
 }
 
 Benchmark row(const std::string& name, const std::string& title, double time_step, double tolerance,
-              std::function<VerifyResult(const VerifySetting&)> run)
+              std::function<VerifyResult(const SceneSetting&)> run)
 {
     Benchmark benchmark;
     benchmark.name = name;

@@ -12,7 +12,7 @@ namespace voussoir
 
 /// One setting and what it gave; a run that gave up is a row with its `failure`.
 struct VerifyRow {
-    VerifySetting setting;
+    SceneSetting setting;
     VerifyResult result;
 };
 

@@ -13,7 +13,7 @@ Kinematics planar_form(Kinematics spatial)
 
 }  // namespace
 
-std::string method_name(const VerifySetting& setting)
+std::string method_name(const SceneSetting& setting)
 {
     std::string name(name_of(setting.kinematics));
     name += setting.integrator == Integrator::newmark ? ", Newmark" : ", energy decaying";
@@ -21,15 +21,15 @@ std::string method_name(const VerifySetting& setting)
     return name;
 }
 
-std::vector<VerifySetting> standard_sweep(const std::vector<double>& time_steps,
-                                          const std::vector<double>& stiffness_factors)
+std::vector<SceneSetting> standard_sweep(const std::vector<double>& time_steps,
+                                         const std::vector<double>& stiffness_factors)
 {
-    VerifySetting rigid, deformable, decaying, published;
+    SceneSetting rigid, deformable, decaying, published;
     deformable.kinematics = Kinematics::spatial_deformable;
     decaying.integrator = Integrator::energy_decaying;
     published.open_close = OpenClose::published;
-    std::vector<VerifySetting> sweep;
-    for (const VerifySetting& method : {rigid, deformable, decaying, published})
+    std::vector<SceneSetting> sweep;
+    for (const SceneSetting& method : {rigid, deformable, decaying, published})
         for (const double step : time_steps) {
             sweep.push_back(method);
             sweep.back().time_step = step;
@@ -56,7 +56,7 @@ void make_planar(Benchmark& benchmark, bool other_blocks)
         benchmark.also.insert(benchmark.also.end(),
                               {Kinematics::planar_deformable, Kinematics::spatial_deformable});
     benchmark.setting.kinematics = planar_form(benchmark.setting.kinematics);
-    for (VerifySetting& setting : benchmark.sweep) setting.kinematics = planar_form(setting.kinematics);
+    for (SceneSetting& setting : benchmark.sweep) setting.kinematics = planar_form(setting.kinematics);
 }
 
 std::vector<Benchmark> made_planar(std::vector<Benchmark> benchmarks, bool other_blocks)

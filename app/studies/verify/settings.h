@@ -10,13 +10,13 @@ namespace voussoir
 {
 
 /// "spatial rigid, Newmark", with ", published iteration" where it is Shi's.
-std::string method_name(const VerifySetting& setting);
+std::string method_name(const SceneSetting& setting);
 
 /// Time steps x methods (rigid and deformable, both integrators, the published iteration), then the contact
 /// stiffnesses at the default time step.
 /// @param time_steps [s]; @param stiffness_factors times the documented default
-std::vector<VerifySetting> standard_sweep(const std::vector<double>& time_steps,
-                                          const std::vector<double>& stiffness_factors = {});
+std::vector<SceneSetting> standard_sweep(const std::vector<double>& time_steps,
+                                         const std::vector<double>& stiffness_factors = {});
 
 /// Makes a planar benchmark of one whose scene lies in the x-z plane, its sweep too. Beside it stand the
 /// one-block-thick spatial scene and, with `other_blocks`, both with deformable blocks instead of rigid ones or

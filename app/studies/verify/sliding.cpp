@@ -29,7 +29,7 @@ History reference_history(const SlidingProblem& problem, const std::vector<doubl
     return reference;
 }
 
-VerifyResult compare_sliding(const Scene& scene, const VerifySetting& setting, double paper_from,
+VerifyResult compare_sliding(const SlidingScene& scene, const SceneSetting& setting, double paper_from,
                              const ClosedForm& closed_form)
 {
     EngineRun run = run_engine(scene, setting);
@@ -38,7 +38,7 @@ VerifyResult compare_sliding(const Scene& scene, const VerifySetting& setting, d
     return judge(std::move(run), reference, paper_from);
 }
 
-VerifyResult compare_sliding(const Scene& scene, const VerifySetting& setting, double paper_from,
+VerifyResult compare_sliding(const SlidingScene& scene, const SceneSetting& setting, double paper_from,
                              const SlidingProblem& problem, const ClosedForm& base)
 {
     EngineRun run = run_engine(scene, setting);

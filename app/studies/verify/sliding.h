@@ -18,11 +18,11 @@ inline const std::vector<double> stiffness_factors{1e-4, 1e-3, 1e-2, 1e-1, 1, 10
 using ClosedForm = std::function<Eigen::Vector3d(double)>;
 
 /// @param paper_from the papers' measure |(|u_ref| - |u|) / |u_ref|| is taken from this time on [s]
-VerifyResult compare_sliding(const Scene& scene, const VerifySetting& setting, double paper_from,
+VerifyResult compare_sliding(const SlidingScene& scene, const SceneSetting& setting, double paper_from,
                              const ClosedForm& closed_form);
 
 /// @param base displacement of the base [m], added to that of the block relative to it
-VerifyResult compare_sliding(const Scene& scene, const VerifySetting& setting, double paper_from,
+VerifyResult compare_sliding(const SlidingScene& scene, const SceneSetting& setting, double paper_from,
                              const SlidingProblem& problem, const ClosedForm& base = {});
 
 /// The reference at the times of a run: of the base, plus of the block on it in x and y.

@@ -29,19 +29,17 @@ SlidingProblem vector_analysis(const TwoDirections& scene)
     const double angle = scene.angle * degree;
     SlidingProblem problem;
     problem.driving = [=](double t) {
-        const double down = standard_gravity * std::sin(angle) + scene.dip(t) * std::cos(angle);
+        const double down = papers_gravity * std::sin(angle) + scene.dip(t) * std::cos(angle);
         return Eigen::Vector2d(down, scene.strike(t));
     };
-    problem.pressing = [=](double t) {
-        return standard_gravity * std::cos(angle) - scene.dip(t) * std::sin(angle);
-    };
+    problem.pressing = [=](double t) { return papers_gravity * std::cos(angle) - scene.dip(t) * std::sin(angle); };
     problem.friction = std::tan(scene.friction * degree);
     return problem;
 }
 
-VerifyResult shake(const VerifySetting& setting, const TwoDirections& loads)
+VerifyResult shake(const SceneSetting& setting, const TwoDirections& loads)
 {
-    Scene scene = block_on_base(
+    SlidingScene scene = block_on_base(
         setting, {.friction = loads.friction * degree, .travel_from = {-5, -15}, .travel_to = {25, 15}});
     scene.gravity = inclined_gravity(loads.angle * degree);
     scene.duration = 6;
@@ -55,7 +53,7 @@ VerifyResult shake(const VerifySetting& setting, const TwoDirections& loads)
     return result;
 }
 
-VerifyResult shake_two(const VerifySetting& setting)
+VerifyResult shake_two(const SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, shake(setting, {20, 30, {2.5, 1}, {1.5, 0.5}}));

@@ -28,13 +28,13 @@ const Motion two_directions{{{0.3, 2}, {0.2, 4}, {}}};
 const Motion three_directions{{{0.1, 2}, {0.1, 4}, {0.1, 1}}};  // equation 9
 
 /// E L = 3.3e10 N/m and E A = 1e11 N follow from the stiffness ratios the paper prints: 3 x 3 m, 11 GPa.
-Scene scene_of(const VerifySetting& setting, const Motion& motion)
+SlidingScene scene_of(const SceneSetting& setting, const Motion& motion)
 {
-    Scene scene = block_on_base(setting, {.size = {3, 3, 0.3},
-                                          .material = {"stone", 2500, 1.1e10, 0.2},
-                                          .friction = std::atan(friction),
-                                          .travel_from = {-10, -10},
-                                          .travel_to = {10, 10}});
+    SlidingScene scene = block_on_base(setting, {.size = {3, 3, 0.3},
+                                                 .material = {"stone", 2500, 1.1e10, 0.2},
+                                                 .friction = std::atan(friction),
+                                                 .travel_from = {-10, -10},
+                                                 .travel_to = {10, 10}});
     scene.duration = 5;
     for (int axis = 0; axis < 3; ++axis)
         if (motion[axis].amplitude > 0)
@@ -49,12 +49,12 @@ SlidingProblem equation_8(const Motion& motion)
     problem.driving = [=](double t) {
         return Eigen::Vector2d(-motion[0].acceleration(t), -motion[1].acceleration(t));
     };
-    problem.pressing = [=](double t) { return standard_gravity + motion[2].acceleration(t); };
+    problem.pressing = [=](double t) { return papers_gravity + motion[2].acceleration(t); };
     problem.friction = friction;
     return problem;
 }
 
-VerifyResult shake(const VerifySetting& setting, const Motion& motion)
+VerifyResult shake(const SceneSetting& setting, const Motion& motion)
 {
     const auto base = [&](double t) {
         return Eigen::Vector3d(motion[0].displacement(t), motion[1].displacement(t), motion[2].displacement(t));
@@ -94,7 +94,7 @@ void add_both(std::vector<Benchmark>& list, const Words& words, const Motion& mo
         .setting = {},
         .tolerance = words.tolerance,
         .sweep = standard_sweep({5e-3, 2.5e-3, 1e-3, 5e-4, 2.5e-4, 1e-4}, factors),
-        .run = [motion](const VerifySetting& setting) { return shake(setting, motion); }};
+        .run = [motion](const SceneSetting& setting) { return shake(setting, motion); }};
     list.push_back(benchmark);
     benchmark.name += "-fine";
     benchmark.title += ", at 0.1 ms";

@@ -16,11 +16,11 @@ namespace
 {
 
 /// From rest or with a velocity down the dip, under gravity alone.
-VerifyResult slide_down(const VerifySetting& setting, double angle, double friction, double velocity,
+VerifyResult slide_down(const SceneSetting& setting, double angle, double friction, double velocity,
                         double duration, double paper_from)
 {
-    const Scene scene = [&] {
-        Scene made = block_on_base(setting, {.friction = friction * degree});
+    const SlidingScene scene = [&] {
+        SlidingScene made = block_on_base(setting, {.friction = friction * degree});
         made.gravity = inclined_gravity(angle * degree);
         made.rest_gravity = held_gravity(angle * degree, std::tan(friction * degree));
         made.start_velocity.x() = velocity;
@@ -28,12 +28,12 @@ VerifyResult slide_down(const VerifySetting& setting, double angle, double frict
         return made;
     }();
     return compare_sliding(scene, setting, paper_from, [&](double t) {
-        const double s = incline_displacement(standard_gravity, angle * degree, friction * degree, velocity, t);
+        const double s = incline_displacement(papers_gravity, angle * degree, friction * degree, velocity, t);
         return Eigen::Vector3d(s, 0, 0);
     });
 }
 
-VerifyResult gravity_2d(const VerifySetting& setting)
+VerifyResult gravity_2d(const SceneSetting& setting)
 {
     VerifyResult total;
     for (const double friction : {5, 10, 15, 20, 25}) {
@@ -50,19 +50,19 @@ struct ShakenIncline {
     double duration;              // s
 };
 
-VerifyResult shaken(const VerifySetting& setting, const ShakenIncline& incline, double paper_from)
+VerifyResult shaken(const SceneSetting& setting, const ShakenIncline& incline, double paper_from)
 {
     const double angle = incline.angle * degree, omega = 2 * std::numbers::pi * incline.frequency;
-    Scene scene = block_on_base(setting, {.friction = incline.friction * degree});
+    SlidingScene scene = block_on_base(setting, {.friction = incline.friction * degree});
     scene.gravity = inclined_gravity(angle);
     scene.duration = incline.duration;
     add_horizontal(scene, GroundMotion::sine_acceleration(incline.amplitude, incline.frequency, 0, 1e6), angle);
     SlidingProblem problem;
     const auto push = [=](double t) { return incline.amplitude * std::sin(omega * t); };
     problem.driving = [=](double t) {
-        return Eigen::Vector2d(standard_gravity * std::sin(angle) + push(t) * std::cos(angle), 0);
+        return Eigen::Vector2d(papers_gravity * std::sin(angle) + push(t) * std::cos(angle), 0);
     };
-    problem.pressing = [=](double t) { return standard_gravity * std::cos(angle) - push(t) * std::sin(angle); };
+    problem.pressing = [=](double t) { return papers_gravity * std::cos(angle) - push(t) * std::sin(angle); };
     problem.friction = std::tan(incline.friction * degree);
     VerifyResult result = compare_sliding(scene, setting, paper_from, problem);
     result.note = fmt::format("{:g}/{:g} deg, {:g} m/s2 at {:g} Hz: {:.1e}", incline.angle, incline.friction,
@@ -70,7 +70,7 @@ VerifyResult shaken(const VerifySetting& setting, const ShakenIncline& incline, 
     return result;
 }
 
-VerifyResult sine_2d(const VerifySetting& setting)
+VerifyResult sine_2d(const SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, shaken(setting, {20, 30, 2, 1, 6}, 2));
@@ -110,7 +110,7 @@ Benchmark gravity_benchmark_3d()
             .setting = {},
             .tolerance = 1e-5,
             .sweep = standard_sweep(sliding_steps, stiffness_factors),
-            .run = [](const VerifySetting& setting) { return slide_down(setting, 45, 20, 0, 1, 0.2); }};
+            .run = [](const SceneSetting& setting) { return slide_down(setting, 45, 20, 0, 1, 0.2); }};
 }
 
 Benchmark velocity_benchmark()
@@ -127,7 +127,7 @@ Benchmark velocity_benchmark()
             .setting = {},
             .tolerance = 1e-5,
             .sweep = standard_sweep(sliding_steps, stiffness_factors),
-            .run = [](const VerifySetting& setting) { return slide_down(setting, 45, 20, 1, 1, 0.5); }};
+            .run = [](const SceneSetting& setting) { return slide_down(setting, 45, 20, 1, 1, 0.5); }};
 }
 
 Benchmark sine_benchmark_3d()
@@ -142,7 +142,7 @@ Benchmark sine_benchmark_3d()
             .setting = {},
             .tolerance = 2e-3,
             .sweep = standard_sweep(sliding_steps, stiffness_factors),
-            .run = [](const VerifySetting& setting) {
+            .run = [](const SceneSetting& setting) {
                 return shaken(setting, {45, 50, 2, 1, 5}, 1);
             }};
 }

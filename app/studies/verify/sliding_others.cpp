@@ -14,15 +14,14 @@ namespace
 
 constexpr double angle = 30 * degree;
 
-VerifyResult slide_down(const VerifySetting& setting, const SlidingBlock& block, double duration,
-                        double paper_from)
+VerifyResult slide_down(const SceneSetting& setting, const SlidingBlock& block, double duration, double paper_from)
 {
-    Scene scene = block_on_base(setting, block);
+    SlidingScene scene = block_on_base(setting, block);
     scene.gravity = inclined_gravity(angle);
     scene.rest_gravity = held_gravity(angle, std::tan(block.friction));
     scene.duration = duration;
     return compare_sliding(scene, setting, paper_from, [&](double t) {
-        return Eigen::Vector3d(incline_displacement(standard_gravity, angle, block.friction, 0, t), 0, 0);
+        return Eigen::Vector3d(incline_displacement(papers_gravity, angle, block.friction, 0, t), 0, 0);
     });
 }
 
@@ -31,7 +30,7 @@ SlidingBlock block_of_li()
     return {.size = {1, 1, 0.5}, .material = {"rock", 2000, 3e8, 0.3}, .friction = 15 * degree};
 }
 
-VerifyResult khan(const VerifySetting& setting, const ContactStiffness& stiffness, double shear_to_normal)
+VerifyResult khan(const SceneSetting& setting, const ContactStiffness& stiffness, double shear_to_normal)
 {
     VerifyResult total;
     for (const double friction : {0.0, 10.0, 20.0, 25.0, 29.9}) {
@@ -66,7 +65,7 @@ Benchmark benchmark_of_li()
         .setting = {},
         .tolerance = 1e-5,
         .sweep = standard_sweep(sliding_steps, stiffness_factors),
-        .run = [](const VerifySetting& setting) { return slide_down(setting, block_of_li(), 2, 0.2); }};
+        .run = [](const SceneSetting& setting) { return slide_down(setting, block_of_li(), 2, 0.2); }};
 }
 
 Benchmark benchmark_of_khan()
@@ -84,7 +83,7 @@ Benchmark benchmark_of_khan()
         .setting = {},
         .tolerance = 1e-5,
         .sweep = standard_sweep(sliding_steps, stiffness_factors),
-        .run = [](const VerifySetting& setting) { return khan(setting, {}, 0.5); }};
+        .run = [](const SceneSetting& setting) { return khan(setting, {}, 0.5); }};
 }
 
 Benchmark benchmark_of_khan_soft()
@@ -98,7 +97,7 @@ Benchmark benchmark_of_khan_soft()
         "so that the elastic slip of the joint (0.3 mm) is behind it.";
     benchmark.paper_error = "below 1 % (soft contact)";
     benchmark.paper_level = 0.01;
-    benchmark.run = [](const VerifySetting& setting) {
+    benchmark.run = [](const SceneSetting& setting) {
         return khan(setting, {ContactStiffness::Kind::per_area, 50e6}, 1);
     };
     return benchmark;

@@ -19,13 +19,13 @@ using Terms = std::vector<Eigen::Vector2d>;  // amplitude [m/s2], angular freque
 /// Table 2: 0.1 g at the first frequency, 0.05 g at half of it, 0.025 g at a quarter.
 Terms set_of(double first)
 {
-    const double g = standard_gravity, omega = first * std::numbers::pi;
+    const double g = papers_gravity, omega = first * std::numbers::pi;
     return {{0.1 * g, omega}, {0.05 * g, omega / 2}, {0.025 * g, omega / 4}};
 }
 
-VerifyResult shake(const VerifySetting& setting, double first, double duration)
+VerifyResult shake(const SceneSetting& setting, double first, double duration)
 {
-    Scene scene =
+    SlidingScene scene =
         block_on_base(setting, {.material = {"rock", 2700, 5e9, 0.25}, .friction = angle, .travel_to = {50, 5}});
     scene.gravity = inclined_gravity(angle);
     scene.rest_gravity = held_gravity(angle, std::tan(angle));
@@ -42,7 +42,7 @@ VerifyResult shake(const VerifySetting& setting, double first, double duration)
     return result;
 }
 
-VerifyResult shake_all(const VerifySetting& setting)
+VerifyResult shake_all(const SceneSetting& setting)
 {
     VerifyResult total;
     for (const double first : {8, 10, 15}) add_run(total, shake(setting, first, 5));

@@ -37,7 +37,7 @@ constexpr std::array<TableTest, 8> tests{{{2.66, 0.28, 0.05367},
 double table_acceleration(const TableTest& test, double t)
 {
     const double envelope = std::clamp(std::min(t, duration - t) / ramp, 0.0, 1.0);
-    return envelope * test.acceleration * standard_gravity * std::sin(2 * std::numbers::pi * test.frequency * t);
+    return envelope * test.acceleration * papers_gravity * std::sin(2 * std::numbers::pi * test.frequency * t);
 }
 
 GroundMotion sampled(const TableTest& test)
@@ -97,10 +97,10 @@ SlidingProblem newmark_block(const TableTest& test, const Interface& interface)
     SlidingProblem problem;
     problem.driving = [=](double t) {
         const double push = table_acceleration(test, t);
-        return Eigen::Vector2d(standard_gravity * std::sin(angle) + push * std::cos(angle), 0);
+        return Eigen::Vector2d(papers_gravity * std::sin(angle) + push * std::cos(angle), 0);
     };
     problem.pressing = [=](double t) {
-        return standard_gravity * std::cos(angle) - table_acceleration(test, t) * std::sin(angle);
+        return papers_gravity * std::cos(angle) - table_acceleration(test, t) * std::sin(angle);
     };
     problem.friction = std::tan(interface.at_rest);
     problem.friction_at = friction_of(interface);
@@ -108,13 +108,13 @@ SlidingProblem newmark_block(const TableTest& test, const Interface& interface)
 }
 
 /// In the table's frame: the block carries m a. @param end displacement at the end [m]
-VerifyResult shake(const VerifySetting& setting, const TableTest& test, const Interface& interface, double& end)
+VerifyResult shake(const SceneSetting& setting, const TableTest& test, const Interface& interface, double& end)
 {
-    Scene scene = block_on_base(setting, {.size = {0.0508, 0.0508, 0.0254},
-                                          .material = {"steel", 24400, 2e11, 0.3},
-                                          .friction = interface.at_rest,
-                                          .travel_from = {-0.2, -0.2},
-                                          .travel_to = {0.5, 0.2}});
+    SlidingScene scene = block_on_base(setting, {.size = {0.0508, 0.0508, 0.0254},
+                                                 .material = {"steel", 24400, 2e11, 0.3},
+                                                 .friction = interface.at_rest,
+                                                 .travel_from = {-0.2, -0.2},
+                                                 .travel_to = {0.5, 0.2}});
     scene.model.joints[0].friction_at_speed = interface.at_speed;
     scene.gravity = inclined_gravity(angle);
     scene.duration = duration;
@@ -129,7 +129,7 @@ VerifyResult shake(const VerifySetting& setting, const TableTest& test, const In
     return run.result;
 }
 
-VerifyResult shake_rate_dependent(const VerifySetting& setting)
+VerifyResult shake_rate_dependent(const SceneSetting& setting)
 {
     const Interface interface = rate_dependent_interface();
     VerifyResult total;
@@ -143,7 +143,7 @@ VerifyResult shake_rate_dependent(const VerifySetting& setting)
     return total;
 }
 
-VerifyResult shake_all(const VerifySetting& setting)
+VerifyResult shake_all(const SceneSetting& setting)
 {
     VerifyResult total;
     for (const TableTest& test : tests) {

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr double friction = 18 * degree, frequency = 0.25, duration = 8;  // rad, Hz, s
-constexpr double amplitude = 0.5 * standard_gravity;                      // m/s2
+constexpr double amplitude = 0.5 * papers_gravity;                        // m/s2
 
 GroundMotion ground(double phase)
 {
@@ -52,19 +52,19 @@ std::string other_quantities(const History& ours, const std::vector<SlidingPoint
                        v_worst / v_largest, std::sqrt(a_squares) / a_largest);
 }
 
-VerifyResult shake(const VerifySetting& setting, double phase)
+VerifyResult shake(const SceneSetting& setting, double phase)
 {
-    Scene scene = block_on_base(setting, {.size = {1, 1, 0.5},
-                                          .material = {"stone", 2500, 1e10, 0.25},
-                                          .friction = friction,
-                                          .travel_from = {-40, -5},
-                                          .travel_to = {40, 5}});
+    SlidingScene scene = block_on_base(setting, {.size = {1, 1, 0.5},
+                                                 .material = {"stone", 2500, 1e10, 0.25},
+                                                 .friction = friction,
+                                                 .travel_from = {-40, -5},
+                                                 .travel_to = {40, 5}});
     scene.duration = duration;
     scene.motions.push_back({0, 0, std::make_shared<const GroundMotion>(ground(phase))});
     const BaseMotion base{phase};
     SlidingProblem problem;
     problem.driving = [=](double t) { return Eigen::Vector2d(-base.acceleration(t), 0); };
-    problem.pressing = [](double) { return standard_gravity; };
+    problem.pressing = [](double) { return papers_gravity; };
     problem.friction = std::tan(friction);
     EngineRun run = run_engine(scene, setting);
     const std::vector<SlidingPoint> slid = slide(problem, run.history.times);
@@ -78,7 +78,7 @@ VerifyResult shake(const VerifySetting& setting, double phase)
     return run.result;
 }
 
-VerifyResult shake_both(const VerifySetting& setting)
+VerifyResult shake_both(const SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, shake(setting, 0));

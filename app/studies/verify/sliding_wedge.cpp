@@ -23,46 +23,46 @@ std::string words(const Wedge& wedge, double error)
     return fmt::format("planes at {:g} and {:g} deg: {:.1e}", wedge.left, wedge.right, error);
 }
 
-Scene scene_of(const VerifySetting& setting, const Wedge& wedge)
+SlidingScene scene_of(const SceneSetting& setting, const Wedge& wedge)
 {
-    Scene scene = wedge_in_trough(setting, wedge.left * degree, wedge.right * degree, friction);
+    SlidingScene scene = wedge_in_trough(setting, wedge.left * degree, wedge.right * degree, friction);
     scene.gravity = inclined_gravity(plunge);
     scene.rest_gravity = held_gravity(plunge, wedge_friction(wedge.left * degree, wedge.right * degree, friction));
     return scene;
 }
 
-VerifyResult let_slide(const VerifySetting& setting, const Wedge& wedge)
+VerifyResult let_slide(const SceneSetting& setting, const Wedge& wedge)
 {
-    Scene scene = scene_of(setting, wedge);
+    SlidingScene scene = scene_of(setting, wedge);
     scene.duration = 1;
     const double equivalent = std::atan(wedge_friction(wedge.left * degree, wedge.right * degree, friction));
     VerifyResult result = compare_sliding(scene, setting, 0.1, [&](double t) {
-        return Eigen::Vector3d(incline_displacement(standard_gravity, plunge, equivalent, 0, t), 0, 0);
+        return Eigen::Vector3d(incline_displacement(papers_gravity, plunge, equivalent, 0, t), 0, 0);
     });
     result.note = words(wedge, result.error);
     return result;
 }
 
 /// The sine acts along the line of intersection.
-VerifyResult shake(const VerifySetting& setting, const Wedge& wedge)
+VerifyResult shake(const SceneSetting& setting, const Wedge& wedge)
 {
     constexpr double amplitude = 2, frequency = 1;  // m/s2, Hz
-    Scene scene = scene_of(setting, wedge);
+    SlidingScene scene = scene_of(setting, wedge);
     scene.duration = 4;
     add_sine(scene, 0, amplitude, frequency);
     SlidingProblem problem;
     problem.driving = [](double t) {
         const double sine = amplitude * std::sin(2 * std::numbers::pi * frequency * t);
-        return Eigen::Vector2d(standard_gravity * std::sin(plunge) + sine, 0);
+        return Eigen::Vector2d(papers_gravity * std::sin(plunge) + sine, 0);
     };
-    problem.pressing = [](double) { return standard_gravity * std::cos(plunge); };
+    problem.pressing = [](double) { return papers_gravity * std::cos(plunge); };
     problem.friction = wedge_friction(wedge.left * degree, wedge.right * degree, friction);
     VerifyResult result = compare_sliding(scene, setting, 1, problem);
     result.note = words(wedge, result.error);
     return result;
 }
 
-VerifyResult slide_all(const VerifySetting& setting)
+VerifyResult slide_all(const SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, let_slide(setting, {45, 45}));
@@ -70,7 +70,7 @@ VerifyResult slide_all(const VerifySetting& setting)
     return total;
 }
 
-VerifyResult shake_all(const VerifySetting& setting)
+VerifyResult shake_all(const SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, shake(setting, {45, 45}));

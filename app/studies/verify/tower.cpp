@@ -8,12 +8,10 @@
 
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/picture.h"
-#include "app/studies/verify/scenes_dynamic.h"
+#include "app/studies/verify/run_scene.h"
 
 namespace voussoir
 {
-
-using namespace dynamic_scenes;
 
 namespace
 {
@@ -21,18 +19,18 @@ namespace
 constexpr int courses = 100;  // printed, as height = 10 x width
 constexpr double width = 2;   // m, not printed
 constexpr double course_height = 10 * width / courses;
-constexpr double density = 2400, young = 1e10;           // not printed
-constexpr double friction = 30;                          // degrees, printed
-constexpr double peak = 0.5 * gravity, frequency = 2.5;  // printed
-constexpr double duration = 4;                           // s, ten cycles, not printed
+constexpr double density = 2400, young = 1e10;                  // not printed
+constexpr double friction = 30;                                 // degrees, printed
+constexpr double peak = 0.5 * papers_gravity, frequency = 2.5;  // printed
+constexpr double duration = 4;                                  // s, ten cycles, not printed
 
-Scene tower_scene(const VerifySetting& setting)
+StagedScene tower_scene(const SceneSetting& setting)
 {
     JointMaterial joint;
     joint.name = "dry";
     joint.friction_angle = friction * std::numbers::pi / 180;
     joint.stiffness = stiffness_by_rule(setting, 2 * course_height / young);
-    Scene scene;
+    StagedScene scene;
     scene.model = make_scene_model(setting, {"masonry", density, young, 0.2}, joint, width);
     hold(scene.model, add_box(scene.model, "base", {-2 * width, -width, -1}, {2 * width, width, 0}));
     for (int i = 0; i < courses; ++i)
@@ -124,10 +122,10 @@ Remains remains_of(const Model& model, const State& state)
     return remains;
 }
 
-VerifyResult run_tower(const VerifySetting& setting)
+VerifyResult run_tower(const SceneSetting& setting)
 {
     VerifyResult result;
-    const Scene scene = tower_scene(setting);
+    const StagedScene scene = tower_scene(setting);
     State state = initial_state(scene.model);
     SlipPaths paths;
     RunObserver observer;

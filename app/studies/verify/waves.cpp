@@ -14,9 +14,6 @@
 namespace voussoir
 {
 
-namespace dynamic_scenes
-{
-
 constexpr double shear_to_normal = 0.5;  // the documented default
 constexpr double unbreakable = 1e15;     // Pa, strength of a bonded joint
 
@@ -25,9 +22,10 @@ double young_of(const Column& column, const Layer& layer)
     return 2 * (1 + column.poisson) * column.density * layer.speed * layer.speed;
 }
 
-Scene column_scene(const VerifySetting& setting, const Column& column, const GroundMotion& base, double duration)
+StagedScene column_scene(const SceneSetting& setting, const Column& column, const GroundMotion& base,
+                         double duration)
 {
-    Scene scene;
+    StagedScene scene;
     Model& model = scene.model;
     JointMaterial bond;
     bond.name = "bond";
@@ -57,7 +55,7 @@ Scene column_scene(const VerifySetting& setting, const Column& column, const Gro
     return scene;
 }
 
-std::vector<reference::SiteLayer> site_of(const VerifySetting& setting, const Column& column)
+std::vector<reference::SiteLayer> site_of(const SceneSetting& setting, const Column& column)
 {
     std::vector<reference::SiteLayer> site;
     const Layer& first = column.layers.front();
@@ -115,7 +113,7 @@ struct WaveRecord {
     double jointed_speed = 0;  // m/s
 };
 
-WaveRecord climb(const VerifySetting& setting, const WaveChoice& wave, VerifyResult& result)
+WaveRecord climb(const SceneSetting& setting, const WaveChoice& wave, VerifyResult& result)
 {
     Column column{{{stack_height, wave.speed, wave.layers}}, 2500, 0.2, wave.width};
     const double depth = stack_height / wave.layers;
@@ -130,7 +128,7 @@ WaveRecord climb(const VerifySetting& setting, const WaveChoice& wave, VerifyRes
     };
     const double reflection = (2 * stack_height - point_height) / c;
     const double duration = std::floor(reflection / setting.time_step) * setting.time_step;
-    const Scene scene = column_scene(setting, column, one_cycle_motion(wave), duration);
+    const StagedScene scene = column_scene(setting, column, one_cycle_motion(wave), duration);
     State state = initial_state(scene.model);
     const int watched = 1 + static_cast<int>(point_height / depth);  // the block whose centroid is the point
     record.trace = {0};
@@ -156,7 +154,7 @@ Extremes extremes_of(const WaveRecord& record, double amplitude)
     return {*most / amplitude - 1, -*least / amplitude - 1};
 }
 
-VerifyResult run_amplitude(const VerifySetting& setting)
+VerifyResult run_amplitude(const SceneSetting& setting)
 {
     VerifyResult result;
     const WaveChoice wave;
@@ -184,7 +182,7 @@ VerifyResult run_amplitude(const VerifySetting& setting)
 }
 
 /// The same with other values of what is not printed; a slower wave with a longer step.
-VerifyResult run_choices(const VerifySetting& setting)
+VerifyResult run_choices(const SceneSetting& setting)
 {
     VerifyResult result;
     struct Other {
@@ -195,7 +193,7 @@ VerifyResult run_choices(const VerifySetting& setting)
                                      Other{"150 layers", {.layers = 150}}, Other{"half as wide", {.width = 2500}},
                                      Other{"500 m/s and 12.5 Hz, 4 x the step", {.speed = 500, .frequency = 12.5}},
                                      Other{"40 Hz", {.frequency = 40}}}) {
-        VerifySetting scaled = setting;
+        SceneSetting scaled = setting;
         scaled.time_step *= 2000 / wave.speed;
         const double error = extremes_of(climb(scaled, wave, result), wave.amplitude).worst();
         result.error = std::max(result.error, error);
@@ -204,7 +202,7 @@ VerifyResult run_choices(const VerifySetting& setting)
     return result;
 }
 
-VerifyResult run_arrival(const VerifySetting& setting)
+VerifyResult run_arrival(const SceneSetting& setting)
 {
     VerifyResult result;
     const WaveChoice wave;
@@ -218,11 +216,8 @@ VerifyResult run_arrival(const VerifySetting& setting)
 
 }  // namespace
 
-}  // namespace dynamic_scenes
-
 std::vector<Benchmark> wave_benchmarks()
 {
-    using namespace dynamic_scenes;
     Benchmark row;
     row.source = "yagoda-biran-hatzor, section 3.5, figure 16";
     row.paper_error = "wave form preserved; figure not available";

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/studies/verify/references/layered_site.h"
-#include "app/studies/verify/scenes_dynamic.h"
+#include "app/studies/verify/run_scene.h"
 
-namespace voussoir::dynamic_scenes
+namespace voussoir
 {
 
 /// A layer of one or more blocks.
@@ -26,10 +26,11 @@ struct Column {
     double width = 0;    // m; a stack that is wide against its height shears and does not bend
 };
 
-Scene column_scene(const VerifySetting& setting, const Column& column, const GroundMotion& base, double duration);
+StagedScene column_scene(const SceneSetting& setting, const Column& column, const GroundMotion& base,
+                         double duration);
 
 /// The same blocks and joints for the exact solutions: one entry per block.
-std::vector<reference::SiteLayer> site_of(const VerifySetting& setting, const Column& column);
+std::vector<reference::SiteLayer> site_of(const SceneSetting& setting, const Column& column);
 
 /// Young's modulus of a layer [Pa].
 double young_of(const Column& column, const Layer& layer);
@@ -37,4 +38,4 @@ double young_of(const Column& column, const Layer& layer);
 /// The response of 15 layers against the exact solution.
 std::vector<Benchmark> site_rows();
 
-}  // namespace voussoir::dynamic_scenes
+}  // namespace voussoir

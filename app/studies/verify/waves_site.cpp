@@ -7,7 +7,7 @@
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/waves.h"
 
-namespace voussoir::dynamic_scenes
+namespace voussoir
 {
 
 namespace
@@ -43,13 +43,13 @@ std::vector<reference::Peak> resonances(const std::vector<double>& values)
 }
 
 /// |surface / base| at multiples of `interval`.
-std::vector<double> spectral_ratio(const VerifySetting& setting, const Column& column, VerifyResult& result)
+std::vector<double> spectral_ratio(const SceneSetting& setting, const Column& column, VerifyResult& result)
 {
     std::vector<double> samples;
     for (int i = 0; i <= 1200; ++i) samples.push_back(pulse(i * 1e-4));
     const GroundMotion motion = GroundMotion::from_displacement(samples, 1e-4, "pulse");
     const double duration = 6e-3 / setting.time_step;  // s; the first mode has died to some 1e-5 of itself
-    const Scene scene = column_scene(setting, column, motion, duration);
+    const StagedScene scene = column_scene(setting, column, motion, duration);
     State state = initial_state(scene.model);
     const int top = static_cast<int>(scene.model.blocks.size()) - 1;
     const Eigen::Vector3d surface(0, 0, 0.5 * column.layers.back().thickness / column.layers.back().blocks);
@@ -69,7 +69,7 @@ std::vector<double> spectral_ratio(const VerifySetting& setting, const Column& c
     return ratio;
 }
 
-std::vector<double> exact_ratio(const VerifySetting& setting, const Column& column, bool joints)
+std::vector<double> exact_ratio(const SceneSetting& setting, const Column& column, bool joints)
 {
     std::vector<reference::SiteLayer> site = site_of(setting, column);
     if (!joints)
@@ -93,7 +93,7 @@ Diagram picture_of(const std::vector<double>& exact, const std::vector<double>& 
 
 enum class Measure { value, frequency };
 
-VerifyResult run_site(const VerifySetting& setting, bool homogeneous, Measure measure)
+VerifyResult run_site(const SceneSetting& setting, bool homogeneous, Measure measure)
 {
     VerifyResult result;
     const Column column = stack(homogeneous);
@@ -144,10 +144,10 @@ std::vector<Benchmark> site_rows()
                 row.sweep.push_back(row.setting);
                 row.sweep.back().time_step = h;
             }
-            row.run = [=](const VerifySetting& setting) { return run_site(setting, homogeneous, measure); };
+            row.run = [=](const SceneSetting& setting) { return run_site(setting, homogeneous, measure); };
             rows.push_back(row);
         }
     return rows;
 }
 
-}  // namespace voussoir::dynamic_scenes
+}  // namespace voussoir

@@ -1,35 +1,11 @@
-#include "app/studies/stability/shapes.h"
+#include "app/studies/scenes/shapes.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <utility>
 
-#include "app/studies/stability/engine.h"
-
-namespace voussoir::stability
+namespace voussoir
 {
 
 using Eigen::Vector3d;
-
-void run_down(const Model& model, double angle, double friction, double g, double time_step, CellRun& cell)
-{
-    constexpr double mobilised = 1 - 1e-5;  // a static stage has no answer at the limit itself
-    constexpr double duration = 1;          // s
-    const double dip = angle * std::numbers::pi / 180;
-    Stage rest = rest_stage(), motion = motion_stage(duration, time_step);
-    motion.gravity = g * Vector3d(std::sin(dip), 0, -std::cos(dip));
-    rest.gravity = motion.gravity;
-    rest.gravity.x() = std::min(rest.gravity.x(), mobilised * friction * -rest.gravity.z());
-    State state = initial_state(model);
-    if (!run_counted(model, {rest}, state, {}, cell)) return;
-    state.stage = 0;
-    begin_stage(model, 0, state);
-    const Vector3d start = pose_of(model.kinematics, state, 1).centroid;
-    if (!run_counted(model, {motion}, state, {}, cell)) return;
-    const Vector3d moved = pose_of(model.kinematics, state, 1).centroid - start;
-    const double exact = std::max(0.0, 0.5 * g * (std::sin(dip) - friction * std::cos(dip)) * duration * duration);
-    cell.error = (moved - Vector3d(exact, 0, 0)).norm() / (exact > 0 ? exact : size_of(model, 1));
-}
 
 ConvexPolyhedron octahedron(const Vector3d& centre, const Vector3d& radius)
 {
@@ -71,4 +47,19 @@ ConvexPolyhedron bar_on_edge(const Vector3d& centre, int axis, double length, do
         "bar");
 }
 
-}  // namespace voussoir::stability
+ConvexPolyhedron prism(const std::vector<Eigen::Vector2d>& section, double from, double to)
+{
+    std::vector<Vector3d> vertices;
+    for (const double x : {from, to})
+        for (const Eigen::Vector2d& corner : section) vertices.emplace_back(x, corner.x(), corner.y());
+    const int n = static_cast<int>(section.size());
+    std::vector<std::vector<int>> faces(2);
+    for (int i = 0; i < n; ++i) {
+        faces[0].push_back(n - 1 - i);
+        faces[1].push_back(n + i);
+        faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+    }
+    return make_convex_polyhedron(std::move(vertices), std::move(faces), "prism");
+}
+
+}  // namespace voussoir

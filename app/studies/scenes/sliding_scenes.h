@@ -1,4 +1,4 @@
-// The scenes the benchmarks share: one small function each, which takes the setting it is to be built for.
+// Scenes that slide: one small function each, which takes the setting it is to be built for.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,20 +6,20 @@
 #include <optional>
 #include <vector>
 
-#include "app/studies/verify/benchmark.h"
+#include "app/studies/scenes/scene_setting.h"
+#include "app/studies/scenes/stages.h"
 #include "libdda/model/model.h"
 
 namespace voussoir
 {
 
 constexpr double degree = std::numbers::pi / 180;  // rad
-constexpr double standard_gravity = 9.81;          // m/s2, the papers'
 
 /// What run_engine brings to rest and then moves. x is horizontal (down the dip), z is up, y is the thickness.
-struct Scene {
+struct SlidingScene {
     Model model;
     int block = 0;                                             // the measured one
-    Eigen::Vector3d gravity{0, 0, -standard_gravity};          // m/s2
+    Eigen::Vector3d gravity{0, 0, -papers_gravity};            // m/s2
     std::optional<Eigen::Vector3d> rest_gravity;               // m/s2, while it comes to rest; if not `gravity`
     Eigen::Vector3d start_velocity = Eigen::Vector3d::Zero();  // m/s
     double duration = 0;                                       // s, of the motion
@@ -38,10 +38,10 @@ struct SlidingBlock {
 };
 
 /// A block on a wide held block: on a plane, on an incline (by the direction of gravity), on a moving foundation.
-Scene block_on_base(const VerifySetting& setting, const SlidingBlock& block);
+SlidingScene block_on_base(const SceneSetting& setting, const SlidingBlock& block);
 
 /// A wedge in a trough whose two planes dip by `left` and `right` [rad] across the line of intersection, x.
-Scene wedge_in_trough(const VerifySetting& setting, double left, double right, double friction);
+SlidingScene wedge_in_trough(const SceneSetting& setting, double left, double right, double friction);
 
 /// Gravity as seen from a plane that dips by `angle` [rad] towards +x.
 Eigen::Vector3d inclined_gravity(double angle);
@@ -54,18 +54,18 @@ Eigen::Vector3d inclined_gravity(double angle);
 Eigen::Vector3d held_gravity(double angle, double friction);
 
 /// A horizontal acceleration down the dip in the frame of the plane: times cos along it, times sin off it.
-void add_horizontal(Scene& scene, const GroundMotion& horizontal, double angle);
+void add_horizontal(SlidingScene& scene, const GroundMotion& horizontal, double angle);
 
 /// a = amplitude sin(2 pi frequency t + phase) along an axis, as a body force on the scene's block.
-void add_sine(Scene& scene, int axis, double amplitude, double frequency);
+void add_sine(SlidingScene& scene, int axis, double amplitude, double frequency);
 
 /// The foundation moves by amplitude (1 - cos 2 pi frequency t) along an axis.
-void add_cosine_motion(Scene& scene, int axis, double amplitude, double frequency);
+void add_cosine_motion(SlidingScene& scene, int axis, double amplitude, double frequency);
 
 /// Gives the scene's joints `factor` times the contact stiffness they have by default [Pa/m]. Done by each scene.
 void scale_stiffness(Model& model, double factor);
 
 /// The stiffness of a contact point of the scene as it stands at the start [N/m], Shi's g0 of the papers.
-double stiffness_per_point(const Scene& scene);
+double stiffness_per_point(const SlidingScene& scene);
 
 }  // namespace voussoir

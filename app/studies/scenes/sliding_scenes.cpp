@@ -1,10 +1,12 @@
-#include "app/studies/verify/scenes.h"
+#include "app/studies/scenes/sliding_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "app/studies/scenes/materials.h"
 #include "app/studies/scenes/scene_blocks.h"
+#include "app/studies/scenes/shapes.h"
 
 namespace voussoir
 {
@@ -16,44 +18,19 @@ using Eigen::Vector3d;
 /// Longer than any benchmark: a sine that does not end.
 constexpr double for_ever = 1e6;  // s
 
-JointMaterial dry_joint(double friction, const ContactStiffness& stiffness)
-{
-    JointMaterial joint;
-    joint.name = "dry";
-    joint.friction_angle = friction;
-    joint.stiffness = stiffness;
-    return joint;
-}
-
 int add_prism(Model& model, const std::string& name, ConvexPolyhedron shape)
 {
     model.blocks.push_back(make_block(name, 0, 0, {std::move(shape)}));
     return static_cast<int>(model.blocks.size()) - 1;
 }
 
-/// A prism along x. @param section (n) corners (y, z) [m], counter-clockwise seen from +x
-ConvexPolyhedron prism(const std::vector<Eigen::Vector2d>& section, double from, double to)
-{
-    std::vector<Vector3d> vertices;
-    for (const double x : {from, to})
-        for (const Eigen::Vector2d& corner : section) vertices.emplace_back(x, corner.x(), corner.y());
-    const int n = static_cast<int>(section.size());
-    std::vector<std::vector<int>> faces(2);
-    for (int i = 0; i < n; ++i) {
-        faces[0].push_back(n - 1 - i);
-        faces[1].push_back(n + i);
-        faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
-    }
-    return make_convex_polyhedron(std::move(vertices), std::move(faces), "prism");
-}
-
 }  // namespace
 
-Scene block_on_base(const VerifySetting& setting, const SlidingBlock& block)
+SlidingScene block_on_base(const SceneSetting& setting, const SlidingBlock& block)
 {
-    Scene scene;
-    scene.model =
-        make_scene_model(setting, block.material, dry_joint(block.friction, block.stiffness), block.size.y());
+    SlidingScene scene;
+    scene.model = make_scene_model(setting, block.material, dry_joint_at_angle(block.friction, block.stiffness),
+                                   block.size.y());
     scene.model.joints[0].shear_to_normal_stiffness = block.shear_to_normal_stiffness;
     const Vector3d lower(block.travel_from.x(), block.travel_from.y(), -1);
     const Vector3d upper(block.travel_to.x(), block.travel_to.y(), 0);
@@ -64,11 +41,11 @@ Scene block_on_base(const VerifySetting& setting, const SlidingBlock& block)
     return scene;
 }
 
-Scene wedge_in_trough(const VerifySetting& setting, double left, double right, double friction)
+SlidingScene wedge_in_trough(const SceneSetting& setting, double left, double right, double friction)
 {
     constexpr double depth = 1, reach = 30, thickness = 1;  // m
-    Scene scene;
-    scene.model = make_model(setting.kinematics, {"stone", 2500, 1e10, 0.2}, dry_joint(friction, {}));
+    SlidingScene scene;
+    scene.model = make_model(setting.kinematics, {"stone", 2500, 1e10, 0.2}, dry_joint_at_angle(friction, {}));
     const Eigen::Vector2d down_left(-std::cos(left), std::sin(left)), down_right(std::cos(right), std::sin(right));
     const Eigen::Vector2d under_left(-std::sin(left), -std::cos(left));
     const Eigen::Vector2d under_right(std::sin(right), -std::cos(right));
@@ -89,7 +66,7 @@ Scene wedge_in_trough(const VerifySetting& setting, double left, double right, d
 
 Vector3d inclined_gravity(double angle)
 {
-    return standard_gravity * Vector3d(std::sin(angle), 0, -std::cos(angle));
+    return papers_gravity * Vector3d(std::sin(angle), 0, -std::cos(angle));
 }
 
 Vector3d held_gravity(double angle, double friction)
@@ -100,20 +77,20 @@ Vector3d held_gravity(double angle, double friction)
     return gravity;
 }
 
-void add_horizontal(Scene& scene, const GroundMotion& horizontal, double angle)
+void add_horizontal(SlidingScene& scene, const GroundMotion& horizontal, double angle)
 {
     const auto part = [&](double share) { return std::make_shared<const GroundMotion>(horizontal.scaled(share)); };
     scene.body_accelerations.push_back({scene.block, 0, part(std::cos(angle))});
     scene.body_accelerations.push_back({scene.block, 2, part(std::sin(angle))});
 }
 
-void add_sine(Scene& scene, int axis, double amplitude, double frequency)
+void add_sine(SlidingScene& scene, int axis, double amplitude, double frequency)
 {
     const GroundMotion sine = GroundMotion::sine_acceleration(amplitude, frequency, 0, for_ever);
     scene.body_accelerations.push_back({scene.block, axis, std::make_shared<const GroundMotion>(sine)});
 }
 
-void add_cosine_motion(Scene& scene, int axis, double amplitude, double frequency)
+void add_cosine_motion(SlidingScene& scene, int axis, double amplitude, double frequency)
 {
     const double omega = 2 * std::numbers::pi * frequency;
     const GroundMotion motion =
@@ -127,7 +104,7 @@ void scale_stiffness(Model& model, double factor)
     for (JointMaterial& joint : model.joints) joint.stiffness = {ContactStiffness::Kind::per_area, stiffness};
 }
 
-double stiffness_per_point(const Scene& scene)
+double stiffness_per_point(const SlidingScene& scene)
 {
     const StartContact contact = start_contact(scene.model);
     return contact.stiffness * contact.area_per_point;

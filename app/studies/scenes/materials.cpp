@@ -1,0 +1,49 @@
+#include "app/studies/scenes/materials.h"
+
+#include <cmath>
+
+namespace voussoir
+{
+
+JointMaterial dry_joint(double friction)
+{
+    JointMaterial joint;
+    joint.name = "dry";
+    joint.friction_angle = std::atan(friction);
+    return joint;
+}
+
+JointMaterial dry_joint(double friction, double stiffness)
+{
+    JointMaterial joint = dry_joint(friction);
+    joint.stiffness = {ContactStiffness::Kind::per_point, stiffness};
+    return joint;
+}
+
+BlockMaterial stone(double density, double young)
+{
+    return {"stone", density, young, 0.2};
+}
+
+JointMaterial dry_joint_at_angle(double friction_angle, const ContactStiffness& stiffness)
+{
+    JointMaterial joint;
+    joint.name = "dry";
+    joint.friction_angle = friction_angle;
+    joint.stiffness = stiffness;
+    return joint;
+}
+
+double default_stiffness(Kinematics kinematics, double compliance)
+{
+    return 2 * (is_deformable(kinematics) ? 10 : 1) / compliance;
+}
+
+ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance)
+{
+    if (!setting.stiffness_factor) return {};
+    return {ContactStiffness::Kind::per_area,
+            *setting.stiffness_factor * default_stiffness(setting.kinematics, compliance)};
+}
+
+}  // namespace voussoir

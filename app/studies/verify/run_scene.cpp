@@ -1,0 +1,48 @@
+#include "app/studies/verify/run_scene.h"
+
+#include <cmath>
+#include <ctime>
+
+namespace voussoir
+{
+
+using Eigen::Vector3d;
+
+RunReport run_scene(const StagedScene& scene, State& state, const RunObserver& observer, VerifyResult& result)
+{
+    const std::clock_t start = std::clock();
+    RunReport report = run(scene.model, scene.stages, state, observer);
+    result.cpu_time += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    result.simulated_time += report.simulated_time;
+    result.steps += report.steps;
+    result.step_cuts += report.step_cuts;
+    result.iterations += report.open_close_iterations;
+    if (report.outcome == Outcome::gave_up) result.failure = report.message;
+    return report;
+}
+
+double lean_of(const Model& model, const State& state, int block)
+{
+    const Eigen::Matrix3d map = pose_of(model.kinematics, state, block).map;
+    return std::atan2(map(0, 2), map(2, 2));
+}
+
+double own_damping(const SceneSetting& setting, double omega)
+{
+    const double share = setting.integrator == Integrator::newmark ? 1 : StepControl{}.dissipation;
+    return share * omega * setting.time_step / 4;
+}
+
+std::vector<SceneSetting> sweep_of(SceneSetting base, const std::vector<double>& time_steps)
+{
+    std::vector<SceneSetting> sweep;
+    for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying})
+        for (const double h : time_steps) {
+            base.integrator = integrator;
+            base.time_step = h;
+            sweep.push_back(base);
+        }
+    return sweep;
+}
+
+}  // namespace voussoir
