@@ -9,8 +9,8 @@
 #include "app/commands/describe_case.h"
 #include "app/commands/outputs.h"
 #include "app/results/scene_vectors.h"
+#include "libdda/contact/initial_contacts.h"
 #include "libdda/errors.h"
-#include "libdda/step/advance.h"
 
 namespace voussoir
 {

@@ -7,7 +7,7 @@
 #include "app/thread_time.h"
 #include "libdda/analysis/joint_openings.h"
 #include "libdda/analysis/run.h"
-#include "libdda/step/advance.h"
+#include "libdda/contact/initial_contacts.h"
 
 namespace voussoir
 {
