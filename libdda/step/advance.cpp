@@ -5,8 +5,10 @@
 
 #include "libdda/step/accept_step.h"
 #include "libdda/step/missed_contacts.h"
+#include "libdda/step/newton.h"
 #include "libdda/step/part_timer.h"
 #include "libdda/step/policy.h"
+#include "libdda/step/published.h"
 #include "libdda/step/reach.h"
 #include "libdda/step/reversal.h"
 #include "libdda/step/work.h"

@@ -1,5 +1,6 @@
 #include "libdda/step/step_system.h"
 
+#include "libdda/step/contact_stiffness.h"
 #include "libdda/step/part_timer.h"
 
 namespace voussoir

@@ -6,6 +6,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "libdda/solve/cholmod_solver.h"
+#include "libdda/solve/conjugate_gradients.h"
 #include "tests/libdda/poses.h"
 
 namespace voussoir::testing
