@@ -10,6 +10,7 @@
 
 #include "app/geometry/geometry.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

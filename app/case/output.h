@@ -6,6 +6,7 @@
 #include "app/case/case_file.h"
 #include "app/case/yaml_cursor.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

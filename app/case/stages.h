@@ -7,6 +7,7 @@
 #include "app/case/motion.h"
 #include "app/case/yaml_cursor.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/case/yaml_cursor.h"
-#include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

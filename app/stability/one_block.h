@@ -6,7 +6,8 @@
 
 #include "app/stability/cell.h"
 #include "app/stability/references/block_on_springs.h"
-#include "libdda/model/model.h"
+#include "libdda/model/kinematics.h"
+#include "libdda/model/step_control.h"
 
 namespace voussoir::stability
 {

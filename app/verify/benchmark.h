@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "app/plots/diagram.h"
-#include "libdda/model/model.h"
+#include "libdda/model/kinematics.h"
+#include "libdda/model/step_control.h"
 
 namespace voussoir
 {

@@ -8,6 +8,7 @@
 
 #include "app/verify/benchmark.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

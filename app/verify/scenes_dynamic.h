@@ -8,6 +8,7 @@
 #include "app/verify/scene_blocks.h"
 #include "libdda/analysis/run.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
 namespace voussoir::dynamic_scenes

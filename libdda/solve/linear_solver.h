@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "libdda/model/model.h"
+#include "libdda/model/step_control.h"
 #include "libdda/solve/block_matrix.h"
 
 namespace voussoir

@@ -3,6 +3,7 @@
 
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 #include "libdda/step/work.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libdda/contact/contact_history.h"
-#include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
 namespace voussoir

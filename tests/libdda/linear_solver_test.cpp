@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <limits>
 
 #include "libdda/solve/cholmod_solver.h"
 #include "libdda/solve/conjugate_gradients.h"

@@ -14,6 +14,7 @@
 #include "libdda/analysis/energies.h"
 #include "libdda/analysis/run.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
 namespace voussoir::testing
