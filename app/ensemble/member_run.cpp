@@ -6,8 +6,8 @@
 
 #include "app/thread_time.h"
 #include "libdda/analysis/joint_openings.h"
-#include "libdda/analysis/run.h"
 #include "libdda/contact/initial_contacts.h"
+#include "libdda/run/run.h"
 
 namespace voussoir
 {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/stability/cell.h"
-#include "libdda/analysis/run.h"
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
+#include "libdda/run/run.h"
 
 namespace voussoir::stability
 {

@@ -6,7 +6,7 @@
 
 #include "app/verify/picture.h"
 #include "app/verify/scene_blocks.h"
-#include "libdda/analysis/run.h"
+#include "libdda/run/run.h"
 
 namespace voussoir
 {

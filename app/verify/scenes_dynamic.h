@@ -6,10 +6,10 @@
 
 #include "app/verify/benchmark.h"
 #include "app/verify/scene_blocks.h"
-#include "libdda/analysis/run.h"
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
+#include "libdda/run/run.h"
 
 namespace voussoir::dynamic_scenes
 {
