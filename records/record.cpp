@@ -1,6 +1,7 @@
 #include "records/record.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "libdda/errors.h"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

@@ -9,8 +9,8 @@
 #include "app/commands/outputs.h"
 #include "app/reader/case_file.h"
 #include "app/results/scene_vectors.h"
+#include "libdda/contact/initial_contacts.h"
 #include "libdda/errors.h"
-#include "libdda/step/advance.h"
 
 namespace voussoir
 {

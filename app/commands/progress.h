@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "libdda/model/model.h"
 #include "libdda/model/report.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
 namespace voussoir

@@ -1,4 +1,4 @@
-#include "libdda/analysis/run.h"
+#include "libdda/run/run.h"
 
 #include <fmt/core.h>
 

@@ -6,6 +6,7 @@
 #include "app/reader/case_file.h"
 #include "app/reader/yaml_cursor.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

@@ -7,6 +7,7 @@
 #include "app/reader/motion.h"
 #include "app/reader/yaml_cursor.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

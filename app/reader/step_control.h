@@ -3,6 +3,7 @@
 
 #include "app/reader/yaml_cursor.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/results/fingerprint.h"
-#include "libdda/analysis/run.h"
+#include "libdda/run/run.h"
 
 namespace voussoir
 {

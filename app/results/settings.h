@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

@@ -1,9 +1,8 @@
 #include "libdda/analysis/dry_joints.h"
+#include "libdda/contact/initial_contacts.h"
 
 #include <algorithm>
 #include <sstream>
-
-#include "libdda/step/advance.h"
 
 namespace voussoir
 {

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "libdda/contact/narrow_phase.h"
+#include "libdda/contact/contact_polygon.h"
+#include "libdda/contact/placed_part.h"
 
 namespace voussoir
 {

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "libdda/contact/broad_phase.h"
+#include "libdda/contact/narrow_phase.h"
+#include "libdda/contact/narrow_phase_planar.h"
 
 namespace voussoir
 {

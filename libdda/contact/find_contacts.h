@@ -8,6 +8,9 @@
 namespace voussoir
 {
 
+/// Of a block's size: closer parts are candidates whatever their speed.
+constexpr double contact_distance = 1e-3;
+
 /// Finds all contacts of the state as it stands, with their history. @param reach (blocks) [m] how far a block may
 /// move in the step, plus the contact distance
 template <int D>

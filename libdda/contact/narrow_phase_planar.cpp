@@ -1,6 +1,7 @@
+#include "libdda/contact/narrow_phase_planar.h"
+
 #include <limits>
 
-#include "libdda/contact/narrow_phase.h"
 #include "libdda/contact/narrow_phase_rules.h"
 
 namespace voussoir

@@ -1,7 +1,8 @@
 // How stiff the normal springs of a contact are.
 #pragma once
 
-#include "libdda/contact/narrow_phase.h"
+#include "libdda/contact/contact_polygon.h"
+#include "libdda/contact/placed_part.h"
 
 namespace voussoir
 {

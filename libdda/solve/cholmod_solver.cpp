@@ -1,9 +1,10 @@
+#include "libdda/solve/cholmod_solver.h"
+
 #include <cholmod.h>
 
 #include <Eigen/Core>
 #include <new>
-
-#include "libdda/solve/linear_solver.h"
+#include <vector>
 
 namespace voussoir
 {

@@ -1,7 +1,7 @@
+#include "libdda/solve/conjugate_gradients.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-
-#include "libdda/solve/linear_solver.h"
 
 namespace voussoir
 {

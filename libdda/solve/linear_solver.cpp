@@ -1,5 +1,8 @@
 #include "libdda/solve/linear_solver.h"
 
+#include "libdda/solve/cholmod_solver.h"
+#include "libdda/solve/conjugate_gradients.h"
+
 namespace voussoir
 {
 

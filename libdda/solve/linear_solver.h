@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "libdda/model/model.h"
+#include "libdda/model/step_control.h"
 #include "libdda/solve/block_matrix.h"
 
 namespace voussoir
@@ -27,13 +27,6 @@ class LinearSolver
     virtual LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
                                Eigen::VectorXd& solution) = 0;
 };
-
-/// Sparse Cholesky (CHOLMOD): the symbolic analysis is kept while the pattern stays.
-std::unique_ptr<LinearSolver> make_cholmod_solver();
-
-/// Conjugate gradients preconditioned by an incomplete Cholesky factor on the pattern of the matrix, block by
-/// block: exact for chains (bridge, tower). @param tolerance of |K x - b| / |b|
-std::unique_ptr<LinearSolver> make_conjugate_gradient_solver(double tolerance, int max_iterations = 500);
 
 /// The member asked for. `automatic` is conjugate gradients, with CHOLMOD when they do not converge.
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, double tolerance);

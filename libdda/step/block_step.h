@@ -9,6 +9,7 @@
 #include "libdda/model/elasticity.h"
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 #include "libdda/step/kinematics_traits.h"
 

@@ -1,5 +1,4 @@
-// Contact forces within one step: normal and shear springs with Coulomb friction, their stiffness and their
-// energies.
+// Contact forces within one step: normal and shear springs with Coulomb friction, and their energies.
 #pragma once
 
 #include <Eigen/Core>
@@ -76,10 +75,6 @@ void evaluate_published(const Eigen::VectorXd& d, ContactStep<K>& step);
 template <class K>
 bool switch_published(ContactStep<K>& step);
 
-/// Symmetric stiffness of every patch at the last evaluation. @param published spring states instead of tangents
-template <class K>
-void contact_stiffness(bool published, int threads, ContactStep<K>& step);
-
 /// Contact terms of the energy audit of an accepted step.
 struct ContactEnergies {
     double stored = 0, friction = 0, dashpot = 0, loss = 0;
@@ -90,10 +85,5 @@ ContactEnergies contact_energies(const ContactStep<K>& step);
 /// Elastic slip at the end of the step [m]: of a blend theta, t = (1-theta)/2 k s0 + (1+theta)/2 k s1.
 template <int D>
 VectorIn<D> slip_at_end(const PointStep<D>& point, const VectorIn<D>& normal);
-
-/// Breaks the intact patch that most exceeds its strength on its linear stress field, if any.
-/// @returns its index, or -1
-template <class K>
-int break_weakest_patch(const Model& model, const ContactSetIn<K::dimension>& contacts, ContactStep<K>& step);
 
 }  // namespace voussoir

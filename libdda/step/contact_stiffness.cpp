@@ -1,5 +1,4 @@
-// Stiffness of the contacts at the last evaluation, patch by patch.
-#include "libdda/step/contact_step.h"
+#include "libdda/step/contact_stiffness.h"
 
 namespace voussoir
 {

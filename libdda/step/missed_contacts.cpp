@@ -59,19 +59,6 @@ std::vector<std::pair<PartOfBlock, PartOfBlock>> pairs_in(const ContactSetIn<D>&
 
 }  // namespace
 
-template <int D>
-std::vector<double> radii_of(const Model& model)
-{
-    std::vector<double> radii;
-    for (const Block& block : model.blocks) {
-        double square = 0;
-        for (const auto& part : ShapeIn<D>::of(block))
-            for (const VectorIn<D>& x : part.vertices) square = std::max(square, x.squaredNorm());
-        radii.push_back(std::sqrt(square));
-    }
-    return radii;
-}
-
 template <class K>
 bool misses_a_contact(const Model& model, const State& state, const StepSystem<K>& system,
                       const ContactSetIn<K::dimension>& contacts, const std::vector<double>& radii,
@@ -105,9 +92,6 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
     }
     return false;
 }
-
-template std::vector<double> radii_of<2>(const Model&);
-template std::vector<double> radii_of<3>(const Model&);
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                   \
     template bool misses_a_contact(const Model&, const State&, const StepSystem<K>&,              \

@@ -9,17 +9,10 @@
 namespace voussoir
 {
 
-/// Of a block's size: closer parts are candidates whatever their speed.
-constexpr double contact_distance = 1e-3;
-
-/// Radius of the vertices about the centroid of each block [m].
-template <int D>
-std::vector<double> radii_of(const Model& model);
-
 /// Whether two blocks end the step within one another that had no contact in it. Only where a block moved beyond
 /// its reach, which a static step under gravity may do (its velocity is taken, its h is long), are contacts looked
 /// for again, as far as the blocks went; motions are linear in between.
-/// @param reach (blocks) [m] that `contacts` were found with
+/// @param radii (blocks) [m]; @param reach (blocks) [m] that `contacts` were found with
 template <class K>
 bool misses_a_contact(const Model& model, const State& state, const StepSystem<K>& system,
                       const ContactSetIn<K::dimension>& contacts, const std::vector<double>& radii,

@@ -1,6 +1,7 @@
 #include "libdda/step/step_system.h"
 
-#include <chrono>
+#include "libdda/step/contact_stiffness.h"
+#include "libdda/step/part_timer.h"
 
 namespace voussoir
 {
@@ -156,26 +157,21 @@ void assemble_matrix(bool published, int threads, StepSystem<K>& system)
     if (any_held) hold_components(system);
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start)
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 template <class K>
 bool solve_direction(const StepControl& control, bool published, StepSystem<K>& system, StepReport& report)
 {
-    const auto start = std::chrono::steady_clock::now();
-    assemble_matrix(published, control.threads, system);
-    const auto assembled = std::chrono::steady_clock::now();
-    report.seconds[static_cast<int>(Part::assembly)] += std::chrono::duration<double>(assembled - start).count();
+    {
+        const PartTimer timer(report.seconds, Part::assembly);
+        assemble_matrix(published, control.threads, system);
+    }
+    const PartTimer timer(report.seconds, Part::linear_solve);
     const LinearReport linear = system.solver->solve(system.matrix, system.residual, system.direction);
     system.direction = -system.direction;
     report.factorisations += linear.factorisations;
     report.linear_iterations += linear.iterations;
     report.factor_entries = linear.factor_entries;
-    report.seconds[static_cast<int>(Part::linear_solve)] += seconds_since(assembled);
     return linear.solved && system.direction.allFinite();
 }
 

@@ -1,4 +1,4 @@
-// The equations of one step and their solution by open-close iteration.
+// The equations of one step, shared by both open-close iterations.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,19 +38,6 @@ struct StepSystem {
 template <class K>
 void assemble_blocks(const Model& model, const Stage& stage, const State& state,
                      const ContactSetIn<K::dimension>& contacts, double h, StepSystem<K>& system);
-
-/// Newton iteration on the step's potential with a line search on its derivative; joints that exceed their
-/// strength break one by one. Fills the report. @returns whether every block is in equilibrium within the
-/// tolerance
-template <class K>
-bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
-                    StepSystem<K>& system, StepReport& report);
-
-/// Shi's open-close iteration: solve, switch springs, repeat until no spring switches, six times at most.
-template <class K>
-bool iterate_published(const Stage& stage, StepSystem<K>& system, StepReport& report);
-
-// Shared by both iterations.
 
 /// Residual and loads at the iterate `d` from the contact forces last evaluated. @returns false if a block inverts
 template <class K>

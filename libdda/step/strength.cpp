@@ -1,10 +1,10 @@
-// Strength of bonded joints: what breaks, and when.
+#include "libdda/step/strength.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-
-#include "libdda/step/contact_step.h"
+#include <vector>
 
 namespace voussoir
 {

@@ -4,6 +4,7 @@
 #include "libdda/contact/find_contacts.h"
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 #include "libdda/step/step_system.h"
 

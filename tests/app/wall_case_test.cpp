@@ -4,7 +4,7 @@
 #include <chrono>
 #include <set>
 
-#include "libdda/analysis/run.h"
+#include "libdda/run/run.h"
 #include "tests/app/case_reading.h"
 
 namespace voussoir

@@ -11,8 +11,8 @@
 
 #include "importers/exact/overlap.h"
 #include "importers/patterns/masonry.h"
+#include "libdda/contact/initial_contacts.h"
 #include "libdda/errors.h"
-#include "libdda/step/advance.h"
 
 namespace voussoir
 {

@@ -5,6 +5,7 @@
 
 #include "libdda/analysis/energies.h"
 #include "libdda/step/energy_book.h"
+#include "libdda/step/newton.h"
 #include "libdda/step/update.h"
 #include "tests/libdda/whole_scenes.h"
 

@@ -1,7 +1,7 @@
 // The three spellings of how stiff a contact is.
 #include <gtest/gtest.h>
 
-#include "libdda/step/advance.h"
+#include "libdda/contact/initial_contacts.h"
 #include "tests/libdda/scenes.h"
 
 namespace voussoir::testing

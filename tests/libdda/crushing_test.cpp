@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "libdda/analysis/joint_resultants.h"
-#include "libdda/step/advance.h"
+#include "libdda/contact/initial_contacts.h"
 #include "tests/libdda/whole_scenes.h"
 
 namespace voussoir::testing

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 
 #include "libdda/step/block_step.h"
-#include "libdda/step/contact_step.h"
+#include "libdda/step/contact_stiffness.h"
 #include "tests/libdda/poses.h"
 #include "tests/libdda/scenes.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "libdda/step/advance.h"
+#include "libdda/contact/initial_contacts.h"
 #include "tests/libdda/scenes.h"
 
 namespace voussoir::testing

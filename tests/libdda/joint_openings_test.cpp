@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "libdda/analysis/joint_openings.h"
-#include "libdda/step/advance.h"
+#include "libdda/contact/initial_contacts.h"
 #include "tests/libdda/poses.h"
 #include "tests/libdda/scenes.h"
 

@@ -5,7 +5,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <limits>
 
+#include "libdda/solve/cholmod_solver.h"
+#include "libdda/solve/conjugate_gradients.h"
 #include "tests/libdda/poses.h"
 
 namespace voussoir::testing

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "libdda/analysis/joint_resultants.h"
-#include "libdda/contact/narrow_phase.h"
+#include "libdda/contact/narrow_phase_planar.h"
 #include "libdda/errors.h"
 #include "tests/libdda/poses.h"
 #include "tests/libdda/whole_scenes.h"

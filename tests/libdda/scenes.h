@@ -12,9 +12,10 @@
 #include <vector>
 
 #include "libdda/analysis/energies.h"
-#include "libdda/analysis/run.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
+#include "libdda/run/run.h"
 
 namespace voussoir::testing
 {

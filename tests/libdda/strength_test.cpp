@@ -4,7 +4,7 @@
 #include "libdda/analysis/dry_joints.h"
 #include "libdda/analysis/joint_resultants.h"
 #include "libdda/analysis/overlaps.h"
-#include "libdda/step/advance.h"
+#include "libdda/contact/initial_contacts.h"
 #include "tests/libdda/poses.h"
 #include "tests/libdda/scenes.h"
 #include "tests/libdda/whole_scenes.h"

@@ -13,7 +13,7 @@
 
 #include "importers/helper/geometry.h"
 #include "libdda/analysis/energies.h"
-#include "libdda/analysis/run.h"
+#include "libdda/run/run.h"
 
 namespace voussoir
 {

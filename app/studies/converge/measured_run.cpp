@@ -3,7 +3,7 @@
 #include <ctime>
 #include <utility>
 
-#include "libdda/analysis/run.h"
+#include "libdda/run/run.h"
 
 namespace voussoir
 {

@@ -6,8 +6,8 @@
 
 #include "importers/process/thread_time.h"
 #include "libdda/analysis/joint_openings.h"
-#include "libdda/analysis/run.h"
-#include "libdda/step/advance.h"
+#include "libdda/contact/initial_contacts.h"
+#include "libdda/run/run.h"
 
 namespace voussoir
 {

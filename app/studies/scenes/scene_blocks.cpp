@@ -1,6 +1,5 @@
 #include "app/studies/scenes/scene_blocks.h"
-
-#include "libdda/step/advance.h"
+#include "libdda/contact/initial_contacts.h"
 
 namespace voussoir
 {

@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "libdda/model/model.h"
+#include "libdda/model/kinematics.h"
+#include "libdda/model/step_control.h"
 
 namespace voussoir
 {

@@ -9,6 +9,7 @@
 #include "app/studies/scenes/scene_setting.h"
 #include "app/studies/scenes/stages.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

@@ -5,6 +5,7 @@
 
 #include "app/studies/scenes/scene_setting.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 
 namespace voussoir
 {

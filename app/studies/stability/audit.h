@@ -4,6 +4,7 @@
 
 #include "app/studies/stability/cell.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
 namespace voussoir::stability

@@ -7,9 +7,10 @@
 #include "app/studies/scenes/materials.h"
 #include "app/studies/scenes/stages.h"
 #include "app/studies/stability/cell.h"
-#include "libdda/analysis/run.h"
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
+#include "libdda/run/run.h"
 
 namespace voussoir::stability
 {

@@ -6,7 +6,9 @@
 
 #include "app/studies/stability/cell.h"
 #include "app/studies/stability/references/block_on_springs.h"
+#include "libdda/model/kinematics.h"
 #include "libdda/model/model.h"
+#include "libdda/model/step_control.h"
 
 namespace voussoir::stability
 {

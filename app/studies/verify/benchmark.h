@@ -9,6 +9,8 @@
 
 #include "app/plots/diagram.h"
 #include "app/studies/scenes/scene_setting.h"
+#include "libdda/model/kinematics.h"
+#include "libdda/model/step_control.h"
 
 namespace voussoir
 {

@@ -6,7 +6,7 @@
 
 #include "app/studies/scenes/scene_blocks.h"
 #include "app/studies/verify/picture.h"
-#include "libdda/analysis/run.h"
+#include "libdda/run/run.h"
 
 namespace voussoir
 {

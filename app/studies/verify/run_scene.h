@@ -8,9 +8,9 @@
 #include "app/studies/scenes/scene_blocks.h"
 #include "app/studies/scenes/stages.h"
 #include "app/studies/verify/benchmark.h"
-#include "libdda/analysis/run.h"
 #include "libdda/model/model.h"
 #include "libdda/model/state.h"
+#include "libdda/run/run.h"
 
 namespace voussoir
 {

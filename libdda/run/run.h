@@ -6,6 +6,7 @@
 
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
 namespace voussoir

@@ -1,0 +1,42 @@
+// How the steps of a stage are made.
+#pragma once
+
+namespace voussoir
+{
+
+/// Shares of the end-of-step value in the force of a step; the inertia is Newmark's (1/2, 1) in all.
+///
+/// The step is v1 = v0 + h a, q1 = q0 + h (v0 + v1)/2 with M a = F. `newmark` takes F at the end of the step
+/// (Shi's Newmark beta = 1/2, gamma = 1): damping ratio omega h / 4. `energy_decaying` takes, term by term, the
+/// discrete gradient of the potential (which conserves energy exactly) plus `dissipation` times the difference to
+/// the end-of-step force: damping ratio dissipation x omega h / 4, and never a gain of energy, for every term's
+/// loss is >= 0 by convexity. A contact that was open or sliding at the start of the step keeps the end-of-step
+/// force.
+enum class Integrator { newmark, energy_decaying };
+
+enum class OpenClose {
+    newton,     // Newton iteration on the step's potential with a line search; cannot chatter
+    published,  // Shi's: states and friction loads from the previous pass, a few passes, else cut the step
+};
+
+enum class LinearSolverKind { automatic, cholmod, conjugate_gradients };
+
+struct StepControl {
+    double time_step = 1e-3;      // s, nominal; cut steps return to this grid
+    double min_time_step = 1e-9;  // s; below it the run gives up
+    Integrator integrator = Integrator::newmark;
+    double dissipation = 0.1;  // 0..1, of energy_decaying
+    OpenClose open_close = OpenClose::newton;
+    // Steps end where a sliding joint turns round, and the rest of the step follows, in scenes of at most this
+    // many blocks with unknowns. In a large structure some joint turns in nearly every step, and none of them
+    // decides.
+    int divide_up_to_blocks = 10;
+    int max_open_close = 40;        // Newton iterations (published: 6) before the step is cut
+    double force_tolerance = 1e-5;  // unbalanced force of a block / (its weight + its contact forces)
+    LinearSolverKind linear_solver = LinearSolverKind::automatic;
+    double linear_tolerance =
+        1e-3;  // relative residual of conjugate gradients; the force residual is exact anyway
+    int threads = 1;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,113 @@
+#include "libdda/run/dynamic_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr int most_parts_of_step = 20000;  // into which cutting may divide a nominal step before the run gives up
+constexpr int most_divisions = 8;          // of a nominal step; joints that tremble turn round without end
+
+/// The times at which nominal steps end.
+struct Grid {
+    std::int64_t steps = 0;
+    double duration = 0, time_step = 0;  // s
+
+    explicit Grid(const Stage& stage)
+        : steps(static_cast<std::int64_t>(std::ceil(stage.duration / stage.control.time_step - 1e-9))),
+          duration(stage.duration),
+          time_step(stage.control.time_step)
+    {
+    }
+    double time(std::int64_t n) const { return n == steps ? duration : static_cast<double>(n) * time_step; }
+};
+
+std::string explain_repeated_cuts(const RunProgress& progress, const Stage& stage, const StepReport& step)
+{
+    std::ostringstream message;
+    message << "stage '" << stage.name << "' stopped at t = " << progress.state.time << " s: a nominal step of "
+            << stage.control.time_step << " s needed more than " << most_parts_of_step << " cut ones, the last of "
+            << step.time_step << " s";
+    if (step.worst_block >= 0)
+        message << "; block '" << progress.model.blocks[step.worst_block].name
+                << "' settles worst: look at its joints; a lower contact_stiffness, a dashpot or a larger "
+                   "force_tolerance may help";
+    return message.str();
+}
+
+/// Ends the run when enough has fallen; true then.
+bool has_collapsed(const Stage& stage, RunProgress& progress)
+{
+    RunReport& report = progress.report;
+    const bool enough =
+        stage.stop_after_fallen > 0 && static_cast<int>(report.fallen.size()) >= stage.stop_after_fallen;
+    if (!enough && !all_have_left(progress.model, report)) return false;
+    report.outcome = Outcome::collapsed;
+    report.message = fallen_in_words(progress.model, report);
+    return true;
+}
+
+/// Whether the grid time that has been reached has a frame: the first at or after each multiple, and the last.
+bool is_due(const Grid& grid, const RunProgress& progress)
+{
+    const double every = progress.observer.every;
+    const double due = static_cast<double>(progress.position.multiples + 1) * every;
+    return every == 0 || progress.state.stage_time >= due - 1e-9 * grid.time_step ||
+           progress.state.grid == grid.steps;
+}
+
+/// One step towards the next grid time. @param undivided the stage, its steps not to be divided
+/// @returns false when the run ends here
+bool step_on_grid(const Stage& stage, const Stage& undivided, const Grid& grid, RunProgress& progress)
+{
+    State& state = progress.state;
+    RunPosition& at = progress.position;
+    const double next = grid.time(state.grid + 1);
+    const double left = next - state.stage_time;
+    const double h = state.next_time_step > 0 ? std::min(state.next_time_step, left) : left;
+    StepReport step;
+    if (!step_once(at.divisions < most_divisions ? stage : undivided, h, progress, step)) return false;
+    const bool on_grid = step.time_step == left;
+    at.divisions = on_grid ? 0 : at.divisions + step.divided;
+    at.parts = on_grid ? 0 : at.parts + !step.divided;
+    if (at.parts > most_parts_of_step) return give_up(explain_repeated_cuts(progress, stage, step), progress);
+    if (on_grid) {
+        state.stage_time = next;
+        ++state.grid;
+    }
+    // After a division the rest of the step is done at once.
+    state.next_time_step = step.divided || (step.cuts == 0 && on_grid) ? 0 : regrowth * step.time_step;
+    if (progress.observer.step) progress.observer.step(state, step, progress.report);
+    if (on_grid && is_due(grid, progress)) {
+        at.multiples = multiples_until(state.stage_time, progress.observer.every);
+        show(progress);
+    }
+    return goes_on(progress);
+}
+
+}  // namespace
+
+std::int64_t multiples_until(double time, double every)
+{
+    return every > 0 ? static_cast<std::int64_t>(time / every + 1e-9) : 0;
+}
+
+bool run_dynamic(const Stage& stage, RunProgress& progress)
+{
+    const Grid grid(stage);
+    Stage undivided = stage;
+    undivided.control.divide_up_to_blocks = 0;
+    while (progress.state.grid < grid.steps) {
+        if (has_collapsed(stage, progress)) return false;
+        if (!step_on_grid(stage, undivided, grid, progress)) return false;
+    }
+    return !has_collapsed(stage, progress);
+}
+
+}  // namespace voussoir

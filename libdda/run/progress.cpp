@@ -1,0 +1,98 @@
+#include "libdda/run/progress.h"
+
+#include <sstream>
+
+#include "libdda/analysis/crushing.h"
+#include "libdda/analysis/diagnosis.h"
+#include "libdda/analysis/overlaps.h"
+#include "libdda/step/advance.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+void add_step(const StepReport& step, RunReport& report)
+{
+    ++report.steps;
+    report.step_cuts += step.cuts;
+    report.divided_steps += step.divided;
+    report.open_close_iterations += step.open_close_iterations;
+    report.factorisations += step.factorisations;
+    report.linear_iterations += step.linear_iterations;
+    if (step.factor_entries > 0) report.factor_entries = step.factor_entries;
+    for (std::size_t i = 0; i < step.seconds.size(); ++i) report.seconds[i] += step.seconds[i];
+}
+
+/// Takes back a step after which to go on would be nonsense, and says why; false then.
+bool is_sound(const Stage& stage, RunProgress& progress)
+{
+    note_overlap(progress.model, progress.widths, progress.state, progress.report);
+    const auto wrong = diagnose(progress.model, progress.state, progress.report);
+    if (!wrong) return true;
+    std::ostringstream message;
+    message << "stage '" << stage.name << "' stopped at t = " << progress.state.time << " s: " << *wrong;
+    progress.state = progress.before;
+    progress.report.energy = progress.energy_before;
+    return give_up(message.str(), progress);
+}
+
+/// Notes crushed joints and fallen blocks.
+void note_damage(const Stage& stage, RunProgress& progress)
+{
+    if (progress.judges_crushing) note_crushing(progress.model, progress.state, progress.report);
+    if (stage.type == StageType::dynamic)
+        note_fallen(progress.model, progress.watch, stage.gravity, progress.state, progress.report);
+}
+
+}  // namespace
+
+bool give_up(const std::string& message, RunProgress& progress)
+{
+    progress.report.outcome = Outcome::gave_up;
+    progress.report.message = message;
+    return false;
+}
+
+bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step)
+{
+    progress.before = progress.state;
+    progress.energy_before = progress.report.energy;
+    step = advance(progress.model, stage, h, progress.state, progress.report.energy, progress.work);
+    if (step.outcome != StepOutcome::converged) {
+        progress.report.step_cuts += step.cuts;
+        ++progress.report.unconverged_steps;
+        return give_up(explain(progress.model, stage, progress.state, step), progress);
+    }
+    if (!is_sound(stage, progress)) return false;
+    add_step(step, progress.report);
+    if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
+    note_damage(stage, progress);
+    progress.shown = false;
+    return true;
+}
+
+void show(RunProgress& progress)
+{
+    ++progress.position.frames;
+    progress.shown = true;
+    if (progress.observer.frame) progress.observer.frame(progress.state, progress.report);
+    if (progress.observer.save) progress.observer.save(progress.state, progress.position);
+}
+
+void show_end(RunProgress& progress)
+{
+    if (progress.observer.frame && !progress.shown) progress.observer.frame(progress.state, progress.report);
+    if (progress.observer.save) progress.observer.save(progress.state, progress.position);
+}
+
+bool goes_on(RunProgress& progress)
+{
+    if (!progress.observer.stop || !progress.observer.stop()) return true;
+    progress.report.outcome = Outcome::interrupted;
+    progress.report.message = "stopped on request";
+    return false;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,51 @@
+// A run under way: what the loops over its stages carry along, and what they all do.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libdda/analysis/collapse.h"
+#include "libdda/model/model.h"
+#include "libdda/model/report.h"
+#include "libdda/model/stage.h"
+#include "libdda/model/state.h"
+#include "libdda/run/run.h"
+#include "libdda/step/workspace.h"
+
+namespace voussoir
+{
+
+constexpr double regrowth = 2;  // of a cut time step after a good one
+
+/// What the loops over the stages carry along.
+struct RunProgress {
+    const Model& model;
+    const RunObserver& observer;
+    State& state;
+    Workspace work;
+    RunPosition position;
+    RunReport& report = position.report;
+    CollapseWatch watch = {};
+    std::vector<double> widths = {};  // m, of the blocks
+    bool judges_crushing = false;
+    bool shown = false;  // the state as it is has its frame
+    State before = {};   // of the step, to go back to
+    EnergyLedger energy_before = {};
+};
+
+/// Ends the run with a message. @returns false
+bool give_up(const std::string& message, RunProgress& progress);
+
+/// One step of at most h [s], judged and counted; false when it gave up.
+bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step);
+
+/// A frame of the run, counted, and a place to go on from.
+void show(RunProgress& progress);
+
+/// The last state of a run that was stopped or gave up.
+void show_end(RunProgress& progress);
+
+/// Ends the run when asked to; false then. The state is complete and fit to go on from.
+bool goes_on(RunProgress& progress);
+
+}  // namespace voussoir

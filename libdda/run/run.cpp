@@ -1,0 +1,96 @@
+#include "libdda/run/run.h"
+
+#include <string>
+#include <utility>
+
+#include "libdda/analysis/crushing.h"
+#include "libdda/analysis/diagnosis.h"
+#include "libdda/analysis/dry_joints.h"
+#include "libdda/analysis/energies.h"
+#include "libdda/analysis/overlaps.h"
+#include "libdda/run/dynamic_stage.h"
+#include "libdda/run/static_stage.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+/// Makes ready to go on from `progress.position`, or to begin.
+void begin_run(RunProgress& progress)
+{
+    const Model& model = progress.model;
+    RunReport& report = progress.report;
+    // Of a run that goes on, the start is the model's.
+    const bool is_new = progress.position.frames == 0 && report.steps == 0;
+    progress.watch = CollapseWatch(model, is_new ? progress.state : initial_state(model));
+    progress.widths = least_widths(model);
+    progress.judges_crushing = has_compressive_strength(model);
+    report.outcome = Outcome::completed;
+    report.message.clear();
+    if (is_new)
+        if (const auto warning = dry_joints_warning(model, progress.state)) report.warnings.push_back(*warning);
+    if (progress.position.frames == 0) show(progress);
+}
+
+void enter_stage(int stage, const Stage& entered, RunProgress& progress)
+{
+    begin_stage(progress.model, stage, progress.state);
+    if (entered.type == StageType::dynamic) {
+        const auto warning = ground_jump_warning(progress.model, entered, progress.state);
+        if (warning) progress.report.warnings.push_back(*warning);
+    }
+    RunPosition fresh;
+    fresh.report = std::move(progress.report);
+    fresh.frames = progress.position.frames;
+    progress.position = std::move(fresh);
+}
+
+/// Runs a stage to its end; false when the run ends in it.
+bool run_stage(const Stage& stage, RunProgress& progress)
+{
+    const bool is_static = stage.type == StageType::static_equilibrium;
+    const bool done = is_static ? run_static(stage, progress) : run_dynamic(stage, progress);
+    progress.position.stage_done = done;
+    if (done && is_static) show(progress);
+    if (!done) show_end(progress);
+    return done;
+}
+
+/// What is said at the end of every run, however it ended.
+void add_last_warnings(const Model& model, RunReport& report)
+{
+    if (const auto warning = energy_warning(report.energy)) report.warnings.push_back(*warning);
+    if (const auto warning = overlap_warning(model, report)) report.warnings.push_back(*warning);
+    const std::string crushed = crushed_in_words(model, report);
+    if (!crushed.empty()) report.warnings.push_back(crushed);
+    const std::string fallen = fallen_in_words(model, report);
+    if (!fallen.empty() && fallen != report.message) report.warnings.push_back(fallen);
+}
+
+}  // namespace
+
+RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer)
+{
+    RunPosition position;
+    position.report.energy = open_ledger(model, state);
+    position.multiples = multiples_until(state.stage_time, observer.every);
+    return run(model, stages, state, observer, std::move(position));
+}
+
+RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer,
+              RunPosition position)
+{
+    RunProgress progress{model, observer, state, Workspace(model), std::move(position)};
+    begin_run(progress);
+    for (int s = state.stage; s < static_cast<int>(stages.size()); ++s) {
+        if (s == state.stage && progress.position.stage_done) continue;
+        if (s != state.stage || state.stage_time == 0) enter_stage(s, stages[s], progress);
+        if (!run_stage(stages[s], progress)) break;
+    }
+    add_last_warnings(model, progress.report);
+    return std::move(progress.report);
+}
+
+}  // namespace voussoir

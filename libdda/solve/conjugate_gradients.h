@@ -1,0 +1,15 @@
+// The iterative solver.
+#pragma once
+
+#include <memory>
+
+#include "libdda/solve/linear_solver.h"
+
+namespace voussoir
+{
+
+/// Conjugate gradients preconditioned by an incomplete Cholesky factor on the pattern of the matrix, block by
+/// block: exact for chains (bridge, tower). @param tolerance of |K x - b| / |b|
+std::unique_ptr<LinearSolver> make_conjugate_gradient_solver(double tolerance, int max_iterations = 500);
+
+}  // namespace voussoir

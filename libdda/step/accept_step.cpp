@@ -1,0 +1,88 @@
+#include "libdda/step/accept_step.h"
+
+#include <algorithm>
+
+#include "libdda/step/energy_book.h"
+#include "libdda/step/part_timer.h"
+#include "libdda/step/update.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+/// Books the spring energy that changed when contacts were found anew [J]. In the first step it is that of blocks
+/// which the model has within one another; in a static stage nothing of it is left when the velocity has been
+/// taken away.
+void book_redetection(const Stage& stage, const State& state, double given, EnergyLedger& energy)
+{
+    if (state.step == 0)
+        energy.start_contact += given;
+    else if (stage.type == StageType::static_equilibrium)
+        energy.damping_static -= given;
+    else
+        energy.redetection -= given;
+}
+
+void advance_clocks(const Stage& stage, double h, State& state)
+{
+    if (stage.type == StageType::dynamic) state.time += h;
+    state.stage_time += h;
+    ++state.step;
+}
+
+/// Largest displacement of a centroid in the step [m].
+template <class K>
+double max_displacement(const StepSystem<K>& system)
+{
+    double largest = 0;
+    for (const BlockStep<K>& block : system.blocks)
+        if (block.row >= 0)
+            largest = std::max(largest, system.d.template segment<K::dimension>(K::unknowns * block.row).norm());
+    return largest;
+}
+
+/// Largest force that inertia still had to balance, as a share of the block's load: what a static stage must bring
+/// to nothing. With the velocity zeroed it is the unbalanced force itself.
+template <class K>
+double inertia_ratio(const StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns;
+    double worst = 0;
+    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+        const typename K::Unknowns force = block.inertia * system.d.template segment<n>(n * row);
+        const double size = std::max(force.template head<K::dimension>().norm(),
+                                     force.template tail<n - K::dimension>().norm() / block.size);
+        if (size > 0) worst = std::max(worst, size / system.load[row]);
+    }
+    return worst;
+}
+
+}  // namespace
+
+template <class K>
+void accept_step(const Model& model, const Stage& stage, const Work<K>& work, State& state, EnergyLedger& energy,
+                 StepReport& report)
+{
+    const PartTimer timer(report.seconds, Part::update);
+    const StepSystem<K>& system = work.system;
+    report.time_step = system.h;
+    book_redetection(stage, state, spring_energy(model, work.contacts) - energy.contact, energy);
+    update_blocks(system, state);
+    book_step(state, system, work.contacts, energy);
+    update_contacts(stage, system, work.contacts, state, report);
+    advance_clocks(stage, system.h, state);
+    damp_velocities(model, stage, system, state, energy);
+    report.max_displacement = max_displacement(system);
+    if (stage.type == StageType::static_equilibrium)
+        report.inertia_ratio = inertia_ratio(system) + report.unbalanced;
+}
+
+#define VOUSSOIR_INSTANTIATE(K) \
+    template void accept_step(const Model&, const Stage&, const Work<K>&, State&, EnergyLedger&, StepReport&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir

@@ -1,0 +1,19 @@
+// The open-close iteration as Newton's method: with the friction bound frozen at mu N of the current iterate the
+// step minimises a convex function, and every Newton step goes down it. The bound follows N from one iterate to
+// the next; where that overshoots and the iterates would take turns (wedges under high friction), the line search
+// follows the exact bound instead, which shortens the step until they meet. Source: numerics note, section 3.
+#pragma once
+
+#include "libdda/step/step_system.h"
+
+namespace voussoir
+{
+
+/// Newton iteration on the step's potential with a line search on its derivative; joints that exceed their
+/// strength break one by one. Fills the report. @returns whether every block is in equilibrium within the
+/// tolerance
+template <class K>
+bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
+                    StepSystem<K>& system, StepReport& report);
+
+}  // namespace voussoir

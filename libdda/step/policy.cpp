@@ -1,0 +1,29 @@
+#include "libdda/step/policy.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+/// Whether blocks keep their velocities and contacts are iterated on as they are, not as published.
+bool follows_motion(const Stage& stage)
+{
+    return stage.type == StageType::dynamic && stage.control.open_close == OpenClose::newton;
+}
+
+}  // namespace
+
+NewOverlap new_overlaps_in(const Stage& stage, const State& state)
+{
+    // In static stages a new overlap presses; what that gives is gone with the velocity. The published iteration
+    // takes contacts as they are. In the first step of a run an overlap is the model's own.
+    return follows_motion(stage) && state.step > 0 ? NewOverlap::forgiven : NewOverlap::presses;
+}
+
+bool may_divide(const Stage& stage, int moving)
+{
+    return follows_motion(stage) && moving <= stage.control.divide_up_to_blocks;
+}
+
+}  // namespace voussoir

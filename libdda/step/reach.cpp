@@ -1,0 +1,66 @@
+#include "libdda/step/reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libdda/contact/find_contacts.h"
+#include "libdda/step/kinematics_traits.h"
+
+namespace voussoir
+{
+
+template <int D>
+std::vector<double> radii_of(const Model& model)
+{
+    std::vector<double> radii;
+    for (const Block& block : model.blocks) {
+        double square = 0;
+        for (const auto& part : ShapeIn<D>::of(block))
+            for (const VectorIn<D>& x : part.vertices) square = std::max(square, x.squaredNorm());
+        radii.push_back(std::sqrt(square));
+    }
+    return radii;
+}
+
+template <class K>
+void find_reach(const Model& model, const Stage& stage, const State& state, double h,
+                const std::vector<double>& radii, std::vector<double>& reach)
+{
+    constexpr int n = K::unknowns, dimension = K::dimension;
+    double dashpot = 0;
+    for (const JointMaterial& joint : model.joints) dashpot = std::max(dashpot, joint.dashpot);
+    reach.resize(model.blocks.size());
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        const double* v = state.velocities.data() + b * n;
+        double turning = 0;
+        for (int k = dimension; k < n; ++k) turning += v[k] * v[k];
+        const double speed = typename K::Vector(v).norm() + std::sqrt(turning) * radii[b];
+        reach[b] = (h + dashpot) * speed + h * h * stage.gravity.norm() * (stage.type == StageType::dynamic) +
+                   contact_distance * size_of(model, static_cast<int>(b));
+    }
+    // A bond lasts until its strength breaks it, however soft it is: it is looked for as far as it has stretched.
+    const auto& contacts = contacts_in<dimension>(state);
+    for (const ContactPatchIn<dimension>& patch : contacts.patches) {
+        if (!patch.intact) continue;
+        double stretched = 0;
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
+            stretched = std::max(stretched, contacts.points[i].gap + contacts.points[i].rest_gap);
+        reach[patch.block_a] += stretched;
+    }
+    for (const FoundationMotion& motion : stage.motions) {
+        const double from = motion.motion->displacement(state.stage_time);
+        const double to = motion.motion->displacement(state.stage_time + h);
+        reach[model.foundations[motion.foundation].block] += std::abs(to - from);
+    }
+}
+
+template std::vector<double> radii_of<2>(const Model&);
+template std::vector<double> radii_of<3>(const Model&);
+
+#define VOUSSOIR_INSTANTIATE(K)                                                                               \
+    template void find_reach<K>(const Model&, const Stage&, const State&, double, const std::vector<double>&, \
+                                std::vector<double>&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir

@@ -1,0 +1,27 @@
+// What a step works on, per kinematics: the inside of a Workspace.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "libdda/contact/find_contacts.h"
+#include "libdda/step/step_system.h"
+#include "libdda/step/workspace.h"
+
+namespace voussoir
+{
+
+/// What a scene of one kinematics works on.
+template <class K>
+struct Work {
+    std::vector<PlacedPartIn<K::dimension>> parts;
+    std::vector<double> radii, reach;  // m, of the blocks
+    ContactSetIn<K::dimension> contacts;
+    StepSystem<K> system;
+};
+
+struct Workspace::Implementation {
+    std::variant<Work<SpatialDeformable>, Work<SpatialRigid>, Work<PlanarDeformable>, Work<PlanarRigid>> work;
+};
+
+}  // namespace voussoir
