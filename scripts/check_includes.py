@@ -43,10 +43,11 @@ FOREIGN_RULES = (
     ("fmt", r"fmt/", ("app/",), False),
     ("CLI11", r"CLI/", ("app/",), False),
 )
-TESTS_OF = {"libdda/solve/": ("tests/libdda",), "libdda/": ("tests/libdda",),
-            "importers/mesh/": ("tests/importers",), "importers/exact/": ("tests/importers",),
-            "app/case/": ("tests/app",), "app/results/": ("tests/app", "tests/verification"),
-            "app/render/": ("tests/app",), "app/verify/": ("tests/app_verify",), "app/": ("tests/app", "tests/verification")}
+TESTS_OF = {"libdda/solve/": ("tests/libdda/solve/",), "libdda/": ("tests/libdda/",),
+            "importers/mesh/": ("tests/importers/mesh/", "tests/importers/helper/"),
+            "importers/exact/": ("tests/importers/exact/",),
+            "app/case/": ("tests/app/reader/",), "app/results/": ("tests/app/results/",),
+            "app/render/": ("tests/app/render/",), "app/": ("tests/app/", "tests/verification/")}
 
 # The system's own headers beside those of the C++ standard (which have no slash and no ".h").
 POSIX = re.compile(r"(sys/.*|unistd|fcntl|getopt|spawn|poll|signal|pthread|dlfcn|fenv|ftw|termios|time)\.h$")
