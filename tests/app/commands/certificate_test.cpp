@@ -50,7 +50,7 @@ std::string obj_box(const std::string& name, std::array<double, 3> lower, std::a
     return text.str();
 }
 
-TEST(Certificate, check_of_a_sound_case)
+TEST(Certificate, CheckOfASoundCase)
 {
     const TemporaryFolder folder;
     const std::string file = folder.write("case.yaml", two_boxes).string();
@@ -70,7 +70,7 @@ TEST(Certificate, check_of_a_sound_case)
     EXPECT_NE(contents(folder / "stdout").find("stand together without fault"), std::string::npos);
 }
 
-TEST(Certificate, json_on_standard_output_is_alone_there)
+TEST(Certificate, JsonOnStandardOutputIsAloneThere)
 {
     const TemporaryFolder folder;
     const std::string file = folder.write("case.yaml", two_boxes).string();
@@ -78,7 +78,7 @@ TEST(Certificate, json_on_standard_output_is_alone_there)
     EXPECT_TRUE(json::parse(contents(folder / "stdout"))["accepted"].get<bool>());
 }
 
-TEST(Certificate, a_case_with_a_floating_block_can_run_and_is_told)
+TEST(Certificate, ACaseWithAFloatingBlockCanRunAndIsTold)
 {
     const TemporaryFolder folder;
     const std::string file =
@@ -95,7 +95,7 @@ TEST(Certificate, a_case_with_a_floating_block_can_run_and_is_told)
     EXPECT_NE(contents(folder / "stdout").find("50 mm apart"), std::string::npos);
 }
 
-TEST(Certificate, a_case_whose_boxes_overlap_gets_one_all_the_same)
+TEST(Certificate, ACaseWhoseBoxesOverlapGetsOneAllTheSame)
 {
     const TemporaryFolder folder;
     const std::string file =
@@ -114,7 +114,7 @@ TEST(Certificate, a_case_whose_boxes_overlap_gets_one_all_the_same)
 #endif
 }
 
-TEST(Certificate, a_folder_that_cannot_be_made_is_refused_before_the_work)
+TEST(Certificate, AFolderThatCannotBeMadeIsRefusedBeforeTheWork)
 {
     const TemporaryFolder folder;
     const std::string file = folder.write("case.yaml", two_boxes).string();
@@ -123,7 +123,7 @@ TEST(Certificate, a_folder_that_cannot_be_made_is_refused_before_the_work)
 }
 
 #ifdef VOUSSOIR_HAS_GEOMETRY
-TEST(Certificate, import_of_a_wall_with_open_joints)
+TEST(Certificate, ImportOfAWallWithOpenJoints)
 {
     const TemporaryFolder folder;
     const std::string file = folder
@@ -142,7 +142,7 @@ TEST(Certificate, import_of_a_wall_with_open_joints)
     EXPECT_EQ(json::parse(contents(folder / "out/certificate.json")), files);
 }
 
-TEST(Certificate, of_the_portal_of_the_docs_has_the_findings_told_there)
+TEST(Certificate, OfThePortalOfTheDocsHasTheFindingsToldThere)
 {
     const TemporaryFolder folder;
     EXPECT_EQ(run(folder, std::string("import ") + VOUSSOIR_DOCS + "/figures/geometry/portal.obj --json -"), 0);
@@ -153,7 +153,7 @@ TEST(Certificate, of_the_portal_of_the_docs_has_the_findings_told_there)
                                             "size ratio"}));
 }
 
-TEST(Certificate, of_several_files_has_a_folder_for_each)
+TEST(Certificate, OfSeveralFilesHasAFolderForEach)
 {
     const TemporaryFolder folder;
     const std::string one = folder.write("one.obj", obj_box("a", {0, 0, 0}, {1, 1, 1}, 1)).string();
@@ -164,7 +164,7 @@ TEST(Certificate, of_several_files_has_a_folder_for_each)
     EXPECT_TRUE(std::filesystem::exists(folder / "out/02_two/contact_graph.csv"));
 }
 
-TEST(Certificate, of_a_case_with_a_refused_stone)
+TEST(Certificate, OfACaseWithARefusedStone)
 {
     const TemporaryFolder folder;
     folder.write("open.obj", obj_box("floor", {0, 0, -1}, {1, 1, 0}, 1) +

@@ -60,20 +60,20 @@ void expect_refusal(const TemporaryFolder& folder, const std::string& text, cons
     EXPECT_FALSE(std::filesystem::exists(folder / "results"));
 }
 
-TEST(BadInput, missing_mesh)
+TEST(BadInput, MissingMesh)
 {
     const TemporaryFolder folder;
     expect_refusal(folder, mesh_case("nowhere.obj"), {"case.yaml:7: blocks[0].mesh: no mesh file", "nowhere.obj"});
 }
 
-TEST(BadInput, open_mesh)
+TEST(BadInput, OpenMesh)
 {
     const TemporaryFolder folder;
     folder.write("open.obj", obj_cube("floor", 0, 1) + obj_cube("stone", 1, 9, 5));
     expect_refusal(folder, mesh_case("open.obj"), {"case.yaml:7: blocks[0].mesh: open.obj", "stone"});
 }
 
-TEST(BadInput, stone_with_twisted_walls)
+TEST(BadInput, StoneWithTwistedWalls)
 {
     const TemporaryFolder folder;
     // A prism whose top is turned by half a turn: its walls meet in the middle.
@@ -85,7 +85,7 @@ TEST(BadInput, stone_with_twisted_walls)
                    {"case.yaml:7: blocks[0].mesh: crossed.obj", "stone", "cannot be cut into triangles"});
 }
 
-TEST(Run, a_concave_stone_runs_as_one_block_of_glued_parts)
+TEST(Run, AConcaveStoneRunsAsOneBlockOfGluedParts)
 {
     const TemporaryFolder folder;
     folder.write("dented.obj", obj_cube("floor", 0, 1) + obj_cube("stone", 1, 9, 6, 0.8));
@@ -96,7 +96,7 @@ TEST(Run, a_concave_stone_runs_as_one_block_of_glued_parts)
     EXPECT_EQ(nlohmann::json::parse(stream).at("blocks"), 2);
 }
 
-TEST(BadInput, mesh_options_name_their_key_and_nothing_else)
+TEST(BadInput, MeshOptionsNameTheirKeyAndNothingElse)
 {
     const TemporaryFolder folder;
     folder.write("good.obj", obj_cube("floor", 0, 1));
@@ -109,14 +109,14 @@ TEST(BadInput, mesh_options_name_their_key_and_nothing_else)
     }
 }
 
-TEST(BadInput, overlapping_stones)
+TEST(BadInput, OverlappingStones)
 {
     const TemporaryFolder folder;
     folder.write("overlap.obj", obj_cube("floor", 0, 1) + obj_cube("stone", 0.5, 9));
     expect_refusal(folder, mesh_case("overlap.obj"), {"case.yaml:7", "floor", "stone", "overlap by 0.5 m3"});
 }
 
-TEST(BadInput, a_planar_scene_of_a_stone_that_is_no_prism)
+TEST(BadInput, APlanarSceneOfAStoneThatIsNoPrism)
 {
     const TemporaryFolder folder;
     const std::string tetrahedron =
@@ -126,14 +126,14 @@ TEST(BadInput, a_planar_scene_of_a_stone_that_is_no_prism)
                    {"case.yaml:7: blocks[0].mesh: mixed.obj: stone", "not a prism along y"});
 }
 
-TEST(BadInput, negative_time_step)
+TEST(BadInput, NegativeTimeStep)
 {
     const TemporaryFolder folder;
     expect_refusal(folder, with(two_boxes, "time_step: 2 ms", "time_step: -2 ms"),
                    {"case.yaml:12: stages[1].time_step: -2 ms; must be > 0"});
 }
 
-TEST(BadInput, unknown_key)
+TEST(BadInput, UnknownKey)
 {
     const TemporaryFolder folder;
     expect_refusal(folder, with(two_boxes, "time_step: 2 ms", "timestep: 2 ms"),
@@ -145,7 +145,7 @@ std::string case_with_record(const std::string& record)
     return with(two_boxes, "{blocks: foundation}", "{blocks: foundation, motion: {x: {record: " + record + "}}}");
 }
 
-TEST(BadInput, record_without_units)
+TEST(BadInput, RecordWithoutUnits)
 {
     const TemporaryFolder folder;
     folder.write("record.txt", "0.00 0.0\n0.01 1.0\n0.02 0.0\n");
@@ -153,7 +153,7 @@ TEST(BadInput, record_without_units)
                    {"case.yaml:9: foundation.motion.x.record: ", "record.txt", "unit"});
 }
 
-TEST(BadInput, record_with_nan)
+TEST(BadInput, RecordWithNan)
 {
     const TemporaryFolder folder;
     folder.write("record.txt", "0.00 0.0\n0.01 nan\n0.02 0.0\n");
@@ -161,13 +161,13 @@ TEST(BadInput, record_with_nan)
                    {"case.yaml:9: foundation.motion.x.record: ", "record.txt:2", "nan"});
 }
 
-TEST(BadInput, empty_file)
+TEST(BadInput, EmptyFile)
 {
     const TemporaryFolder folder;
     expect_refusal(folder, "", {"case.yaml: the file is empty"});
 }
 
-TEST(BadInput, random_bytes)
+TEST(BadInput, RandomBytes)
 {
     const TemporaryFolder folder;
     std::mt19937 random(7);
@@ -178,7 +178,7 @@ TEST(BadInput, random_bytes)
     }
 }
 
-TEST(BadInput, damaged_cases_never_crash)
+TEST(BadInput, DamagedCasesNeverCrash)
 {
     const TemporaryFolder folder;
     std::mt19937 random(11);
@@ -191,7 +191,7 @@ TEST(BadInput, damaged_cases_never_crash)
     }
 }
 
-TEST(Program, bad_command_lines_are_bad_input)
+TEST(Program, BadCommandLinesAreBadInput)
 {
     const TemporaryFolder folder;
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
@@ -204,7 +204,7 @@ TEST(Program, bad_command_lines_are_bad_input)
         EXPECT_EQ(voussoir(folder, arguments).exit_code, 2);
 }
 
-TEST(Program, helps_and_tells_its_version)
+TEST(Program, HelpsAndTellsItsVersion)
 {
     const TemporaryFolder folder;
     EXPECT_NE(voussoir(folder, {"--version"}).output.find("voussoir 0."), std::string::npos);
@@ -215,7 +215,7 @@ TEST(Program, helps_and_tells_its_version)
     }
 }
 
-TEST(Program, check_lists_blocks_and_contacts_and_writes_nothing)
+TEST(Program, CheckListsBlocksAndContactsAndWritesNothing)
 {
     const TemporaryFolder folder;
     const Ended ended = voussoir(folder, {"check", folder.write("case.yaml", two_boxes).string()});
@@ -224,7 +224,7 @@ TEST(Program, check_lists_blocks_and_contacts_and_writes_nothing)
     EXPECT_NE(ended.output.find("left out: "), std::string::npos);
 }
 
-TEST(Program, every_shipped_case_can_be_run)
+TEST(Program, EveryShippedCaseCanBeRun)
 {
     const TemporaryFolder folder;
     int cases = 0;
@@ -238,7 +238,7 @@ TEST(Program, every_shipped_case_can_be_run)
     EXPECT_GE(cases, 5);
 }
 
-TEST(Program, runs_and_keeps_its_figures)
+TEST(Program, RunsAndKeepsItsFigures)
 {
     const TemporaryFolder folder;
     const Ended ended = voussoir(folder, {"run", folder.write("case.yaml", two_boxes).string(), "-o",
@@ -252,7 +252,7 @@ TEST(Program, runs_and_keeps_its_figures)
     EXPECT_NE(ended.output.find("results.h5"), std::string::npos);
 }
 
-TEST(Program, an_interrupt_ends_the_step_and_keeps_the_results)
+TEST(Program, AnInterruptEndsTheStepAndKeepsTheResults)
 {
     const TemporaryFolder folder;
     const std::string text = with(two_boxes, "duration: 0.2 s", "duration: 100000 s");
@@ -269,7 +269,7 @@ TEST(Program, an_interrupt_ends_the_step_and_keeps_the_results)
               "interrupted");
 }
 
-TEST(Program, record_tells_what_a_file_holds)
+TEST(Program, RecordTellsWhatAFileHolds)
 {
     const TemporaryFolder folder;
     const std::string good = folder.write("good.txt", "0.00 0.0\n0.01 1.0\n0.02 -2.0\n0.03 0.0\n");
@@ -284,7 +284,7 @@ TEST(Program, record_tells_what_a_file_holds)
 }
 
 // It might lead out of the folder, into a file that somebody else gave us to overwrite.
-TEST(Program, a_link_in_the_output_folder_is_replaced_and_not_written_through)
+TEST(Program, ALinkInTheOutputFolderIsReplacedAndNotWrittenThrough)
 {
     namespace fs = std::filesystem;
     const TemporaryFolder folder;
@@ -313,7 +313,7 @@ TEST(Program, a_link_in_the_output_folder_is_replaced_and_not_written_through)
     }
 }
 
-TEST(Program, import_certifies_each_file_by_itself)
+TEST(Program, ImportCertifiesEachFileByItself)
 {
     const TemporaryFolder folder;
     const std::string good = folder.write("good.obj", obj_cube("stone", 0, 1));

@@ -12,7 +12,7 @@ namespace voussoir
 namespace
 {
 
-TEST(Axis, logarithmic_ticks_are_powers_of_ten_with_nothing_outside)
+TEST(Axis, LogarithmicTicksArePowersOfTenWithNothingOutside)
 {
     const Axis axis = axis_for({3e-5, 2e-2}, true);
     EXPECT_LT(axis.share(3e-5), 0.1);
@@ -29,14 +29,14 @@ TEST(Axis, logarithmic_ticks_are_powers_of_ten_with_nothing_outside)
     EXPECT_EQ(labelled, 3);  // 1e-4, 1e-3, 1e-2
 }
 
-TEST(Axis, a_single_value_still_gets_two_powers_of_ten)
+TEST(Axis, ASingleValueStillGetsTwoPowersOfTen)
 {
     int labelled = 0;
     for (const Tick& tick : ticks_of(axis_for({2e-3}, true))) labelled += tick.is_labelled ? 1 : 0;
     EXPECT_GE(labelled, 2);
 }
 
-TEST(Axis, linear_ticks_are_round_and_few_at_any_scale)
+TEST(Axis, LinearTicksAreRoundAndFewAtAnyScale)
 {
     for (const double scale : {1e-7, 0.3, 1.0, 42.0, 6e8}) {
         const Axis axis = axis_for({-0.2 * scale, 0.9 * scale}, false);
@@ -52,7 +52,7 @@ TEST(Axis, linear_ticks_are_round_and_few_at_any_scale)
     EXPECT_LE(ticks_of(axis_for({5, 5 * (1 + 4e-16)}, false)).size(), 12u);
 }
 
-TEST(Diagram, goes_through_json_unchanged)
+TEST(Diagram, GoesThroughJsonUnchanged)
 {
     Figure figure{"name", "title", "subtitle", {}, true, {"a note"}};
     figure.diagrams.push_back(

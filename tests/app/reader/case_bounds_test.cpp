@@ -39,7 +39,7 @@ testing::AssertionResult mentions(const std::string& said, const std::string& wo
 
 }  // namespace
 
-TEST(CaseBounds, walls_of_a_million_million_stones)
+TEST(CaseBounds, WallsOfAMillionMillionStones)
 {
     const auto wall = [](const std::string& keys) { return scene + "blocks: [{wall: {" + keys + "}}]\n" + shake; };
     EXPECT_TRUE(mentions(said_soon(wall("length: 1 km, height: 1 km, thickness: 1, block: [1 mm, 1 mm]")),
@@ -60,7 +60,7 @@ TEST(CaseBounds, walls_of_a_million_million_stones)
         << "each of its walls alone is allowed";
 }
 
-TEST(CaseBounds, a_group_for_every_block)
+TEST(CaseBounds, AGroupForEveryBlock)
 {
     std::string text = scene + "blocks:\n";
     for (int i = 0; i < 20'000; ++i)
@@ -69,7 +69,7 @@ TEST(CaseBounds, a_group_for_every_block)
     EXPECT_TRUE(mentions(said_soon(text + shake), "more than 1000 groups"));
 }
 
-TEST(CaseBounds, all_stones_in_one_place)
+TEST(CaseBounds, AllStonesInOnePlace)
 {
     std::string text = scene + "blocks:\n";
     for (int i = 0; i < 20'000; ++i)
@@ -79,7 +79,7 @@ TEST(CaseBounds, all_stones_in_one_place)
     EXPECT_TRUE(mentions(said, "more than 1000 pairs of stones overlap"));
 }
 
-TEST(CaseBounds, steps_frames_and_pictures_without_end)
+TEST(CaseBounds, StepsFramesAndPicturesWithoutEnd)
 {
     const auto said = [](const std::string& rest) { return said_soon(scene + floor_and_stone + rest); };
     EXPECT_TRUE(mentions(said("stages: [{type: dynamic, duration: 1e3 s, time_step: 1e-12 s}]\n"),
@@ -100,7 +100,7 @@ TEST(CaseBounds, steps_frames_and_pictures_without_end)
         EXPECT_TRUE(mentions(said_of(wave), "at most 1e7 time steps")) << wave;
 }
 
-TEST(CaseBounds, stones_too_heavy_or_too_large_for_a_number)
+TEST(CaseBounds, StonesTooHeavyOrTooLargeForANumber)
 {
     const auto said = [](const std::string& old_part, const std::string& new_part) {
         return said_soon(with(scene + floor_and_stone + shake, old_part, new_part));
@@ -111,7 +111,7 @@ TEST(CaseBounds, stones_too_heavy_or_too_large_for_a_number)
                          "case.yaml:5: blocks[1]: box: face 0 has no area"));
 }
 
-TEST(CaseBounds, histories_and_keys_without_end)
+TEST(CaseBounds, HistoriesAndKeysWithoutEnd)
 {
     std::string histories = scene + floor_and_stone + shake + "output:\n  histories:\n";
     for (int i = 0; i < 200'000; ++i) histories += "    h" + std::to_string(i) + ": {block: gone}\n";
@@ -121,7 +121,7 @@ TEST(CaseBounds, histories_and_keys_without_end)
     EXPECT_TRUE(mentions(said_soon(keys), "so many faults that reading stopped here"));
 }
 
-TEST(CaseBounds, yaml_that_grows_when_it_is_read)
+TEST(CaseBounds, YamlThatGrowsWhenItIsRead)
 {
     EXPECT_TRUE(mentions(said_soon("a: &a [x, x]\nb: &b [*a, *a]\nc: &c [*b, *b]\n"), "an alias"));
     EXPECT_TRUE(mentions(said_soon("a: " + std::string(1'000'000, '[')), "more than 1000 brackets"));
@@ -135,7 +135,7 @@ TEST(CaseBounds, yaml_that_grows_when_it_is_read)
 }
 
 // A hostile name is a name: it never leads out of the folder or into a shell. Files a case names are only read.
-TEST(CaseBounds, names_are_not_commands_or_paths)
+TEST(CaseBounds, NamesAreNotCommandsOrPaths)
 {
     for (const char* name : {"../../etc/passwd", "/dev/zero", "|id", "$(id)", "-o", "a\\nb", "'; id; '"}) {
         const std::string quoted = "\"" + std::string(name) + "\"";

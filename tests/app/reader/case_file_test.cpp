@@ -16,7 +16,7 @@ namespace voussoir
 namespace
 {
 
-TEST(CaseFile, becomes_a_model_with_stages)
+TEST(CaseFile, BecomesAModelWithStages)
 {
     const Case the_case = read(two_boxes);
     const Model& model = the_case.model;
@@ -39,7 +39,7 @@ TEST(CaseFile, becomes_a_model_with_stages)
     EXPECT_EQ(the_case.output.histories.at(0).block, "stone");
 }
 
-TEST(CaseFile, friction_may_depend_on_the_speed_of_slip)
+TEST(CaseFile, FrictionMayDependOnTheSpeedOfSlip)
 {
     const std::string table =
         "friction: 30 deg, friction_at_speed: [{speed: 1 cm/s, friction: 25 deg}, {speed: 0.1 m/s, friction: 20 "
@@ -60,7 +60,7 @@ TEST(CaseFile, friction_may_depend_on_the_speed_of_slip)
               std::string::npos);
 }
 
-TEST(CaseFile, prints_every_default_it_takes)
+TEST(CaseFile, PrintsEveryDefaultItTakes)
 {
     const Case the_case = read(with(two_boxes, ", time_step: 2 ms", ""));
     EXPECT_TRUE(has_default(the_case, "kinematics = spatial_deformable"));
@@ -71,7 +71,7 @@ TEST(CaseFile, prints_every_default_it_takes)
     EXPECT_FALSE(has_default(read(two_boxes), "stages[1]: time_step"));
 }
 
-TEST(CaseFile, lists_all_faults_at_once_with_lines)
+TEST(CaseFile, ListsAllFaultsAtOnceWithLines)
 {
     std::string text = with(two_boxes, "young: 4.5 GPa", "yung: 4.5 GPa");
     text = with(text, "time_step: 2 ms", "time_step: -1 ms");
@@ -86,7 +86,7 @@ TEST(CaseFile, lists_all_faults_at_once_with_lines)
         "case.yaml:13: output.histories.top.block: no block \"stome\"; did you mean stone?");
 }
 
-TEST(CaseFile, places_faults_of_overrides_at_the_option)
+TEST(CaseFile, PlacesFaultsOfOverridesAtTheOption)
 {
     EXPECT_EQ(faults_of(two_boxes, {"stages[1].time_step=0 s"}), "--set stages[1].time_step: 0 s; must be > 0");
     EXPECT_DOUBLE_EQ(read(two_boxes, {"stages[1].time_step=1 ms"}).stages[1].control.time_step, 0.001);
@@ -94,13 +94,13 @@ TEST(CaseFile, places_faults_of_overrides_at_the_option)
     EXPECT_TRUE(read(two_boxes, {"output=null"}).output.histories.empty());
 }
 
-TEST(CaseFile, bare_degrees_do_not_pass_for_radians)
+TEST(CaseFile, BareDegreesDoNotPassForRadians)
 {
     EXPECT_EQ(faults_of(two_boxes, {"joints.dry.friction=30"}),
               "--set joints.dry.friction: 30 rad (1718.87 deg); must be >= 0 and < 1.5708 rad (90 deg)");
 }
 
-TEST(CaseFile, contact_stiffness_needs_its_unit)
+TEST(CaseFile, ContactStiffnessNeedsItsUnit)
 {
     const auto kind = [](const std::string& value) {
         return read(two_boxes, {"joints.dry.contact_stiffness=" + value}).model.joints[0].stiffness.kind;
@@ -110,7 +110,7 @@ TEST(CaseFile, contact_stiffness_needs_its_unit)
     EXPECT_NE(faults_of(two_boxes, {"joints.dry.contact_stiffness=1e8"}).find("no unit"), std::string::npos);
 }
 
-TEST(CaseFile, contact_stiffness_factor_is_one_and_positive)
+TEST(CaseFile, ContactStiffnessFactorIsOneAndPositive)
 {
     const std::string key = "joints.dry.contact_stiffness_factor";
     EXPECT_EQ(read(two_boxes).model.joints[0].stiffness.factor, 1);
@@ -118,13 +118,13 @@ TEST(CaseFile, contact_stiffness_factor_is_one_and_positive)
     EXPECT_EQ(faults_of(two_boxes, {key + "=0"}), "--set " + key + ": 0; must be > 0");
 }
 
-TEST(CaseFile, overlapping_boxes_are_refused_and_touching_ones_are_not)
+TEST(CaseFile, OverlappingBoxesAreRefusedAndTouchingOnesAreNot)
 {
     EXPECT_EQ(faults_of(with(two_boxes, "[-0.5, -0.5, 0]", "[-0.5, -0.5, -0.1]")),
               "case.yaml:8: blocks[1].box: floor and stone: overlap by 0.1 m; stones may touch but not overlap");
 }
 
-TEST(CaseFile, boxes_turn_about_their_centre_or_a_point)
+TEST(CaseFile, BoxesTurnAboutTheirCentreOrAPoint)
 {
     const Case the_case = read(with(two_boxes, "upper: [50 cm, 0.5, 1]",
                                     "upper: [50 cm, 0.5, 1], rotate: {axis: [0, 0, 2], angle: 90 deg, about: [0, "
@@ -132,7 +132,7 @@ TEST(CaseFile, boxes_turn_about_their_centre_or_a_point)
     EXPECT_TRUE(the_case.model.blocks[1].moments.centroid.isApprox(Eigen::Vector3d(1, 1, 0.5), 1e-14));
 }
 
-TEST(CaseFile, joints_follow_their_rules)
+TEST(CaseFile, JointsFollowTheirRules)
 {
     std::string text =
         with(two_boxes, "  dry: {friction: 30 deg}", "  dry: {friction: 30 deg}\n  slick: {friction: 10 deg}");
@@ -144,7 +144,7 @@ TEST(CaseFile, joints_follow_their_rules)
     EXPECT_EQ(model.joint_between(1, 1).name, "dry");
 }
 
-TEST(CaseFile, motion_acts_in_the_only_dynamic_stage)
+TEST(CaseFile, MotionActsInTheOnlyDynamicStage)
 {
     const std::string sine = "{sine: {acceleration: 0.5 g, frequency: 2.5 Hz}}";
     const std::string text =
@@ -164,7 +164,7 @@ TEST(CaseFile, motion_acts_in_the_only_dynamic_stage)
     EXPECT_NE(faults_of(text, {"foundation.x=free"}).find("a motion of a free component"), std::string::npos);
 }
 
-TEST(CaseFile, a_record_gives_its_duration_and_is_scaled_to_a_peak)
+TEST(CaseFile, ARecordGivesItsDurationAndIsScaledToAPeak)
 {
     const TemporaryFolder folder;
     folder.write("record.txt", "0.00 0.0\n0.01 1.0\n0.02 -2.0\n0.03 0.0\n");
@@ -180,7 +180,7 @@ TEST(CaseFile, a_record_gives_its_duration_and_is_scaled_to_a_peak)
     EXPECT_NEAR(corrected.motions.at(0).residual_velocity, 0, 1e-12);
 }
 
-TEST(CaseFile, body_acceleration_loads_a_free_group)
+TEST(CaseFile, BodyAccelerationLoadsAFreeGroup)
 {
     const Case the_case =
         read(two_boxes, {"stages[1].body_acceleration=[{blocks: masonry, y: {sine: {acceleration: 1 m/s2, "
@@ -190,7 +190,7 @@ TEST(CaseFile, body_acceleration_loads_a_free_group)
     EXPECT_EQ(the_case.stages[1].body_accelerations[0].component, 1);
 }
 
-TEST(CaseFile, a_rigid_scene_has_no_stress_to_draw)
+TEST(CaseFile, ARigidSceneHasNoStressToDraw)
 {
     EXPECT_EQ(read(two_boxes, {"output.snapshots={color: principal_stress}"}).output.snapshots->color,
               SnapshotColor::principal_stress);
@@ -199,7 +199,7 @@ TEST(CaseFile, a_rigid_scene_has_no_stress_to_draw)
               std::string::npos);
 }
 
-TEST(CaseFile, keys_of_the_other_kind_of_stage_say_so)
+TEST(CaseFile, KeysOfTheOtherKindOfStageSaySo)
 {
     EXPECT_EQ(faults_of(two_boxes, {"stages[0].duration=3 s"}),
               "--set stages[0].duration: has no meaning here; a static stage ends at equilibrium");
@@ -208,7 +208,7 @@ TEST(CaseFile, keys_of_the_other_kind_of_stage_say_so)
 }
 
 // It would leave them out without a word.
-TEST(CaseFile, the_published_iteration_refuses_what_it_does_not_know)
+TEST(CaseFile, ThePublishedIterationRefusesWhatItDoesNotKnow)
 {
     const std::string published = with(two_boxes, "time_step: 2 ms}", "time_step: 2 ms, open_close: published}");
     ASSERT_EQ(faults_of(published), "no fault");
@@ -227,7 +227,7 @@ TEST(CaseFile, the_published_iteration_refuses_what_it_does_not_know)
     }
 }
 
-TEST(Patterns, stars_and_question_marks)
+TEST(Patterns, StarsAndQuestionMarks)
 {
     EXPECT_TRUE(matches_pattern("abutment_left", "abutment_*"));
     EXPECT_TRUE(matches_pattern("abc", "*c"));
@@ -238,7 +238,7 @@ TEST(Patterns, stars_and_question_marks)
     EXPECT_FALSE(matches_pattern(std::string(200, 'a'), "*a*a*a*a*a*a*a*a*a*a*b"));  // in no time
 }
 
-TEST(Overlaps, depth_is_the_shortest_way_out)
+TEST(Overlaps, DepthIsTheShortestWayOut)
 {
     const ConvexPolyhedron cube = make_box({0, 0, 0}, {1, 1, 1});
     EXPECT_NEAR(overlap_depth(cube, cube, {0.75, 0.5, 0}), 0.25, 1e-15);

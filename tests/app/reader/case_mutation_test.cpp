@@ -47,7 +47,7 @@ bool accepts(const fs::path& file, const std::string& text)
 }  // namespace
 
 // Cases with meshes are left to the fuzzer: here every one of them would start the helper.
-TEST(DamagedCases, are_refused_in_words_or_read_as_sound_cases)
+TEST(DamagedCases, AreRefusedInWordsOrReadAsSoundCases)
 {
     const TemporaryFolder folder;
     for (const char* record : {"peer_npts.at2", "eqsig.txt"})

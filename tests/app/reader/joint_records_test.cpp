@@ -12,7 +12,7 @@ namespace
 
 constexpr double degree = std::numbers::pi / 180;
 
-TEST_F(JointRecords, turn_to_the_axes_of_the_scene)
+TEST_F(JointRecords, TurnToTheAxesOfTheScene)
 {
     const Case the_case = read(moved_by("{" + three_records + ", x_azimuth: 40 deg}"));
     ASSERT_EQ(the_case.stages[1].motions.size(), 3);
@@ -31,13 +31,13 @@ TEST_F(JointRecords, turn_to_the_axes_of_the_scene)
     EXPECT_NE(the_case.motions.at(0).description.find("rotated to x at azimuth 40 deg"), std::string::npos);
 }
 
-TEST_F(JointRecords, that_point_down_are_turned_over)
+TEST_F(JointRecords, ThatPointDownAreTurnedOver)
 {
     const Case the_case = read(moved_by("{" + with(three_records, "up]", "down]") + "}"));
     EXPECT_EQ(motion_along(2, the_case).motion->acceleration(0.03), -upwards[3]);
 }
 
-TEST_F(JointRecords, lie_with_x_to_the_east_unless_told_otherwise)
+TEST_F(JointRecords, LieWithXToTheEastUnlessToldOtherwise)
 {
     const Case the_case = read(moved_by("{records: [a.txt, b.txt], unit: m/s2, azimuths: [0 deg, 90 deg]}"));
     EXPECT_TRUE(has_default(the_case, "x_azimuth = 1.5708 rad (90 deg)"));
@@ -48,7 +48,7 @@ TEST_F(JointRecords, lie_with_x_to_the_east_unless_told_otherwise)
     }
 }
 
-TEST_F(JointRecords, take_the_axes_they_are_given)
+TEST_F(JointRecords, TakeTheAxesTheyAreGiven)
 {
     const Case the_case = read(moved_by("{records: [a.txt, b.txt], unit: m/s2, axes: [z, x]}"));
     ASSERT_EQ(the_case.stages[1].motions.size(), 2);
@@ -56,7 +56,7 @@ TEST_F(JointRecords, take_the_axes_they_are_given)
     EXPECT_EQ(motion_along(0, the_case).motion->acceleration(0.03), -3);
 }
 
-TEST_F(JointRecords, are_scaled_by_one_factor_that_an_axis_decides)
+TEST_F(JointRecords, AreScaledByOneFactorThatAnAxisDecides)
 {
     const Case the_case = read(moved_by("{" + three_records +
                                         ", x_azimuth: 10 deg, processing: [{rotate: {x_azimuth: 10 "
@@ -66,7 +66,7 @@ TEST_F(JointRecords, are_scaled_by_one_factor_that_an_axis_decides)
     EXPECT_NEAR(motion_along(2, the_case).motion->acceleration(0.03), 2 * upwards[3], 1e-12);
 }
 
-TEST_F(JointRecords, leave_y_out_of_a_planar_scene_with_a_warning)
+TEST_F(JointRecords, LeaveYOutOfAPlanarSceneWithAWarning)
 {
     const std::string planar = "kinematics: planar_rigid\n" +
                                with(moved_by("{" + three_records + ", x_azimuth: 10 deg}"),
@@ -85,7 +85,7 @@ TEST_F(JointRecords, leave_y_out_of_a_planar_scene_with_a_warning)
         "case.yaml:10: foundation.motion: no record along x or z; turn or name them otherwise");
 }
 
-TEST_F(JointRecords, must_say_where_they_point)
+TEST_F(JointRecords, MustSayWhereTheyPoint)
 {
     EXPECT_EQ(faults_of(moved_by("{records: [a.txt], unit: g}")),
               "case.yaml:9: foundation.motion.records: channel 1 does not say where it points; give azimuths: [0 "
@@ -105,13 +105,13 @@ TEST_F(JointRecords, must_say_where_they_point)
               std::string::npos);
 }
 
-TEST_F(JointRecords, are_refused_beside_motions_of_single_axes)
+TEST_F(JointRecords, AreRefusedBesideMotionsOfSingleAxes)
 {
     EXPECT_EQ(faults_of(moved_by("{" + three_records + ", x: {record: a.txt, unit: g}}")),
               "case.yaml:9: foundation.motion.x: has no meaning here; records give all axes");
 }
 
-TEST_F(JointRecords, load_blocks_as_body_accelerations_too)
+TEST_F(JointRecords, LoadBlocksAsBodyAccelerationsToo)
 {
     const Case the_case =
         read(with(two_boxes, "duration: 0.2 s,",
@@ -121,7 +121,7 @@ TEST_F(JointRecords, load_blocks_as_body_accelerations_too)
     EXPECT_EQ(the_case.stages[1].body_accelerations[2].motion->acceleration(0.03), 2);
 }
 
-TEST_F(JointRecords, that_cannot_be_read_are_one_fault_each)
+TEST_F(JointRecords, ThatCannotBeReadAreOneFaultEach)
 {
     EXPECT_EQ(faults_of(moved_by("{records: [a.txt, b.txt], azimuths: [0 deg, 90 deg, up]}")),
               "case.yaml:9: foundation.motion.records[0]: the unit of \"a.txt\" is not known; give unit: one of "
@@ -132,7 +132,7 @@ TEST_F(JointRecords, that_cannot_be_read_are_one_fault_each)
               "m/s2, cm/s2, mm/s2, gal, m/s, cm/s, mm/s, m, cm, mm");
 }
 
-TEST_F(JointRecords, differ_from_one_support_to_the_other)
+TEST_F(JointRecords, DifferFromOneSupportToTheOther)
 {
     std::string text = moved_by("{x: {record: a.txt, unit: m/s2}}");
     text = with(text, "foundation: {blocks: foundation", "foundation:\n  - {blocks: foundation");
@@ -151,7 +151,7 @@ TEST_F(JointRecords, differ_from_one_support_to_the_other)
     EXPECT_EQ(the_case.motions.size(), 2);
 }
 
-TEST_F(JointRecords, of_several_columns_need_a_component_when_one_is_asked_for)
+TEST_F(JointRecords, OfSeveralColumnsNeedAComponentWhenOneIsAskedFor)
 {
     folder_.write("table.txt", "0.00 0 0 0\n0.01 1 2 3\n0.02 0 0 0\n");
     EXPECT_EQ(
@@ -162,7 +162,7 @@ TEST_F(JointRecords, of_several_columns_need_a_component_when_one_is_asked_for)
     EXPECT_NEAR(only_motion(the_case).peak_acceleration(), 3 * gravity, 1e-12);
 }
 
-TEST_F(JointRecords, without_a_time_step_are_refused_with_the_key_to_give)
+TEST_F(JointRecords, WithoutATimeStepAreRefusedWithTheKeyToGive)
 {
     folder_.write("values.txt", "0\n1\n2\n0\n");
     EXPECT_EQ(faults_of(moved_by("{x: {record: values.txt, unit: g}}")),

@@ -11,7 +11,7 @@ namespace
 
 // ---- waves
 
-TEST_F(MotionCase, a_ramped_sine_reaches_its_peak_between_its_ramps)
+TEST_F(MotionCase, ARampedSineReachesItsPeakBetweenItsRamps)
 {
     const Case the_case =
         read(moved_by("{x: {ramped_sine: {acceleration: 0.2 g, frequency: 5 Hz, ramp: 0.4 s, duration: 2 s}}}"));
@@ -25,7 +25,7 @@ TEST_F(MotionCase, a_ramped_sine_reaches_its_peak_between_its_ramps)
         << the_case.motions[0].description;
 }
 
-TEST_F(MotionCase, a_sweep_runs_from_one_frequency_to_the_other)
+TEST_F(MotionCase, ASweepRunsFromOneFrequencyToTheOther)
 {
     const Case linear =
         read(moved_by("{x: {sweep: {acceleration: 1 m/s2, from: 1 Hz, to: 9 Hz, duration: 4 s}}}"));
@@ -41,7 +41,7 @@ TEST_F(MotionCase, a_sweep_runs_from_one_frequency_to_the_other)
     EXPECT_NEAR(only_motion(logarithmic).acceleration(2), std::sin(2 * std::numbers::pi * cycles), 1e-6);
 }
 
-TEST_F(MotionCase, a_ricker_pulse_brings_the_ground_back)
+TEST_F(MotionCase, ARickerPulseBringsTheGroundBack)
 {
     const Case the_case = read(moved_by("{x: {ricker: {acceleration: -3 m/s2, frequency: 2 Hz}}}"));
     const GroundMotion& motion = only_motion(the_case);
@@ -55,7 +55,7 @@ TEST_F(MotionCase, a_ricker_pulse_brings_the_ground_back)
     EXPECT_NEAR(only_motion(later).acceleration(1), 3, 1e-9);
 }
 
-TEST_F(MotionCase, a_pulse_moves_the_ground_forward_or_forward_and_back)
+TEST_F(MotionCase, APulseMovesTheGroundForwardOrForwardAndBack)
 {
     const double amplitude = 2, period = 0.5;
     const Case forward = read(moved_by("{x: {pulse: {acceleration: 2 m/s2, period: 0.5 s}}}"));
@@ -72,7 +72,7 @@ TEST_F(MotionCase, a_pulse_moves_the_ground_forward_or_forward_and_back)
                 2 * amplitude * period * period / std::pow(2 * std::numbers::pi, 2), 1e-4);
 }
 
-TEST_F(MotionCase, noise_has_its_peak_ends_at_rest_and_depends_on_its_seed_alone)
+TEST_F(MotionCase, NoiseHasItsPeakEndsAtRestAndDependsOnItsSeedAlone)
 {
     const auto noise = [&](int seed) {
         return read(
@@ -88,7 +88,7 @@ TEST_F(MotionCase, noise_has_its_peak_ends_at_rest_and_depends_on_its_seed_alone
     EXPECT_NE(motion.acceleration(2.345), only_motion(other).acceleration(2.345));
 }
 
-TEST_F(MotionCase, a_wave_is_processed_and_then_scaled)
+TEST_F(MotionCase, AWaveIsProcessedAndThenScaled)
 {
     const Case the_case =
         read(moved_by("{x: {ricker: {acceleration: 3 m/s2, frequency: 2 Hz}, scale: 0.5, "
@@ -101,7 +101,7 @@ TEST_F(MotionCase, a_wave_is_processed_and_then_scaled)
     EXPECT_LT(scaled, said.find("x 0.5")) << said;
 }
 
-TEST_F(MotionCase, figures_of_waves_that_cannot_be_are_refused)
+TEST_F(MotionCase, FiguresOfWavesThatCannotBeAreRefused)
 {
     EXPECT_EQ(faults_of(moved_by(
                   "{x: {ramped_sine: {acceleration: 1 m/s2, frequency: 5 Hz, ramp: 2 s, duration: 3 s}}}")),
@@ -120,7 +120,7 @@ TEST_F(MotionCase, figures_of_waves_that_cannot_be_are_refused)
 
 // ---- processing and faults
 
-TEST_F(JointRecords, faults_of_processing_name_the_step_and_its_line)
+TEST_F(JointRecords, FaultsOfProcessingNameTheStepAndItsLine)
 {
     const auto fault = [&](const std::string& steps) {
         return faults_of(moved_by("{x: {record: a.txt, unit: m/s2, processing: " + steps + "}}"));
@@ -148,7 +148,7 @@ TEST_F(JointRecords, faults_of_processing_name_the_step_and_its_line)
         0);
 }
 
-TEST_F(JointRecords, unknown_keys_name_the_nearest)
+TEST_F(JointRecords, UnknownKeysNameTheNearest)
 {
     const std::string place = "case.yaml:9: foundation.motion.";
     EXPECT_EQ(faults_of(moved_by("{x: {recrd: a.txt, unit: g}}")),
@@ -168,7 +168,7 @@ TEST_F(JointRecords, unknown_keys_name_the_nearest)
         place + "x: both a record and a sine; give one of record, sine, ramped_sine, sweep, ricker, pulse, noise");
 }
 
-TEST_F(MotionCase, matched_to_a_spectrum_ends_at_rest)
+TEST_F(MotionCase, MatchedToASpectrumEndsAtRest)
 {
     const Case the_case = read(
         moved_by("{x: {noise: {acceleration: 0.3 g, duration: 5 s}, processing: [{match: {target: {eurocode_8: "

@@ -47,7 +47,7 @@ class MotionSchema : public MotionCase, public testing::WithParamInterface<Place
 {
 };
 
-TEST_P(MotionSchema, has_the_keys_of_the_reader)
+TEST_P(MotionSchema, HasTheKeysOfTheReader)
 {
     std::set<std::string> keys = GetParam().elsewhere;
     const nlohmann::json object = schema().at(nlohmann::json::json_pointer("/$defs/" + GetParam().in_schema));
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
                           {"eurocode_8"}}));
 
 /// The keys of all motions are more than a fault lists; but none of the schema's may be unknown.
-TEST_F(MotionCase, keys_of_the_schema_are_known)
+TEST_F(MotionCase, KeysOfTheSchemaAreKnown)
 {
     const nlohmann::json motions = schema().at("/$defs/motion/oneOf"_json_pointer);
     for (const auto& object : motions) {

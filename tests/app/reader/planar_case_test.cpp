@@ -29,7 +29,7 @@ std::vector<std::string> also(std::vector<std::string> overrides, const std::str
     return overrides;
 }
 
-TEST(PlanarCase, stones_drawn_in_space_give_their_outlines_and_the_thickness)
+TEST(PlanarCase, StonesDrawnInSpaceGiveTheirOutlinesAndTheThickness)
 {
     const std::string text = with(with(equally_deep, "-0.5, -1]", "0, -1]"), "0.5, 0]", "3, 0]");
     const Case the_case = read(with(with(text, "[-0.5, -0.5, 0]", "[-0.5, 0, 0]"), "0.5, 1]", "3, 1]"), rigid);
@@ -44,7 +44,7 @@ TEST(PlanarCase, stones_drawn_in_space_give_their_outlines_and_the_thickness)
     EXPECT_TRUE(has_default(the_case, "foundation: x = fixed, z = fixed, rotation = fixed"));
 }
 
-TEST(PlanarCase, outlines_are_one_metre_thick_unless_the_case_says_so)
+TEST(PlanarCase, OutlinesAreOneMetreThickUnlessTheCaseSaysSo)
 {
     const Case the_case = read(two_outlines);
     EXPECT_TRUE(has_default(the_case, "thickness = 1 m"));
@@ -58,7 +58,7 @@ TEST(PlanarCase, outlines_are_one_metre_thick_unless_the_case_says_so)
     }
 }
 
-TEST(PlanarCase, a_polygon_and_a_drawn_box_make_the_same_block)
+TEST(PlanarCase, APolygonAndADrawnBoxMakeTheSameBlock)
 {
     const Model drawn = read(equally_deep, rigid).model, outlined = read(two_outlines).model;
     for (int b = 0; b < 2; ++b) {
@@ -68,7 +68,7 @@ TEST(PlanarCase, a_polygon_and_a_drawn_box_make_the_same_block)
     }
 }
 
-TEST(PlanarCase, a_flat_box_turns_from_x_to_z)
+TEST(PlanarCase, AFlatBoxTurnsFromXToZ)
 {
     const Model model =
         read(with(two_outlines, "upper: [1, 0]", "upper: [1, 0], rotate: {angle: 90 deg, about: [1, 0]}"),
@@ -80,7 +80,7 @@ TEST(PlanarCase, a_flat_box_turns_from_x_to_z)
               std::string::npos);
 }
 
-TEST(PlanarCase, a_box_turned_about_y_is_the_turned_outline)
+TEST(PlanarCase, ABoxTurnedAboutYIsTheTurnedOutline)
 {
     const std::string turned =
         "upper: [50 cm, 0.5, 1], rotate: {axis: [0, 1, 0], angle: 90 deg, about: [0, 0, 0]}";
@@ -90,7 +90,7 @@ TEST(PlanarCase, a_box_turned_about_y_is_the_turned_outline)
     EXPECT_TRUE(model.blocks[1].moments.centroid.isApprox(Eigen::Vector3d(0.5, 0, 0), 1e-14));
 }
 
-TEST(PlanarCase, stones_of_another_depth_are_refused)
+TEST(PlanarCase, StonesOfAnotherDepthAreRefused)
 {
     EXPECT_EQ(
         faults_of(two_boxes, rigid),
@@ -98,7 +98,7 @@ TEST(PlanarCase, stones_of_another_depth_are_refused)
         "planar scene have one extent along y: draw them so, or as polygons [x, z]");
 }
 
-TEST(PlanarCase, stones_turned_out_of_the_plane_are_refused)
+TEST(PlanarCase, StonesTurnedOutOfThePlaneAreRefused)
 {
     const std::string turned = "upper: [50 cm, 0.5, 1], rotate: {axis: [1, 0, 0], angle: 30 deg}";
     EXPECT_EQ(
@@ -107,7 +107,7 @@ TEST(PlanarCase, stones_turned_out_of_the_plane_are_refused)
         "the same in every section along y");
 }
 
-TEST(PlanarCase, outlines_that_are_none_are_refused)
+TEST(PlanarCase, OutlinesThatAreNoneAreRefused)
 {
     const auto fault = [](const std::string& corners) {
         return faults_of(two_outlines, {"blocks[1].polygon.corners=" + corners});
@@ -119,7 +119,7 @@ TEST(PlanarCase, outlines_that_are_none_are_refused)
     EXPECT_NE(faults_of(two_outlines, {"blocks[0].box.upper=[-1, 0]"}).find("no area"), std::string::npos);
 }
 
-TEST(PlanarCase, overlapping_outlines_are_refused)
+TEST(PlanarCase, OverlappingOutlinesAreRefused)
 {
     EXPECT_EQ(
         faults_of(with(two_outlines, "[-0.5, 0], [50 cm, 0]", "[-0.5, -0.25], [50 cm, -0.25]")),
@@ -131,7 +131,7 @@ TEST(PlanarCase, overlapping_outlines_are_refused)
     EXPECT_LT(overlap_depth(corner, square, {0.6, 0.6}), 0) << "only the slanted side parts them";
 }
 
-TEST(PlanarCase, y_means_nothing)
+TEST(PlanarCase, YMeansNothing)
 {
     const std::string sine = "{sine: {acceleration: 1 m/s2, frequency: 1 Hz}}";
     const auto fault = [](const std::string& setting) { return faults_of(two_outlines, {setting}); };
@@ -146,7 +146,7 @@ TEST(PlanarCase, y_means_nothing)
               "--set gravity.direction: 0.1 along y; a planar scene lies in x and z: give [x, z]");
 }
 
-TEST(PlanarCase, vectors_have_two_components_or_a_y_that_says_nothing)
+TEST(PlanarCase, VectorsHaveTwoComponentsOrAYThatSaysNothing)
 {
     for (const char* direction : {"[0.3, -0.4]", "[0.3, 0, -0.4]"}) {
         const Case the_case = read(two_outlines, {std::string("gravity.direction=") + direction});
@@ -163,7 +163,7 @@ TEST(PlanarCase, vectors_have_two_components_or_a_y_that_says_nothing)
     EXPECT_NE(spatial.warnings[0].find("y = 0.2 m is left away"), std::string::npos);
 }
 
-TEST(PlanarCase, plane_strain_unless_the_case_says_stress)
+TEST(PlanarCase, PlaneStrainUnlessTheCaseSaysStress)
 {
     EXPECT_EQ(read(equally_deep, deformable).model.plane, PlaneCondition::strain);
     EXPECT_TRUE(has_default(read(equally_deep, deformable), "plane = strain"));
@@ -172,7 +172,7 @@ TEST(PlanarCase, plane_strain_unless_the_case_says_stress)
               "--set plane: has no meaning here; rigid blocks have neither strain nor stress");
 }
 
-TEST(PlanarCase, a_spatial_scene_takes_nothing_planar)
+TEST(PlanarCase, ASpatialSceneTakesNothingPlanar)
 {
     EXPECT_EQ(faults_of(two_boxes, {"thickness=1 m"}),
               "--set thickness: has no meaning here; it belongs to planar scenes");

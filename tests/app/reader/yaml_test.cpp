@@ -26,7 +26,7 @@ void expect_start(const std::string& sentence, const std::string& start)
     EXPECT_TRUE(sentence.starts_with(start)) << sentence;
 }
 
-TEST(YamlTree, remembers_lines_and_duplicates)
+TEST(YamlTree, RemembersLinesAndDuplicates)
 {
     const YamlNode root = parse_yaml("a: 1\nb:\n  - x\n  - {c: 2, c: 3}\n", "case.yaml");
     ASSERT_EQ(root.keys, (std::vector<std::string>{"a", "b"}));
@@ -34,7 +34,7 @@ TEST(YamlTree, remembers_lines_and_duplicates)
     EXPECT_EQ(root.items[1].items[1].keys, (std::vector<std::string>{"c", "c"}));
 }
 
-TEST(YamlTree, refuses_what_is_no_case_with_one_sentence_and_a_line)
+TEST(YamlTree, RefusesWhatIsNoCaseWithOneSentenceAndALine)
 {
     expect_start(refusal_of("a:\n\tb: 1\n"), "case.yaml:2: a tab in the indentation; indent with spaces");
     expect_start(refusal_of("a: &x 1\nb: *x\n"), "case.yaml:2: an alias (*); ");
@@ -46,7 +46,7 @@ TEST(YamlTree, refuses_what_is_no_case_with_one_sentence_and_a_line)
     expect_start(refusal_of("a: 1\nb: \xff\xfe\n"), "case.yaml:2: byte 0xff is ");
 }
 
-TEST(YamlTree, bounds_what_hostile_text_can_cost)
+TEST(YamlTree, BoundsWhatHostileTextCanCost)
 {
     EXPECT_NE(refusal_of(std::string(100'000, '[')), "accepted");
     EXPECT_NE(refusal_of(std::string(100'000, '{')), "accepted");
@@ -59,7 +59,7 @@ TEST(YamlTree, bounds_what_hostile_text_can_cost)
     EXPECT_NE(refusal_of(std::string(largest_case_file + 1, 'a')).find("at most 16 MiB"), std::string::npos);
 }
 
-TEST(YamlCursor, reports_everything_at_once_with_places)
+TEST(YamlCursor, ReportsEverythingAtOnceWithPlaces)
 {
     const YamlNode root = parse_yaml("stone:\n  yuong: 4.5 GPa\n  density: 3 Pa\n  density: 4\n", "case.yaml");
     Findings findings;
@@ -81,7 +81,7 @@ TEST(YamlCursor, reports_everything_at_once_with_places)
                   "case.yaml:4: stone.density: written a second time (first in line 3); keep one of them"}));
 }
 
-TEST(YamlCursor, takes_defaults_aloud)
+TEST(YamlCursor, TakesDefaultsAloud)
 {
     const YamlNode root = parse_yaml("a: 1", "case.yaml");
     Findings findings;
@@ -99,7 +99,7 @@ std::string override_faults(const std::string& setting, YamlNode& root)
     return findings.faults.empty() ? "" : to_sentence(findings.faults.front());
 }
 
-TEST(Overrides, set_create_append_and_take_away)
+TEST(Overrides, SetCreateAppendAndTakeAway)
 {
     YamlNode root = parse_yaml("stages:\n  - {type: static}\n  - {type: dynamic, time_step: 2 ms}\n", "case.yaml");
     expect_start(override_faults("stages[1].time_step=1 ms", root), "");
@@ -113,7 +113,7 @@ TEST(Overrides, set_create_append_and_take_away)
     EXPECT_EQ(root.items[0].items[1].keys, std::vector<std::string>{"type"});
 }
 
-TEST(Overrides, say_what_cannot_be_done)
+TEST(Overrides, SayWhatCannotBeDone)
 {
     YamlNode root = parse_yaml("stages: [{type: static}]\ntitle: x\n", "case.yaml");
     EXPECT_EQ(override_faults("stages[5].a=1", root),
@@ -125,7 +125,7 @@ TEST(Overrides, say_what_cannot_be_done)
     EXPECT_NE(override_faults("a=[1", root).find("--set a: not valid YAML"), std::string::npos);
 }
 
-TEST(NearestWord, knows_what_was_meant)
+TEST(NearestWord, KnowsWhatWasMeant)
 {
     EXPECT_EQ(edit_distance("young", "yuong"), 1);
     EXPECT_EQ(edit_distance("kitten", "sitting"), 3);

@@ -73,7 +73,7 @@ DefectPictures marked_box(const MarkedFeature& feature, MarkLook look)
     return pictures;
 }
 
-TEST(DefectPictures, show_a_mark_wherever_it_is)
+TEST(DefectPictures, ShowAMarkWhereverItIs)
 {
     for (const double y : {0.0, 1.0}) {
         const TemporaryFolder folder;
@@ -85,7 +85,7 @@ TEST(DefectPictures, show_a_mark_wherever_it_is)
     }
 }
 
-TEST(DefectPictures, show_no_mark_where_none_is)
+TEST(DefectPictures, ShowNoMarkWhereNoneIs)
 {
     const TemporaryFolder folder;
     const auto files = draw_defects(marked_box({}, MarkLook::defect), folder / "");
@@ -93,7 +93,7 @@ TEST(DefectPictures, show_no_mark_where_none_is)
     EXPECT_EQ(count(files[0], is_red), 0);
 }
 
-TEST(DefectPictures, gaps_are_blue_polygons)
+TEST(DefectPictures, GapsAreBluePolygons)
 {
     const TemporaryFolder folder;
     const MarkedFeature gap{"25 mm apart", {}, {}, {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}}};
@@ -103,7 +103,7 @@ TEST(DefectPictures, gaps_are_blue_polygons)
     EXPECT_EQ(count(files[0], is_red), 0);
 }
 
-TEST(DefectPictures, the_request_survives_the_wire)
+TEST(DefectPictures, TheRequestSurvivesTheWire)
 {
     const MarkedFeature feature{
         "faces cross", {{1, 2, 3}}, {{Vector3d(0, 0, 0), Vector3d(1, 0, 0)}}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
@@ -120,7 +120,7 @@ TEST(DefectPictures, the_request_survives_the_wire)
     EXPECT_EQ(got.pictures.shapes[1].vertices, sent.shapes[1].vertices);
 }
 
-TEST(DefectPictures, a_request_that_points_outside_is_refused)
+TEST(DefectPictures, ARequestThatPointsOutsideIsRefused)
 {
     DefectPictures bad = marked_box({}, MarkLook::defect);
     bad.pictures[0].stones[0].shape = 7;

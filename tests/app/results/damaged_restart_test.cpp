@@ -169,14 +169,14 @@ constexpr int huge_int = std::numeric_limits<int>::max();
 
 }  // namespace
 
-TEST_P(DamagedRestart, a_sound_one_goes_on)
+TEST_P(DamagedRestart, ASoundOneGoesOn)
 {
     EXPECT_EQ(refusal_of([](Restart&) {}), "");
     EXPECT_EQ(refusal_of([](Restart& r) { r = {}, r.ended = true; }), "");
 }
 
 // The fuzzer starts from it: of an older layout it would be refused at once, and nothing behind would be tried.
-TEST(RestartSeed, has_the_layout_of_today)
+TEST(RestartSeed, HasTheLayoutOfToday)
 {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "restart.bin", seed = fs::path(VOUSSOIR_FUZZ_SEEDS) / "results/restart";
@@ -188,7 +188,7 @@ TEST(RestartSeed, has_the_layout_of_today)
     EXPECT_NO_THROW(load_restart(file)) << "run this test once with VOUSSOIR_RENEW_SEEDS=1";
 }
 
-TEST(StateSeed, has_the_layout_of_today)
+TEST(StateSeed, HasTheLayoutOfToday)
 {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "state", seed = fs::path(VOUSSOIR_FUZZ_SEEDS) / "results/state";
@@ -199,7 +199,7 @@ TEST(StateSeed, has_the_layout_of_today)
     EXPECT_EQ(state.contacts.points[0].area, 0.1);
 }
 
-TEST_P(DamagedRestart, damage_without_a_fitting_checksum_is_refused)
+TEST_P(DamagedRestart, DamageWithoutAFittingChecksumIsRefused)
 {
     save_restart(sound_restart(the_case_), file_);
     const std::string good = content_of(file_);
@@ -212,7 +212,7 @@ TEST_P(DamagedRestart, damage_without_a_fitting_checksum_is_refused)
     }
 }
 
-TEST_P(DamagedRestart, damage_under_a_fitting_checksum_is_refused_or_harmless)
+TEST_P(DamagedRestart, DamageUnderAFittingChecksumIsRefusedOrHarmless)
 {
     save_restart(sound_restart(the_case_), file_);
     const std::string good = content_of(file_), mark = mark_of(good), payload = payload_of(good, mark);
@@ -229,7 +229,7 @@ TEST_P(DamagedRestart, damage_under_a_fitting_checksum_is_refused_or_harmless)
     EXPECT_LT(refused, tried);
 }
 
-TEST_P(DamagedRestart, a_length_beyond_the_file_asks_for_no_memory)
+TEST_P(DamagedRestart, ALengthBeyondTheFileAsksForNoMemory)
 {
     for (const std::uint64_t length : {std::uint64_t{1} << 62U, std::uint64_t{1} << 40U, ~std::uint64_t{0}}) {
         Packer packer;
@@ -249,7 +249,7 @@ TEST_P(DamagedRestart, a_length_beyond_the_file_asks_for_no_memory)
     }
 }
 
-TEST_P(DamagedRestart, what_would_lead_outside_arrays_or_counts_is_refused)
+TEST_P(DamagedRestart, WhatWouldLeadOutsideArraysOrCountsIsRefused)
 {
     const auto refused = [&](auto change) { return !refusal_of(change).empty(); };
     const auto at = [&](auto change) { return refused([&](Restart& r) { change(r.position); }); };
@@ -293,12 +293,12 @@ TEST_P(DamagedRestart, what_would_lead_outside_arrays_or_counts_is_refused)
     EXPECT_TRUE(in_static([](RunPosition& p) { p.load_increments = huge_int; }));
 }
 
-TEST_P(ResumedDraft, a_sound_one_is_taken_over)
+TEST_P(ResumedDraft, ASoundOneIsTakenOver)
 {
     EXPECT_EQ(refusal_of([](DraftResults&) {}), "");
 }
 
-TEST_P(ResumedDraft, edits_at_random_are_refused_or_harmless)
+TEST_P(ResumedDraft, EditsAtRandomAreRefusedOrHarmless)
 {
     Damage damage(1999);
     std::size_t refused = 0;
@@ -313,7 +313,7 @@ TEST_P(ResumedDraft, edits_at_random_are_refused_or_harmless)
     EXPECT_LT(refused, tried);
 }
 
-TEST_P(ResumedDraft, fewer_rows_or_other_columns_than_the_restart_counts_are_refused)
+TEST_P(ResumedDraft, FewerRowsOrOtherColumnsThanTheRestartCountsAreRefused)
 {
     const auto with = [&](const char* name, Extents extents) {
         return refusal_of([&](DraftResults& draft) {

@@ -44,12 +44,12 @@ INSTANTIATE_TEST_SUITE_P(Planar, Draft, testing::Bool());
 
 }  // namespace
 
-TEST_P(Draft, a_sound_one_is_read)
+TEST_P(Draft, ASoundOneIsRead)
 {
     EXPECT_EQ(refusal_of(two_boxes(GetParam())), "");
 }
 
-TEST_P(Draft, edits_at_random_are_refused_or_harmless)
+TEST_P(Draft, EditsAtRandomAreRefusedOrHarmless)
 {
     std::mt19937 engine(1999);
     std::size_t refused = 0;
@@ -66,7 +66,7 @@ TEST_P(Draft, edits_at_random_are_refused_or_harmless)
     EXPECT_LT(refused, tried);
 }
 
-TEST_P(Draft, what_would_lead_outside_the_arrays_is_refused)
+TEST_P(Draft, WhatWouldLeadOutsideTheArraysIsRefused)
 {
     const auto refused = [&](const char* name, double value) {
         DraftResults draft = two_boxes(GetParam());
@@ -89,7 +89,7 @@ TEST_P(Draft, what_would_lead_outside_the_arrays_is_refused)
     EXPECT_NE(refused("/model/mesh/face_block", 2), "");
 }
 
-TEST_P(Draft, texts_that_are_numbers_and_settings_that_are_none_are_refused)
+TEST_P(Draft, TextsThatAreNumbersAndSettingsThatAreNoneAreRefused)
 {
     DraftResults draft = two_boxes(GetParam());
     draft.texts.at("/case/settings").at(0) = "[{\"name\":";

@@ -15,7 +15,7 @@ struct Written {
     Dimension dimension;
 };
 
-TEST(Quantity, reads_units_as_people_write_them)
+TEST(Quantity, ReadsUnitsAsPeopleWriteThem)
 {
     using namespace dimension;
     const Written written[] = {
@@ -48,19 +48,19 @@ TEST(Quantity, reads_units_as_people_write_them)
     }
 }
 
-TEST(Quantity, bare_numbers_are_marked_as_such)
+TEST(Quantity, BareNumbersAreMarkedAsSuch)
 {
     EXPECT_TRUE(parse_quantity("0.25").bare);
     EXPECT_DOUBLE_EQ(parse_quantity("1e-3").value, 1e-3);
 }
 
-TEST(Quantity, a_pressure_is_no_density)
+TEST(Quantity, APressureIsNoDensity)
 {
     EXPECT_FALSE(parse_quantity("2400 Pa").has(dimension::density));
     EXPECT_FALSE(parse_quantity("50 MPa/m").has(dimension::stiffness_per_point));
 }
 
-TEST(Quantity, refuses_what_is_no_finite_number)
+TEST(Quantity, RefusesWhatIsNoFiniteNumber)
 {
     for (const char* text : {"nan", ".nan", "inf", "-inf", ".inf", "-.inf", "1e999", "1e308 GPa", "-nan m"})
         EXPECT_EQ(parse_quantity(text).problem, "not a finite number") << text;
@@ -68,7 +68,7 @@ TEST(Quantity, refuses_what_is_no_finite_number)
         EXPECT_EQ(parse_quantity(text).problem, "not a number") << text;
 }
 
-TEST(Quantity, names_the_unit_it_does_not_know)
+TEST(Quantity, NamesTheUnitItDoesNotKnow)
 {
     EXPECT_EQ(parse_quantity("4.5 Gpa").problem, "unknown unit \"Gpa\", did you mean GPa?");
     for (const char* text :
@@ -76,7 +76,7 @@ TEST(Quantity, names_the_unit_it_does_not_know)
         EXPECT_NE(parse_quantity(text).problem.find("unknown unit"), std::string::npos) << text;
 }
 
-TEST(Quantity, ranges_say_what_they_allow)
+TEST(Quantity, RangesSayWhatTheyAllow)
 {
     EXPECT_EQ(in_words(Range::positive(), dimension::time), "must be > 0");
     EXPECT_EQ(in_words(Range{0, 1, true, false}, dimension::number), "must be >= 0 and < 1");

@@ -28,7 +28,7 @@ bool says(const std::string& text, const std::string& part)
     return text.find(part) != std::string::npos;
 }
 
-TEST(Findings, head_joints_drawn_as_gaps)
+TEST(Findings, HeadJointsDrawnAsGaps)
 {
     const Assembly assembly = examined(wall(3, 4, 0.025));
     ASSERT_EQ(assembly.gaps.size(), 9U);
@@ -44,7 +44,7 @@ TEST(Findings, head_joints_drawn_as_gaps)
     EXPECT_EQ(assembly.components.size(), 1U) << "the beds still touch";
 }
 
-TEST(Findings, the_closing_width_is_enough_and_not_much_more)
+TEST(Findings, TheClosingWidthIsEnoughAndNotMuchMore)
 {
     for (const double widest : {0.025, 0.0250000001, 0.01, 0.0099, 1.0, 0.0312345}) {
         const double width = closing_width(widest);
@@ -55,7 +55,7 @@ TEST(Findings, the_closing_width_is_enough_and_not_much_more)
     EXPECT_NEAR(closing_width(0.0250000001), 0.026, 1e-12);
 }
 
-TEST(Findings, gaps_of_two_widths_are_told_apart)
+TEST(Findings, GapsOfTwoWidthsAreToldApart)
 {
     const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.01, 0, 0}, {2.01, 1, 1}),
                                         box("c", {2.06, 0, 0}, {3.06, 1, 1})});
@@ -67,7 +67,7 @@ TEST(Findings, gaps_of_two_widths_are_told_apart)
         << finding(assembly, "floating").advice;
 }
 
-TEST(Findings, a_gap_filled_by_a_thin_stone_is_none)
+TEST(Findings, AGapFilledByAThinStoneIsNone)
 {
     const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("mortar", {1, 0, 0}, {1.02, 1, 1}),
                                         box("b", {1.02, 0, 0}, {2.02, 1, 1})});
@@ -75,14 +75,14 @@ TEST(Findings, a_gap_filled_by_a_thin_stone_is_none)
     EXPECT_EQ(assembly.contacts.size(), 2U);
 }
 
-TEST(Findings, stones_far_apart_are_no_gap)
+TEST(Findings, StonesFarApartAreNoGap)
 {
     const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.3, 0, 0}, {2.3, 1, 1})});
     EXPECT_TRUE(assembly.gaps.empty());
     EXPECT_TRUE(says(finding(assembly, "floating").what, "none is near"));
 }
 
-TEST(Findings, an_overlap_with_its_depth_and_volume)
+TEST(Findings, AnOverlapWithItsDepthAndVolume)
 {
     const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0.2, 0.3, 0.9}, {0.7, 0.8, 2})});
     ASSERT_EQ(assembly.overlaps.size(), 1U);
@@ -93,7 +93,7 @@ TEST(Findings, an_overlap_with_its_depth_and_volume)
     EXPECT_TRUE(says(overlap.advice, "at most 100 mm; or 50 mm")) << overlap.advice;
 }
 
-TEST(Findings, an_overlap_within_the_contact_tolerance_is_a_note)
+TEST(Findings, AnOverlapWithinTheContactToleranceIsANote)
 {
     const std::vector<AssemblyStone> stones = {box("a", {0, 0, 0}, {1, 1, 1}),
                                                box("b", {0, 0, 0.9999}, {1, 1, 2})};
@@ -102,7 +102,7 @@ TEST(Findings, an_overlap_within_the_contact_tolerance_is_a_note)
     EXPECT_FALSE(finding(examined(deep), "overlaps").harmless);
 }
 
-TEST(Findings, a_known_overlap_keeps_its_exact_volume)
+TEST(Findings, AKnownOverlapKeepsItsExactVolume)
 {
     const Assembly assembly = examine_assembly({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 0.9}, {1, 1, 2})},
                                                {{1, 0, 0.125, 0}}, {});
@@ -112,7 +112,7 @@ TEST(Findings, a_known_overlap_keeps_its_exact_volume)
     EXPECT_NEAR(assembly.overlaps[0].depth, 0.1, 1e-9);
 }
 
-TEST(Findings, a_stone_in_the_air)
+TEST(Findings, AStoneInTheAir)
 {
     const Assembly assembly = examined(
         {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 1}, {1, 1, 2}), box("kite", {5, 0, 7}, {6, 1, 8})});
@@ -123,7 +123,7 @@ TEST(Findings, a_stone_in_the_air)
     EXPECT_FALSE(has_finding(assembly, "unsupported")) << "a floating stone is told once";
 }
 
-TEST(Findings, two_stones_that_hang_together_in_the_air)
+TEST(Findings, TwoStonesThatHangTogetherInTheAir)
 {
     const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 1}, {1, 1, 2}),
                                         box("kite", {5, 0, 7}, {6, 1, 8}), box("tail", {5, 0, 6}, {6, 1, 7})});
@@ -132,7 +132,7 @@ TEST(Findings, two_stones_that_hang_together_in_the_air)
     EXPECT_TRUE(says(finding(assembly, "unsupported").what, "kite, tail"));
 }
 
-TEST(Findings, foundations_are_the_ground_where_there_are_any)
+TEST(Findings, FoundationsAreTheGroundWhereThereAreAny)
 {
     std::vector<AssemblyStone> stones = {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {3, 0, 0}, {4, 1, 1}),
                                          box("c", {3, 0, 1}, {4, 1, 2})};
@@ -142,7 +142,7 @@ TEST(Findings, foundations_are_the_ground_where_there_are_any)
     EXPECT_EQ(assembly.unsupported, (std::vector<int>{1, 2}));
 }
 
-TEST(Findings, a_sliver_and_a_short_edge)
+TEST(Findings, ASliverAndAShortEdge)
 {
     const Assembly assembly =
         examined({box("slab", {0, 0, 0}, {1, 1, 1}), box("flake", {0, 0, 1}, {1, 1, 1.005})});
@@ -176,7 +176,7 @@ TEST(Findings, a_sliver_and_a_short_edge)
     EXPECT_TRUE(has_finding(short_edged, "short edges"));
 }
 
-TEST(Findings, faces_tilted_against_each_other)
+TEST(Findings, FacesTiltedAgainstEachOther)
 {
     Eigen::Isometry3d tilt = Eigen::Isometry3d::Identity();
     tilt.translate(Vector3d(0, 0, 1));
@@ -191,7 +191,7 @@ TEST(Findings, faces_tilted_against_each_other)
     EXPECT_TRUE(has_finding(assembly, "tilted"));
 }
 
-TEST(Findings, a_pebble_beside_a_rock)
+TEST(Findings, APebbleBesideARock)
 {
     const Assembly assembly =
         examined({box("rock", {0, 0, 0}, {2, 2, 2}), box("pebble", {0, 0, 2}, {0.1, 0.1, 2.1})});
@@ -200,7 +200,7 @@ TEST(Findings, a_pebble_beside_a_rock)
     EXPECT_TRUE(says(ratio.what, "rock") && says(ratio.what, "pebble")) << ratio.what;
 }
 
-TEST(Findings, a_bridge_of_millimetres_has_the_wrong_unit)
+TEST(Findings, ABridgeOfMillimetresHasTheWrongUnit)
 {
     std::vector<AssemblyStone> stones = wall(2, 3);
     for (AssemblyStone& each : stones) {
@@ -216,7 +216,7 @@ TEST(Findings, a_bridge_of_millimetres_has_the_wrong_unit)
     EXPECT_FALSE(has_finding(examined(wall(2, 3)), "unit"));
 }
 
-TEST(Findings, a_case_is_told_of_keys_and_an_import_of_options)
+TEST(Findings, ACaseIsToldOfKeysAndAnImportOfOptions)
 {
     AssemblyOrigin origin;
     origin.from_case = true;

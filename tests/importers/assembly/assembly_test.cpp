@@ -43,7 +43,7 @@ void expect_same(const Graph& graph, const Graph& reference)
     }
 }
 
-TEST(ContactGraph, a_wall_of_boxes_has_its_closed_form)
+TEST(ContactGraph, AWallOfBoxesHasItsClosedForm)
 {
     const Assembly assembly = examined(wall(3, 4));
     // on the slab 4; heads 3 in each course; beds: 4 bricks over 4 shifted by a half, 4 + 3, twice
@@ -58,7 +58,7 @@ TEST(ContactGraph, a_wall_of_boxes_has_its_closed_form)
     EXPECT_FALSE(assembly.ground_given);
 }
 
-TEST(ContactGraph, an_arch_touches_in_its_joints)
+TEST(ContactGraph, AnArchTouchesInItsJoints)
 {
     const Assembly assembly = examined(arch(15, 2, 2.5));
     ASSERT_EQ(assembly.contacts.size(), 14U);
@@ -72,7 +72,7 @@ TEST(ContactGraph, an_arch_touches_in_its_joints)
     EXPECT_TRUE(assembly.findings.empty());
 }
 
-TEST(ContactGraph, is_the_same_after_a_motion_and_in_another_order)
+TEST(ContactGraph, IsTheSameAfterAMotionAndInAnotherOrder)
 {
     const std::vector<AssemblyStone> stones = wall(4, 5);
     const Graph reference = graph_of(examined(stones));
@@ -85,7 +85,7 @@ TEST(ContactGraph, is_the_same_after_a_motion_and_in_another_order)
     expect_same(graph_of(examined(shuffled)), reference);
 }
 
-TEST(ContactGraph, does_not_depend_on_the_size)
+TEST(ContactGraph, DoesNotDependOnTheSize)
 {
     const Assembly small = examined(wall(2, 3));
     std::vector<AssemblyStone> stones = wall(2, 3);
@@ -100,7 +100,7 @@ TEST(ContactGraph, does_not_depend_on_the_size)
         EXPECT_NEAR(large.contacts[i].area, 100 * small.contacts[i].area, 1e-8);
 }
 
-TEST(ContactGraph, glued_parts_count_once_per_pair)
+TEST(ContactGraph, GluedPartsCountOncePerPair)
 {
     AssemblyStone pair = box("base", {0, 0, 0}, {1, 1, 1});
     ConvexPolyhedron left = make_box({0, 0, 1}, {0.5, 1, 2}), right = make_box({0.5, 0, 1}, {1, 1, 1.5});
@@ -112,7 +112,7 @@ TEST(ContactGraph, glued_parts_count_once_per_pair)
     EXPECT_NEAR(assembly.contacts[0].normal.z(), 1, 1e-12);
 }
 
-TEST(ContactGraph, of_a_wall_of_10000_stones_takes_seconds)
+TEST(ContactGraph, OfAWallOf10000StonesTakesSeconds)
 {
     const auto start = std::chrono::steady_clock::now();
     const Assembly assembly = examined(wall(100, 100));
@@ -121,7 +121,7 @@ TEST(ContactGraph, of_a_wall_of_10000_stones_takes_seconds)
     EXPECT_LT(seconds, 20);
 }
 
-TEST(SharedRegion, of_two_boxes_is_a_box)
+TEST(SharedRegion, OfTwoBoxesIsABox)
 {
     const auto region = shared_region(make_box({0, 0, 0}, {1, 1, 1}), make_box({0.75, 0.5, 0}, {2, 2, 1}));
     EXPECT_NEAR(volume_inside(region), 0.25 * 0.5, 1e-8);  // planes are widened by 1e-9 of the size

@@ -17,7 +17,7 @@ namespace voussoir
 
 namespace fs = std::filesystem;
 
-TEST(DamagedAnswers, are_not_believed_or_hold)
+TEST(DamagedAnswers, AreNotBelievedOrHold)
 {
     Damage damage(1755);
     std::size_t believed = 0, tried = 0;
@@ -41,7 +41,7 @@ TEST(DamagedAnswers, are_not_believed_or_hold)
 }
 
 // Pictures draw the surfaces of refused stones by these numbers.
-TEST(DamagedAnswers, corners_that_are_not_there)
+TEST(DamagedAnswers, CornersThatAreNotThere)
 {
     const std::string sound = content_of(fs::path(VOUSSOIR_MESH_SEEDS).parent_path() / "answer/two_stones.json");
     // Of the surface of the refused stone, and of the polyhedron of the other; json takes any number for an int.
@@ -56,7 +56,7 @@ TEST(DamagedAnswers, corners_that_are_not_there)
 }
 
 /// The program itself must live whatever happens to the helper, and say something of every file.
-TEST(DamagedMeshes, leave_the_program_alive)
+TEST(DamagedMeshes, LeaveTheProgramAlive)
 {
     setenv("VOUSSOIR_BIN_DIR", VOUSSOIR_BINARIES, 1);
     const TemporaryFolder folder;

@@ -39,7 +39,7 @@ bool accepts(const std::filesystem::path& file, const std::string& content)
 
 }  // namespace
 
-TEST(DamagedMeshes, are_refused_in_words_or_read_as_sound_surfaces)
+TEST(DamagedMeshes, AreRefusedInWordsOrReadAsSoundSurfaces)
 {
     const TemporaryFolder folder;
     Damage damage(1914);
@@ -56,7 +56,7 @@ TEST(DamagedMeshes, are_refused_in_words_or_read_as_sound_surfaces)
     EXPECT_LT(accepted, tried);
 }
 
-TEST(DamagedMeshes, headers_that_announce_thousands_of_millions)
+TEST(DamagedMeshes, HeadersThatAnnounceThousandsOfMillions)
 {
     const TemporaryFolder folder;
     const auto refused = [&](const std::string& name, const std::string& content) {
@@ -77,7 +77,7 @@ TEST(DamagedMeshes, headers_that_announce_thousands_of_millions)
 }
 
 // Twenty objects, each twice the one before: a million stones in two kilobytes.
-TEST(DamagedMeshes, parts_of_parts_of_parts)
+TEST(DamagedMeshes, PartsOfPartsOfParts)
 {
     const TemporaryFolder folder;
     std::string nodes, amf = "<?xml version=\"1.0\"?><amf><object id=\"0\"><mesh><vertices>";

@@ -38,7 +38,7 @@ struct Ruin {
 }  // namespace
 
 // A stone has fallen when it is lower by its size: at the step after sqrt(2 size / g).
-TEST_P(Collapse, is_told_with_time_and_order)
+TEST_P(Collapse, IsToldWithTimeAndOrder)
 {
     Ruin ruin(GetParam());
     const RunReport report = run_quietly(ruin.model, {dynamic_stage(0.6, 1e-3)}, ruin.state);
@@ -56,7 +56,7 @@ TEST_P(Collapse, is_told_with_time_and_order)
         << report.warnings[0];
 }
 
-TEST_P(Collapse, ends_the_run_when_the_stage_says_so)
+TEST_P(Collapse, EndsTheRunWhenTheStageSaysSo)
 {
     Ruin ruin(GetParam());
     Stage stage = dynamic_stage(5, 1e-3);
@@ -69,7 +69,7 @@ TEST_P(Collapse, ends_the_run_when_the_stage_says_so)
     EXPECT_NE(report.message.find("'high'"), std::string::npos) << report.message;
 }
 
-TEST_P(Collapse, ends_the_run_when_everything_has_left)
+TEST_P(Collapse, EndsTheRunWhenEverythingHasLeft)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     hold(model, add_box(model, "floor", {-0.5, -0.5, -1}, {0.5, 0.5, 0}));
@@ -83,7 +83,7 @@ TEST_P(Collapse, ends_the_run_when_everything_has_left)
     EXPECT_LT(state.time, 3);
 }
 
-TEST_P(Collapse, is_no_word_for_bodies_in_free_space)
+TEST_P(Collapse, IsNoWordForBodiesInFreeSpace)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     add_box(model, "comet", {2, -0.5, 0}, {3, 0.5, 0.5});
@@ -94,7 +94,7 @@ TEST_P(Collapse, is_no_word_for_bodies_in_free_space)
 }
 
 // Low is not fallen while something carries it: a lift takes the stone down with it.
-TEST_P(Collapse, is_not_what_goes_down_with_the_ground)
+TEST_P(Collapse, IsNotWhatGoesDownWithTheGround)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     hold(model, add_box(model, "lift", {-0.5, -0.5, -1}, {0.5, 0.5, 0}));
@@ -110,7 +110,7 @@ TEST_P(Collapse, is_not_what_goes_down_with_the_ground)
 
 // Without gravity nothing falls, but a block can leave.
 // The ground sinks by more than the stone's size and comes to rest with a jolt that makes the stone hop.
-TEST_P(Collapse, is_not_a_hop_on_ground_that_has_sunk)
+TEST_P(Collapse, IsNotAHopOnGroundThatHasSunk)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     hold(model, add_box(model, "ground", {-2, -2, -1}, {2, 2, 0}));
@@ -126,7 +126,7 @@ TEST_P(Collapse, is_not_a_hop_on_ground_that_has_sunk)
     EXPECT_TRUE(report.fallen.empty());
 }
 
-TEST_P(Collapse, is_told_of_blocks_that_leave)
+TEST_P(Collapse, IsToldOfBlocksThatLeave)
 {
     Ruin ruin(GetParam());
     set_velocity(ruin.model, ruin.state, ruin.low, {50, 0, 0});

@@ -59,7 +59,7 @@ Eigen::Vector3d leaning(double slope)
 }  // namespace
 
 // N over the part of the joint that it acts in the middle of: N / (b - 2 e).
-TEST_P(Crushing, edge_stress_is_the_resultant_over_the_effective_area)
+TEST_P(Crushing, EdgeStressIsTheResultantOverTheEffectiveArea)
 {
     for (const double slope : {0.0, 0.1, 0.2, 0.35}) {
         const Model model = pillar(GetParam(), 0);
@@ -76,7 +76,7 @@ TEST_P(Crushing, edge_stress_is_the_resultant_over_the_effective_area)
 }
 
 // The base is glued of two parts that meet under the pillar: one bed all the same.
-TEST_P(Crushing, patches_in_one_plane_are_one_bed)
+TEST_P(Crushing, PatchesInOnePlaneAreOneBed)
 {
     const Model model = pillar(GetParam(), 0, 40, {{{-2, -2, -1}, {0.1, 2, 0}}, {{0.1, -2, -1}, {2, 2, 0}}});
     State state = initial_state(model);
@@ -89,7 +89,7 @@ TEST_P(Crushing, patches_in_one_plane_are_one_bed)
 }
 
 // The same where it rocks, until the patch under the lifted side is out of reach.
-TEST_P(Crushing, one_bed_stays_one_when_the_stone_rocks)
+TEST_P(Crushing, OneBedStaysOneWhenTheStoneRocks)
 {
     const Model whole = pillar(GetParam(), 0);
     const Model glued = pillar(GetParam(), 0, 40, {{{-2, -2, -1}, {0.1, 2, 0}}, {{0.1, -2, -1}, {2, 2, 0}}});
@@ -115,7 +115,7 @@ TEST_P(Crushing, one_bed_stays_one_when_the_stone_rocks)
 
 // Two treads of one stair, 2 cm apart in height, under a stone of two feet: each foot bears half the weight on its
 // own tread, however thick the planar scene is.
-TEST_P(Crushing, treads_of_different_heights_are_beds_of_their_own)
+TEST_P(Crushing, TreadsOfDifferentHeightsAreBedsOfTheirOwn)
 {
     for (const double thickness : {1e-3, 1.0, 10.0}) {
         BlockMaterial material = stone();
@@ -137,7 +137,7 @@ TEST_P(Crushing, treads_of_different_heights_are_beds_of_their_own)
 
 // A stone of two feet whose soles are tilted by two degrees, on a flat floor: one bed, whichever block comes
 // first.
-TEST_P(Crushing, the_same_bed_whatever_the_order_of_the_blocks)
+TEST_P(Crushing, TheSameBedWhateverTheOrderOfTheBlocks)
 {
     double stress[2] = {}, area[2] = {};
     for (const int stone_first : {0, 1}) {
@@ -188,7 +188,7 @@ TEST_P(Crushing, the_same_bed_whatever_the_order_of_the_blocks)
 
 // A pillar in the corner of floor and wall, which are one block, pushed against the wall without friction: the
 // floor carries its weight on the width, the wall half of it on twice the width.
-TEST_P(Crushing, beds_in_different_planes_are_judged_each)
+TEST_P(Crushing, BedsInDifferentPlanesAreJudgedEach)
 {
     const Model model = pillar(GetParam(), 0, 0, {{{-2, -2, -1}, {2, 2, 0}}, {{width / 2, -2, 0}, {2, 2, 3}}});
     State state = initial_state(model);
@@ -201,7 +201,7 @@ TEST_P(Crushing, beds_in_different_planes_are_judged_each)
 }
 
 // A square bed has no principal axes of its own: its sides count, however it is turned in plan.
-TEST(SquareBed, is_judged_along_its_sides)
+TEST(SquareBed, IsJudgedAlongItsSides)
 {
     for (const double turn : {0.0, 0.3, 45 * degrees, 1.1}) {
         Model model = make_model(Kinematics::spatial_rigid, stone(), dry(40));
@@ -222,7 +222,7 @@ TEST(SquareBed, is_judged_along_its_sides)
 
 // A stone that rocks has its resultant on the very edge: it bears on a tenth of the joint, and light stones crush
 // none.
-TEST_P(Crushing, a_rocking_stone_bears_on_a_tenth_of_its_joint)
+TEST_P(Crushing, ARockingStoneBearsOnATenthOfItsJoint)
 {
     const double weight_stress = stone().density * gravity * height;
     const Model model = pillar(GetParam(), 30 * weight_stress);
@@ -239,7 +239,7 @@ TEST_P(Crushing, a_rocking_stone_bears_on_a_tenth_of_its_joint)
     EXPECT_TRUE(report.crushed.empty()) << crushed_in_words(model, report);
 }
 
-TEST_P(Crushing, is_told_per_joint_with_its_time)
+TEST_P(Crushing, IsToldPerJointWithItsTime)
 {
     const double weight_stress = stone().density * gravity * height;
     for (const double share : {0.9, 1.1}) {
@@ -256,7 +256,7 @@ TEST_P(Crushing, is_told_per_joint_with_its_time)
     }
 }
 
-TEST_P(Crushing, is_judged_by_the_weaker_stone_and_only_if_asked)
+TEST_P(Crushing, IsJudgedByTheWeakerStoneAndOnlyIfAsked)
 {
     Model model = pillar(GetParam(), 0);
     EXPECT_FALSE(has_compressive_strength(model));

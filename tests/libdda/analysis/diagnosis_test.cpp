@@ -26,7 +26,7 @@ void expect_in(const std::string& text, const std::string& part)
 
 }  // namespace
 
-TEST_P(Diagnosis, widths_are_those_of_the_thinnest_direction)
+TEST_P(Diagnosis, WidthsAreThoseOfTheThinnestDirection)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     add_box(model, "slab", {-5, -4, 0}, {5, 4, 0.1});
@@ -37,7 +37,7 @@ TEST_P(Diagnosis, widths_are_those_of_the_thinnest_direction)
 }
 
 // A contact so soft that the stone would sink into its base: said, and not computed on.
-TEST_P(Diagnosis, of_a_contact_too_soft_for_its_load)
+TEST_P(Diagnosis, OfAContactTooSoftForItsLoad)
 {
     JointMaterial joint = dry(30);
     joint.stiffness = {ContactStiffness::Kind::per_area, 1e5};  // sinks in by 2500 g 0.3 / 1e5 = 74 mm
@@ -72,7 +72,7 @@ TEST_P(Diagnosis, of_a_contact_too_soft_for_its_load)
 
 // A stone that stands on a toe of 10 mm and sinks into a soft joint: a shift by the toe's width would not part the
 // two, and the run must stop as for any other.
-TEST_P(Diagnosis, of_a_narrow_toe_that_sinks)
+TEST_P(Diagnosis, OfANarrowToeThatSinks)
 {
     JointMaterial joint = dry(30);
     joint.stiffness = {ContactStiffness::Kind::per_area, 1e6};
@@ -102,7 +102,7 @@ TEST_P(Diagnosis, of_a_narrow_toe_that_sinks)
 }
 
 // Where contacts were forgiven most of an overlap, a stiffer contact is no remedy.
-TEST_P(Diagnosis, of_an_overlap_that_was_forgiven)
+TEST_P(Diagnosis, OfAnOverlapThatWasForgiven)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     add_box(model, "one", {0, 0, 0}, {1, 1, 1});
@@ -121,7 +121,7 @@ TEST_P(Diagnosis, of_an_overlap_that_was_forgiven)
     }
 }
 
-TEST_P(Diagnosis, of_energy_that_nothing_accounts_for)
+TEST_P(Diagnosis, OfEnergyThatNothingAccountsFor)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     add_box(model, "comet", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
@@ -142,7 +142,7 @@ TEST_P(Diagnosis, of_energy_that_nothing_accounts_for)
     expect_in(diagnose(model, state, report).value(), "vanished");
 }
 
-TEST(DiagnosisOfEnergy, that_contacts_found_anew_gave_is_worth_a_warning_though_it_is_accounted_for)
+TEST(DiagnosisOfEnergy, ThatContactsFoundAnewGaveIsWorthAWarningThoughItIsAccountedFor)
 {
     EnergyLedger energy;
     energy.start_kinetic = energy.peak_stored = 100;
@@ -163,7 +163,7 @@ TEST(DiagnosisOfEnergy, that_contacts_found_anew_gave_is_worth_a_warning_though_
 
 // Ground that starts or stops dead strikes the structure: a stage that ends while it moves, and one that does not
 // start from rest. Only held directions count, and a smooth start is none.
-TEST_P(Diagnosis, of_ground_that_jumps_between_two_stages)
+TEST_P(Diagnosis, OfGroundThatJumpsBetweenTwoStages)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
@@ -192,7 +192,7 @@ TEST_P(Diagnosis, of_ground_that_jumps_between_two_stages)
 }
 
 // Beyond a tenth it is no answer any more.
-TEST_P(Diagnosis, of_energy_that_contacts_made)
+TEST_P(Diagnosis, OfEnergyThatContactsMade)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     add_box(model, "stone", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
@@ -207,7 +207,7 @@ TEST_P(Diagnosis, of_energy_that_contacts_made)
     expect_in(diagnose(model, initial_state(model), report).value(), "15 % of the energy came from contacts");
 }
 
-TEST_P(Diagnosis, of_places_that_are_no_numbers)
+TEST_P(Diagnosis, OfPlacesThatAreNoNumbers)
 {
     RunReport overflowed;
     overflowed.energy.contact = std::numeric_limits<double>::quiet_NaN();
@@ -221,7 +221,7 @@ TEST_P(Diagnosis, of_places_that_are_no_numbers)
 }
 
 // Each cause has its own sentence, with the block and a remedy.
-TEST(DiagnosisOfASteps, failure_names_cause_block_and_remedy)
+TEST(DiagnosisOfASteps, FailureNamesCauseBlockAndRemedy)
 {
     Model model = make_model(Kinematics::spatial_rigid, stone(), dry(30));
     add_box(model, "keystone", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});

@@ -25,7 +25,7 @@ BedPatch triangle(const std::array<Eigen::Vector2d, 3>& corners, double area)
 }  // namespace
 
 // The sides of the flat triangle, its longest one above all, are what the rectangle around the bed lies along.
-TEST(EdgeStress, does_not_depend_on_where_a_polygon_begins_nor_on_which_comes_first)
+TEST(EdgeStress, DoesNotDependOnWhereAPolygonBeginsNorOnWhichComesFirst)
 {
     const BedPatch flat = triangle({{{0, 0}, {2, 0}, {1, 0.5}}}, 0.5);
     const BedPatch small = triangle({{{1, 0.2}, {1.1, 0.23}, {1.02, 0.3}}}, 0.0044);

@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, JointOpenings, every_kinematics(), test_nam
 
 }  // namespace
 
-TEST_P(JointOpenings, a_closed_joint_is_open_by_nothing)
+TEST_P(JointOpenings, AClosedJointIsOpenByNothing)
 {
     ASSERT_EQ(joints_.size(), 1u);
     EXPECT_EQ(joints_[0].block_a, 0);
@@ -61,7 +61,7 @@ TEST_P(JointOpenings, a_closed_joint_is_open_by_nothing)
     EXPECT_NEAR(opening_of(joints_[0], model_, state_), 0, 1e-12);
 }
 
-TEST_P(JointOpenings, lifting_opens_and_sliding_does_not)
+TEST_P(JointOpenings, LiftingOpensAndSlidingDoesNot)
 {
     EXPECT_NEAR(opening_after({0, 0, 0.003}, 0), 0.003, 1e-12);
     EXPECT_NEAR(opening_after({0, 0, 1}, 0), 1, 1e-12);
@@ -71,7 +71,7 @@ TEST_P(JointOpenings, lifting_opens_and_sliding_does_not)
 
 // About its centroid, 0.2 m above the joint, the far corner rises by b sin a + h (1 - cos a) along the floor's
 // normal; along the stone's by the same but for a^2 b.
-TEST_P(JointOpenings, rocking_opens_by_the_rise_of_the_corner)
+TEST_P(JointOpenings, RockingOpensByTheRiseOfTheCorner)
 {
     const double angle = 0.01;
     const double rise = 0.5 * std::sin(angle) + 0.2 * (1 - std::cos(angle));
@@ -79,7 +79,7 @@ TEST_P(JointOpenings, rocking_opens_by_the_rise_of_the_corner)
     EXPECT_NEAR(opening_after({0, 0, 0}, -angle), rise, 0.5 * angle * angle);
 }
 
-TEST_P(JointOpenings, do_not_depend_on_where_the_whole_stands)
+TEST_P(JointOpenings, DoNotDependOnWhereTheWholeStands)
 {
     const double apart = opening_after({0.01, 0, 0.02}, 0.1);
     EXPECT_GT(apart, 0.05);

@@ -39,7 +39,7 @@ Cloud random_boxes(unsigned seed, int count, double spread)
 
 }  // namespace
 
-TEST(BroadPhase, finds_the_pairs_that_brute_force_finds)
+TEST(BroadPhase, FindsThePairsThatBruteForceFinds)
 {
     std::size_t found = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -62,7 +62,7 @@ TEST(BroadPhase, finds_the_pairs_that_brute_force_finds)
     EXPECT_GT(found, 1000U);
 }
 
-TEST(BroadPhase, misses_nothing_that_touches)
+TEST(BroadPhase, MissesNothingThatTouches)
 {
     std::size_t touching = 0;
     for (unsigned seed = 1; seed <= 5; ++seed) {
@@ -81,7 +81,7 @@ TEST(BroadPhase, misses_nothing_that_touches)
     EXPECT_GT(touching, 100U);
 }
 
-TEST(BroadPhase, parts_of_one_block_are_no_pair)
+TEST(BroadPhase, PartsOfOneBlockAreNoPair)
 {
     Model model = make_model(Kinematics::spatial_rigid, stone(), dry(30));
     model.blocks.push_back(
@@ -93,7 +93,7 @@ TEST(BroadPhase, parts_of_one_block_are_no_pair)
 }
 
 // The box of a turned, stretched block is that of its vertices where they are.
-TEST(BroadPhase, placed_parts_follow_the_map)
+TEST(BroadPhase, PlacedPartsFollowTheMap)
 {
     Model model = make_model(Kinematics::spatial_deformable, stone(), dry(30));
     add_box(model, "box", {-1, -0.5, -0.5}, {1, 0.5, 0.5});

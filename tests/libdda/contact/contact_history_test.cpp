@@ -30,7 +30,7 @@ void give_slip(State& state)
 
 }  // namespace
 
-TEST(ContactHistory, last_face_keeps_its_contact_against_a_slightly_better_one)
+TEST(ContactHistory, LastFaceKeepsItsContactAgainstASlightlyBetterOne)
 {
     // Two unit cubes overlapping at an edge: 1 mm in x, a little more or less in z.
     BoxOnFloor scene({1, 1, 1});
@@ -54,7 +54,7 @@ TEST(ContactHistory, last_face_keeps_its_contact_against_a_slightly_better_one)
     EXPECT_NEAR(std::abs(face_at(3e-3, z)->normal.x()), 1, 1e-12);
 }
 
-TEST(ContactHistory, features_and_slips_survive_sliding)
+TEST(ContactHistory, FeaturesAndSlipsSurviveSliding)
 {
     BoxOnFloor scene;
     for (const double start : {0.3, 1.8}) {  // wholly on the floor, and over its edge
@@ -78,7 +78,7 @@ TEST(ContactHistory, features_and_slips_survive_sliding)
     }
 }
 
-TEST(ContactHistory, slip_is_laid_into_the_new_tangent_plane)
+TEST(ContactHistory, SlipIsLaidIntoTheNewTangentPlane)
 {
     BoxOnFloor scene;
     scene.put({0, 0, 1 - 1e-4});
@@ -89,7 +89,7 @@ TEST(ContactHistory, slip_is_laid_into_the_new_tangent_plane)
 }
 
 // Over the edge of the floor the polygon gets new corners: they take what lies next to them, or the mean.
-TEST(ContactHistory, new_points_take_the_mean_slip_of_the_patch)
+TEST(ContactHistory, NewPointsTakeTheMeanSlipOfThePatch)
 {
     BoxOnFloor scene;
     scene.put({1.4, 0, 1 - 1e-4});
@@ -114,7 +114,7 @@ TEST(ContactHistory, new_points_take_the_mean_slip_of_the_patch)
 
 // What has only now come into touch has not been sheared: the shear force of the patch goes on as it was. Where
 // the patch shrinks, what has left takes its force along.
-TEST(ContactHistory, a_patch_that_grows_keeps_its_shear_force)
+TEST(ContactHistory, APatchThatGrowsKeepsItsShearForce)
 {
     const auto force_in = [](const ContactSet& contacts) {
         double force = 0;
@@ -139,7 +139,7 @@ TEST(ContactHistory, a_patch_that_grows_keeps_its_shear_force)
 
 // Corners come and go where a box passes an edge and comes back; as long as no area is gained or lost, no shear
 // force is.
-TEST(ContactHistory, new_corners_at_the_same_area_lose_no_shear_force)
+TEST(ContactHistory, NewCornersAtTheSameAreaLoseNoShearForce)
 {
     BoxOnFloor scene;
     const auto force = [&] {
@@ -167,7 +167,7 @@ TEST(ContactHistory, new_corners_at_the_same_area_lose_no_shear_force)
 
 // A box on its edge has the floor as reference. A history in which the box was the reference holds the slip of the
 // floor over the box: the same slip with the other sign.
-TEST(ContactHistory, slip_changes_sign_when_the_bodies_change_places)
+TEST(ContactHistory, SlipChangesSignWhenTheBodiesChangePlaces)
 {
     BoxOnFloor scene;
     scene.put({0, 0, 0.5 + std::sqrt(0.5) - 1e-4}, turned(45 * degrees, Vector3d::UnitY()));
@@ -187,7 +187,7 @@ TEST(ContactHistory, slip_changes_sign_when_the_bodies_change_places)
     }
 }
 
-TEST(ContactHistory, contact_that_ends_is_forgotten)
+TEST(ContactHistory, ContactThatEndsIsForgotten)
 {
     BoxOnFloor scene;
     scene.put({0, 0, 1 - 1e-4});

@@ -54,7 +54,7 @@ Vector3d centre_of(const ContactPolygon& polygon)
 }  // namespace
 
 // Area and centroid of a polygon in the plane by the shoelace formula, in its own two coordinates.
-TEST(TributaryAreas, keep_area_and_first_moment_of_random_convex_polygons)
+TEST(TributaryAreas, KeepAreaAndFirstMomentOfRandomConvexPolygons)
 {
     Random random(7);
     for (int trial = 0; trial < 200; ++trial) {
@@ -93,7 +93,7 @@ TEST(TributaryAreas, keep_area_and_first_moment_of_random_convex_polygons)
 }
 
 // A regular polygon shares its area equally.
-TEST(TributaryAreas, of_a_square_are_quarters)
+TEST(TributaryAreas, OfASquareAreQuarters)
 {
     std::vector<PolygonPoint> points(4);
     const Vector3d corners[4] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
@@ -102,7 +102,7 @@ TEST(TributaryAreas, of_a_square_are_quarters)
     for (const PolygonPoint& p : points) EXPECT_NEAR(p.area, 1, 1e-15);
 }
 
-TEST(FaceContact, shifted_box_touches_where_the_faces_overlap)
+TEST(FaceContact, ShiftedBoxTouchesWhereTheFacesOverlap)
 {
     Pair pair({2, 2, 1}, {1, 1, 1});
     for (const double shift : {0.0, 0.4, 0.9, 1.4}) {
@@ -119,7 +119,7 @@ TEST(FaceContact, shifted_box_touches_where_the_faces_overlap)
 }
 
 // Two unit squares turned by 45 degrees share a regular octagon of area 2 (sqrt 2 - 1).
-TEST(FaceContact, turned_box_touches_in_an_octagon)
+TEST(FaceContact, TurnedBoxTouchesInAnOctagon)
 {
     Pair pair({1, 1, 1}, {1, 1, 1});
     pair.put(1, {0, 0, 1}, turned(45 * degrees, Vector3d::UnitZ()));
@@ -129,7 +129,7 @@ TEST(FaceContact, turned_box_touches_in_an_octagon)
     for (const PolygonPoint& p : contact->points) EXPECT_NEAR(p.area, 2 * (std::numbers::sqrt2 - 1) / 8, 1e-12);
 }
 
-TEST(FaceContact, tilted_box_has_a_gap_that_follows_its_face)
+TEST(FaceContact, TiltedBoxHasAGapThatFollowsItsFace)
 {
     Pair pair({4, 4, 1}, {1, 1, 1});
     const double tilt = 0.01;
@@ -144,7 +144,7 @@ TEST(FaceContact, tilted_box_has_a_gap_that_follows_its_face)
     }
 }
 
-TEST(FaceContact, box_on_its_vertex_touches_with_that_vertex)
+TEST(FaceContact, BoxOnItsVertexTouchesWithThatVertex)
 {
     Pair pair({4, 4, 1}, {1, 1, 1});
     const Vector3d diagonal = Vector3d(1, 1, 1).normalized();
@@ -162,7 +162,7 @@ TEST(FaceContact, box_on_its_vertex_touches_with_that_vertex)
     for (const PolygonPoint& p : contact->points) EXPECT_TRUE(&p == &*lowest || p.gap > 0.3);
 }
 
-TEST(EdgeContact, crossing_edges_touch_in_one_point)
+TEST(EdgeContact, CrossingEdgesTouchInOnePoint)
 {
     Pair pair({4, 1, 1}, {1, 4, 1});  // bars along x and y, each on edge
     const double depth = 2e-3, height = std::numbers::sqrt2 - depth;
@@ -182,7 +182,7 @@ TEST(EdgeContact, crossing_edges_touch_in_one_point)
     EXPECT_FALSE(pair.contact());
 }
 
-TEST(FaceContact, ends_where_the_box_slides_off)
+TEST(FaceContact, EndsWhereTheBoxSlidesOff)
 {
     Pair pair({2, 2, 1}, {1, 1, 1});
     double last = 1;
@@ -198,7 +198,7 @@ TEST(FaceContact, ends_where_the_box_slides_off)
     EXPECT_FALSE(pair.contact());
 }
 
-TEST(FaceContact, diagonal_neighbours_do_not_touch)
+TEST(FaceContact, DiagonalNeighboursDoNotTouch)
 {
     Pair pair({1, 1, 1}, {1, 1, 1});
     for (const double gap : {0.0, 1e-9, -1e-9, 1e-7}) {
@@ -211,7 +211,7 @@ TEST(FaceContact, diagonal_neighbours_do_not_touch)
 
 // A box pressed 10 um into a floor slides onto the next, flush block. What the next block's side could push with
 // (depth x area) stays nothing beside what its top carries.
-TEST(FaceContact, the_side_of_a_flush_floor_is_not_touched)
+TEST(FaceContact, TheSideOfAFlushFloorIsNotTouched)
 {
     Pair pair({4, 4, 2}, {1, 1, 0.3});
     const double depth = 1e-5;
@@ -267,7 +267,7 @@ std::uint32_t incident_face(double bend, double tilt, std::optional<std::uint32_
     return found ? found->incident_feature : 99;
 }
 
-TEST(FaceContact, keeps_its_incident_face_while_another_is_hardly_more_opposed)
+TEST(FaceContact, KeepsItsIncidentFaceWhileAnotherIsHardlyMoreOpposed)
 {
     // Bent by 0.1 degrees and tilted to and fro by 0.02: without memory the faces take turns.
     const double bend = 0.1 * degrees, tilt = 0.02 * degrees;
@@ -281,7 +281,7 @@ TEST(FaceContact, keeps_its_incident_face_while_another_is_hardly_more_opposed)
     EXPECT_EQ(incident_face(bend, 2 * degrees, other), one);
 }
 
-TEST(FaceContact, glued_faces_are_never_touched)
+TEST(FaceContact, GluedFacesAreNeverTouched)
 {
     Model model = make_model(Kinematics::spatial_rigid, stone(), dry(30));
     ConvexPolyhedron part = make_box({-0.5, -0.5, -1}, {0.5, 0.5, 0});
@@ -311,7 +311,7 @@ TEST(FaceContact, glued_faces_are_never_touched)
     EXPECT_FALSE(contact_polygon(parts[0], parts[1], 1e-3, {}));
 }
 
-TEST(FaceContact, is_the_same_in_every_frame)
+TEST(FaceContact, IsTheSameInEveryFrame)
 {
     Random random(3);
     int touching = 0;

@@ -45,7 +45,7 @@ constexpr ContactStiffness::Kind per_area = ContactStiffness::Kind::per_area;
 }  // namespace
 
 // Shi's penalty: four corners of k each, whatever the floor is cut into.
-TEST(ContactStiffness, per_point_is_that_of_the_corners)
+TEST(ContactStiffness, PerPointIsThatOfTheCorners)
 {
     for (const int pieces : {1, 2, 3}) {
         const Floor floor(Kinematics::spatial_deformable, {per_point, 1e8}, true, pieces);
@@ -53,7 +53,7 @@ TEST(ContactStiffness, per_point_is_that_of_the_corners)
     }
 }
 
-TEST(ContactStiffness, per_area_is_k_times_area)
+TEST(ContactStiffness, PerAreaIsKTimesArea)
 {
     for (const int pieces : {1, 2, 3}) {
         const Floor floor(Kinematics::spatial_deformable, {per_area, 50e6}, true, pieces);
@@ -62,7 +62,7 @@ TEST(ContactStiffness, per_area_is_k_times_area)
 }
 
 // k = 2 f / (L_a/E + L_b/E), f = 10 (deformable) or 1 (rigid); a held floor adds no compliance.
-TEST(ContactStiffness, default_follows_modulus_and_depths)
+TEST(ContactStiffness, DefaultFollowsModulusAndDepths)
 {
     const ContactStiffness rule;
     const double young = 2e9, box = 0.4, floor = 1.2, area = 2;
@@ -74,7 +74,7 @@ TEST(ContactStiffness, default_follows_modulus_and_depths)
     }
 }
 
-TEST(ContactStiffness, factor_multiplies_every_spelling)
+TEST(ContactStiffness, FactorMultipliesEverySpelling)
 {
     for (const ContactStiffness& given :
          {ContactStiffness{}, ContactStiffness{per_point, 1e8}, ContactStiffness{per_area, 50e6}}) {
@@ -87,7 +87,7 @@ TEST(ContactStiffness, factor_multiplies_every_spelling)
 }
 
 // Where the spring ends up: a rigid box of weight W sinks W / (4 k).
-TEST(ContactStiffness, box_sinks_by_weight_over_stiffness)
+TEST(ContactStiffness, BoxSinksByWeightOverStiffness)
 {
     Floor floor(Kinematics::spatial_rigid, {per_point, 1e7}, true);
     const double start = centroid(floor.model, floor.state, 1).z();
@@ -99,7 +99,7 @@ TEST(ContactStiffness, box_sinks_by_weight_over_stiffness)
 
 // Shear springs are a share of the normal ones: a rigid sticking box moves mg sin a / (share x 4 k) down the
 // slope.
-TEST(ContactStiffness, shear_follows_its_share)
+TEST(ContactStiffness, ShearFollowsItsShare)
 {
     Floor floor(Kinematics::spatial_rigid, {per_point, 1e7}, true);
     floor.model.joints[0].shear_to_normal_stiffness = 0.25;

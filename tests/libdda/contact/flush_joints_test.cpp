@@ -46,7 +46,7 @@ Slide slide_over(Kinematics kinematics, int paving, double stiffness)
 }  // namespace
 
 // 0.56 m, so that either end of the stone crosses eleven joints, 2 mm a step.
-TEST_P(FlushJoints, of_a_pavement_neither_hold_a_stone_nor_let_it_sink)
+TEST_P(FlushJoints, OfAPavementNeitherHoldAStoneNorLetItSink)
 {
     for (const double stiffness : {1e8, 1e10}) {
         const Slide smooth = slide_over(GetParam(), 1, stiffness), paved = slide_over(GetParam(), 40, stiffness);

@@ -38,7 +38,7 @@ double pressed_energy(const ContactSet& contacts)
 }  // namespace
 
 // Corners keep their rest gap while they slide and when the bodies change places, and gaps count from there.
-TEST(RestGap, rest_gaps_stay_with_their_corners)
+TEST(RestGap, RestGapsStayWithTheirCorners)
 {
     BoxOnFloor scene;
     scene.put({0.3, 0, 1 + 5e-5});
@@ -61,7 +61,7 @@ TEST(RestGap, rest_gaps_stay_with_their_corners)
 }
 
 // A box that leaves the floor by its edge: the new corners there lie between the old ones, and so do their gaps.
-TEST(RestGap, rest_gaps_of_new_corners_lie_between_those_of_the_old)
+TEST(RestGap, RestGapsOfNewCornersLieBetweenThoseOfTheOld)
 {
     BoxOnFloor scene;
     scene.put({1.4, 0, 1 - 1e-4});
@@ -79,7 +79,7 @@ TEST(RestGap, rest_gaps_of_new_corners_lie_between_those_of_the_old)
 
 // Mortar fills a gap of up to 1e-4 of the stone. A joint that gapes by more at a corner is none: springs that
 // begin stretched would pull the stones together. An overlap that no mortar could be presses.
-TEST(RestGap, a_joint_is_bonded_if_it_is_closed_at_every_corner)
+TEST(RestGap, AJointIsBondedIfItIsClosedAtEveryCorner)
 {
     BoxOnFloor scene;
     scene.model.joints[0].cohesion = scene.model.joints[0].tensile_strength = 1e6;
@@ -102,7 +102,7 @@ TEST(RestGap, a_joint_is_bonded_if_it_is_closed_at_every_corner)
 // A contact that presses and goes over to another face has another area and depth from one step to the next: its
 // springs store what they stored. It is as stiff as ever, and presses again at once where the stones had parted
 // to.
-TEST(RestGap, a_contact_that_changes_its_face_gives_no_energy)
+TEST(RestGap, AContactThatChangesItsFaceGivesNoEnergy)
 {
     constexpr NewOverlap forgiven = NewOverlap::forgiven;
     for (const double share : {1e-6, 0.02, 0.5, 50.0}) {  // of the area that the contact had on the other face
@@ -136,7 +136,7 @@ TEST(RestGap, a_contact_that_changes_its_face_gives_no_energy)
 
 // A static stage after a dynamic one does not throw out at once what the dynamic one forgave: on the same face as
 // on another the stones keep it until they part. What is new there presses.
-TEST(RestGap, a_forgiven_overlap_outlives_a_change_to_a_stage_where_overlaps_press)
+TEST(RestGap, AForgivenOverlapOutlivesAChangeToAStageWhereOverlapsPress)
 {
     for (const int turned : {0, 1}) {
         BoxOnFloor scene;
@@ -168,7 +168,7 @@ TEST(RestGap, a_forgiven_overlap_outlives_a_change_to_a_stage_where_overlaps_pre
 }
 
 // Mortar stays, whatever face the stones turn to one another, and bonds are forgiven nothing.
-TEST(RestGap, rest_gaps_of_joints_that_break_stay_what_they_were)
+TEST(RestGap, RestGapsOfJointsThatBreakStayWhatTheyWere)
 {
     for (const bool intact : {false, true}) {
         BoxOnFloor scene;

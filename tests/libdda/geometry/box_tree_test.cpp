@@ -41,7 +41,7 @@ double time_of_a_tower(int count)
 
 }  // namespace
 
-TEST(BoxTree, finds_what_a_look_at_all_pairs_finds)
+TEST(BoxTree, FindsWhatALookAtAllPairsFinds)
 {
     for (const int count : {1, 2, 3, 500}) {
         const std::vector<AlignedBox3d> boxes = random_boxes(count, count < 10 ? 10 : 2);
@@ -59,7 +59,7 @@ TEST(BoxTree, finds_what_a_look_at_all_pairs_finds)
 }
 
 // Sixteen times the blocks take about twenty times the time; all pairs would take 256 times as much.
-TEST(BoxTree, of_a_tower_takes_time_in_proportion)
+TEST(BoxTree, OfATowerTakesTimeInProportion)
 {
     const double few = time_of_a_tower(4000), many = time_of_a_tower(64000);
     EXPECT_LT(many, 64 * few) << few;

@@ -273,7 +273,7 @@ TEST(GroundMotion, ScalingScalesEverything)
 }
 
 // The ground is where it starts: a survey's own zero does not throw it there.
-TEST(GroundMotion, counts_displacements_from_the_first_one)
+TEST(GroundMotion, CountsDisplacementsFromTheFirstOne)
 {
     const GroundMotion motion = GroundMotion::from_displacement({0.3, 0.3, 0.4, 0.5, 0.5}, 0.1, "survey");
     EXPECT_EQ(motion.displacement(0), 0);

@@ -77,7 +77,7 @@ Pairs chain(int rows)
 
 }  // namespace
 
-TEST(BlockMatrix, pattern_is_sorted_without_repeats_and_ends_on_the_diagonal)
+TEST(BlockMatrix, PatternIsSortedWithoutRepeatsAndEndsOnTheDiagonal)
 {
     BlockMatrix matrix;
     Pairs pairs{{3, 1}, {2, 0}, {3, 1}, {3, 0}};
@@ -93,7 +93,7 @@ TEST(BlockMatrix, pattern_is_sorted_without_repeats_and_ends_on_the_diagonal)
     EXPECT_EQ(matrix.values.size(), 7U * 144);
 }
 
-TEST(LinearSolver, agrees_with_dense_for_every_block_size)
+TEST(LinearSolver, AgreesWithDenseForEveryBlockSize)
 {
     for (const int n : {12, 6, 3}) {
         const System system(n, 20, random_pairs(20, 40, 5), 11);
@@ -111,7 +111,7 @@ TEST(LinearSolver, agrees_with_dense_for_every_block_size)
     }
 }
 
-TEST(LinearSolver, conjugate_gradients_stop_at_their_tolerance)
+TEST(LinearSolver, ConjugateGradientsStopAtTheirTolerance)
 {
     const System system(6, 30, random_pairs(30, 60, 2), 3);
     int last = 0;
@@ -128,7 +128,7 @@ TEST(LinearSolver, conjugate_gradients_stop_at_their_tolerance)
 }
 
 // The incomplete factor of a chain drops nothing: it is the factor.
-TEST(LinearSolver, conjugate_gradients_solve_a_chain_at_once)
+TEST(LinearSolver, ConjugateGradientsSolveAChainAtOnce)
 {
     for (const int n : {12, 6, 3}) {
         const System system(n, 40, chain(40), 17, 0.1);
@@ -142,7 +142,7 @@ TEST(LinearSolver, conjugate_gradients_solve_a_chain_at_once)
 }
 
 // One solver sees many patterns in a run; what it keeps must not show.
-TEST(LinearSolver, a_change_of_pattern_or_block_size_does_not_matter)
+TEST(LinearSolver, AChangeOfPatternOrBlockSizeDoesNotMatter)
 {
     const auto direct = make_cholmod_solver(), krylov = make_conjugate_gradient_solver(1e-12);
     const System systems[] = {System(6, 20, random_pairs(20, 40, 1), 1),
@@ -164,7 +164,7 @@ TEST(LinearSolver, a_change_of_pattern_or_block_size_does_not_matter)
         }
 }
 
-TEST(LinearSolver, an_indefinite_matrix_is_not_solved)
+TEST(LinearSolver, AnIndefiniteMatrixIsNotSolved)
 {
     const System system(6, 10, random_pairs(10, 20, 8), 9, -3);
     ASSERT_LT(system.dense.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0);
@@ -175,7 +175,7 @@ TEST(LinearSolver, an_indefinite_matrix_is_not_solved)
     }
 }
 
-TEST(LinearSolver, numbers_that_are_none_are_not_solved)
+TEST(LinearSolver, NumbersThatAreNoneAreNotSolved)
 {
     System system(6, 10, chain(10), 9);
     system.blocks.values[50] = std::numeric_limits<double>::quiet_NaN();
@@ -186,7 +186,7 @@ TEST(LinearSolver, numbers_that_are_none_are_not_solved)
     }
 }
 
-TEST(LinearSolver, automatic_falls_back_on_the_direct_solver)
+TEST(LinearSolver, AutomaticFallsBackOnTheDirectSolver)
 {
     // A tolerance of zero: the iteration cannot reach it, Cholesky does not ask.
     const System system(12, 20, random_pairs(20, 60, 4), 21, 1e-6);
@@ -199,7 +199,7 @@ TEST(LinearSolver, automatic_falls_back_on_the_direct_solver)
     EXPECT_LT(system.error_of(x), 1e-6);
 }
 
-TEST(LinearSolver, nothing_asked_nothing_moves)
+TEST(LinearSolver, NothingAskedNothingMoves)
 {
     System system(6, 10, chain(10), 9);
     system.right_hand_side.setZero();

@@ -40,7 +40,7 @@ double energy_of_points(const Vector3d& size, double density, const Matrix3d& ma
 
 }  // namespace
 
-TYPED_TEST(BlockStepping, mass_matrix_is_the_kinetic_energy_of_the_points)
+TYPED_TEST(BlockStepping, MassMatrixIsTheKineticEnergyOfThePoints)
 {
     Random random(4);
     for (int trial = 0; trial < 20; ++trial) {
@@ -62,7 +62,7 @@ TYPED_TEST(BlockStepping, mass_matrix_is_the_kinetic_energy_of_the_points)
 }
 
 // T(y)^T f does the work f . T(y) D, and T(y)^T C T(y) is its stiffness.
-TYPED_TEST(BlockStepping, forces_are_conjugate_to_the_unknowns)
+TYPED_TEST(BlockStepping, ForcesAreConjugateToTheUnknowns)
 {
     Random random(5);
     typename TypeParam::Unknowns d, forces = TypeParam::Unknowns::Zero(), other;
@@ -81,7 +81,7 @@ TYPED_TEST(BlockStepping, forces_are_conjugate_to_the_unknowns)
 }
 
 // Whatever the unknowns, the update keeps linear momentum m v + (2 m / h) u and angular momentum H + h moment.
-TYPED_TEST(BlockStepping, update_keeps_the_momentum)
+TYPED_TEST(BlockStepping, UpdateKeepsTheMomentum)
 {
     Random random(6);
     for (int trial = 0; trial < 20; ++trial) {
@@ -110,7 +110,7 @@ TYPED_TEST(BlockStepping, update_keeps_the_momentum)
 }
 
 // A free step of a strained, spinning block keeps its angular momentum, and its shape but for the vibration.
-TYPED_TEST(BlockStepping, prediction_carries_the_momentum)
+TYPED_TEST(BlockStepping, PredictionCarriesTheMomentum)
 {
     Random random(7);
     Model model = make_model(TypeParam::kinematics, stone(), dry(30));

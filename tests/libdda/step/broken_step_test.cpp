@@ -75,12 +75,12 @@ TYPED_TEST_SUITE(BrokenStep, All);
 
 }  // namespace
 
-TYPED_TEST(BrokenStep, that_is_not_broken_leaves_nothing)
+TYPED_TEST(BrokenStep, ThatIsNotBrokenLeavesNothing)
 {
     EXPECT_LT(run_with<TypeParam>({}).relative_residual(), 1e-6);
 }
 
-TYPED_TEST(BrokenStep, without_weight)
+TYPED_TEST(BrokenStep, WithoutWeight)
 {
     this->expect_noticed("weight dropped", {.in_equations = [](StepSystem<TypeParam>& system) {
                              for (BlockStep<TypeParam>& block : system.blocks) block.steady.setZero();
@@ -88,7 +88,7 @@ TYPED_TEST(BrokenStep, without_weight)
 }
 
 /// The moment that contacts exert does not reach the spin: a rotation update that loses it.
-TYPED_TEST(BrokenStep, without_the_moment_of_contact_forces)
+TYPED_TEST(BrokenStep, WithoutTheMomentOfContactForces)
 {
     Eigen::VectorXd whole;
     this->expect_noticed("moments of contacts dropped",
@@ -102,7 +102,7 @@ TYPED_TEST(BrokenStep, without_the_moment_of_contact_forces)
                           .in_the_book = [&](StepSystem<TypeParam>& system) { system.contact_force = whole; }});
 }
 
-TYPED_TEST(BrokenStep, with_half_the_friction_work)
+TYPED_TEST(BrokenStep, WithHalfTheFrictionWork)
 {
     this->expect_noticed("friction work halved", {.in_the_book = [](StepSystem<TypeParam>& system) {
                              for (PointStep<TypeParam::dimension>& point : system.contacts.points)
@@ -110,7 +110,7 @@ TYPED_TEST(BrokenStep, with_half_the_friction_work)
                          }});
 }
 
-TYPED_TEST(BrokenStep, without_the_force_of_dashpots)
+TYPED_TEST(BrokenStep, WithoutTheForceOfDashpots)
 {
     this->expect_noticed("dashpots not booked", {.in_the_book = [](StepSystem<TypeParam>& system) {
                              for (PointStep<TypeParam::dimension>& point : system.contacts.points)
@@ -118,7 +118,7 @@ TYPED_TEST(BrokenStep, without_the_force_of_dashpots)
                          }});
 }
 
-TYPED_TEST(BrokenStep, with_a_spin_that_gains_momentum)
+TYPED_TEST(BrokenStep, WithASpinThatGainsMomentum)
 {
     this->expect_noticed("spin gained", {.in_update = [](const StepSystem<TypeParam>& system, State& state) {
                              constexpr int n = TypeParam::unknowns, dimension = TypeParam::dimension;
@@ -127,7 +127,7 @@ TYPED_TEST(BrokenStep, with_a_spin_that_gains_momentum)
                          }});
 }
 
-TYPED_TEST(BrokenStep, that_moves_blocks_farther_than_its_forces)
+TYPED_TEST(BrokenStep, ThatMovesBlocksFartherThanItsForces)
 {
     this->expect_noticed("centroids moved too far",
                          {.in_update = [](const StepSystem<TypeParam>& system, State& state) {

@@ -49,7 +49,7 @@ double restitution(Kinematics kinematics, double damping_ratio, double omega_h, 
 }  // namespace
 
 // v = v0 exp(-c t), whatever the step; spin alike.
-TEST_P(Damped, rate_slows_a_free_flight_by_its_exponential)
+TEST_P(Damped, RateSlowsAFreeFlightByItsExponential)
 {
     const double rate = 2, duration = 0.7;
     for (const double h : {1e-3, 7e-3, 35e-3}) {
@@ -72,7 +72,7 @@ TEST_P(Damped, rate_slows_a_free_flight_by_its_exponential)
 }
 
 // The papers' factor per step depends on the step, which is why it is not the natural setting.
-TEST_P(Damped, factor_per_step_is_applied_once_a_step)
+TEST_P(Damped, FactorPerStepIsAppliedOnceAStep)
 {
     const Model model = lone_block(GetParam());
     State state = initial_state(model);
@@ -84,7 +84,7 @@ TEST_P(Damped, factor_per_step_is_applied_once_a_step)
 }
 
 // A free block in the air is dragged towards the ground's velocity, not towards rest.
-TEST_P(Damped, is_relative_to_the_moving_ground)
+TEST_P(Damped, IsRelativeToTheMovingGround)
 {
     Model model = lone_block(GetParam());
     hold(model, add_box(model, "ground", {-5, -5, -10}, {5, 5, -9}));
@@ -102,7 +102,7 @@ TEST_P(Damped, is_relative_to_the_moving_ground)
 }
 
 // Two supports that move apart: the block between them goes with the mean, whichever is written first.
-TEST_P(Damped, is_relative_to_the_mean_of_supports_that_move_differently)
+TEST_P(Damped, IsRelativeToTheMeanOfSupportsThatMoveDifferently)
 {
     Model model = lone_block(GetParam());
     hold(model, add_box(model, "left", {-5, -5, -10}, {0, 5, -9}));
@@ -121,7 +121,7 @@ TEST_P(Damped, is_relative_to_the_mean_of_supports_that_move_differently)
 }
 
 // One support stands still and another one moves: half of it, and rest where nothing has a motion.
-TEST_P(Damped, counts_a_support_that_stands_still)
+TEST_P(Damped, CountsASupportThatStandsStill)
 {
     Model model = lone_block(GetParam());
     hold(model, add_box(model, "left", {-5, -5, -10}, {0, 5, -9}));
@@ -137,7 +137,7 @@ TEST_P(Damped, counts_a_support_that_stands_still)
 
 // e = exp(-pi xi / sqrt(1 - xi^2)) for N = <-k (g + eta dg/dt)>, xi = eta omega / 2; Newmark's own loss adds omega
 // h / 4 to xi. Where the contact was found, the block being still in the air, must not matter.
-TEST_P(Damped, dashpot_gives_the_restitution_of_its_ratio)
+TEST_P(Damped, DashpotGivesTheRestitutionOfItsRatio)
 {
     for (const double xi : {0.1, 0.3, 0.6})
         for (const double gap : {0.01, 0.1}) {
@@ -148,13 +148,13 @@ TEST_P(Damped, dashpot_gives_the_restitution_of_its_ratio)
         }
 }
 
-TEST_P(Damped, dashpot_of_the_critical_ratio_lets_nothing_rebound)
+TEST_P(Damped, DashpotOfTheCriticalRatioLetsNothingRebound)
 {
     EXPECT_NEAR(restitution(GetParam(), 1.1, 0.02, 0.01), 0, 1e-3);
 }
 
 // A block on its edge turns about it freely: the corners in the air have no dashpot.
-TEST_P(Damped, dashpot_does_not_hold_corners_in_the_air)
+TEST_P(Damped, DashpotDoesNotHoldCornersInTheAir)
 {
     const auto fall = [&](double dashpot) {
         JointMaterial joint = dry(60);

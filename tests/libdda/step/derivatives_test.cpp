@@ -151,7 +151,7 @@ constexpr Variant variants[] = {
 
 }  // namespace
 
-TYPED_TEST(Derivatives, sticking_contact_has_the_stiffness_of_its_force)
+TYPED_TEST(Derivatives, StickingContactHasTheStiffnessOfItsForce)
 {
     for (const Variant& variant : variants) {
         ContactScene<TypeParam> scene(100, variant.dashpot, variant.integrator);
@@ -163,7 +163,7 @@ TYPED_TEST(Derivatives, sticking_contact_has_the_stiffness_of_its_force)
     }
 }
 
-TYPED_TEST(Derivatives, sliding_contact_has_it_up_to_the_normal_coupling)
+TYPED_TEST(Derivatives, SlidingContactHasItUpToTheNormalCoupling)
 {
     for (const Variant& variant : variants) {
         ContactScene<TypeParam> scene(0.01, variant.dashpot, variant.integrator);
@@ -178,7 +178,7 @@ TYPED_TEST(Derivatives, sliding_contact_has_it_up_to_the_normal_coupling)
     }
 }
 
-TYPED_TEST(Derivatives, contact_forces_are_in_balance)
+TYPED_TEST(Derivatives, ContactForcesAreInBalance)
 {
     ContactScene<TypeParam> scene(0.05, 1e-3, Integrator::newmark);
     const VectorXd d = small_unknowns(2 * TypeParam::unknowns, 4);
@@ -197,7 +197,7 @@ TYPED_TEST(Derivatives, contact_forces_are_in_balance)
 }
 
 // At an unstrained start the elastic force has no geometric part and its differences are the stiffness.
-TEST(Elasticity, force_has_the_stiffness_of_the_block)
+TEST(Elasticity, ForceHasTheStiffnessOfTheBlock)
 {
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
         Model model = make_model(Kinematics::spatial_deformable, stone(young), dry(30));
@@ -224,7 +224,7 @@ TEST(Elasticity, force_has_the_stiffness_of_the_block)
 }
 
 // Work over the step = growth of the stored energy + the integrator's loss, to rounding, for any strain.
-TEST(Elasticity, work_of_the_force_is_energy_plus_loss)
+TEST(Elasticity, WorkOfTheForceIsEnergyPlusLoss)
 {
     for (const double theta : {1.0, 0.1}) {
         Random random(6);
@@ -256,7 +256,7 @@ TEST(Elasticity, work_of_the_force_is_energy_plus_loss)
     }
 }
 
-TEST(Elasticity, energy_and_force_turn_with_the_block)
+TEST(Elasticity, EnergyAndForceTurnWithTheBlock)
 {
     const Matrix3d turn = Random(8).rotation();
     BlockStep<SpatialDeformable> blocks[2];
@@ -281,7 +281,7 @@ TEST(Elasticity, energy_and_force_turn_with_the_block)
     EXPECT_LT((turn * first * turn.transpose() - second).norm(), 1e-12 * first.norm());
 }
 
-TEST(Elasticity, a_block_turned_inside_out_is_refused)
+TEST(Elasticity, ABlockTurnedInsideOutIsRefused)
 {
     Model model = make_model(Kinematics::spatial_deformable, stone(young), dry(30));
     add_box(model, "box", {-0.5, -0.3, -0.2}, {0.5, 0.3, 0.2});

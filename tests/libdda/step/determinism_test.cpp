@@ -74,7 +74,7 @@ void step_on(const Model& model, const Stage& stage, int steps, State& state)
 }  // namespace
 
 // A wall of 204 blocks, whose contacts pass every threshold above which the engine uses threads.
-TEST_P(Determinism, threads_and_repetition_change_no_bit)
+TEST_P(Determinism, ThreadsAndRepetitionChangeNoBit)
 {
     const Model model = running_bond(GetParam(), 14, 14);
     EXPECT_EQ(model.blocks.size(), 204U);
@@ -88,7 +88,7 @@ TEST_P(Determinism, threads_and_repetition_change_no_bit)
 }
 
 // The same wall interrupted on one thread and continued on four.
-TEST_P(Determinism, a_restart_on_other_threads_changes_no_bit)
+TEST_P(Determinism, ARestartOnOtherThreadsChangesNoBit)
 {
     const Model model = running_bond(GetParam(), 14, 14);
     Stage stage = shaking(1, 2e-3);
@@ -105,7 +105,7 @@ TEST_P(Determinism, a_restart_on_other_threads_changes_no_bit)
 // What is promised of the order of the blocks: equal up to rounding, as long as the first of two touching blocks
 // stays the first. Sums over contacts run in another order, so the last bits may differ; with another first block
 // the reference faces change too (see invariance_test.cpp).
-TEST_P(Determinism, the_order_of_the_blocks_changes_no_more_than_rounding)
+TEST_P(Determinism, TheOrderOfTheBlocksChangesNoMoreThanRounding)
 {
     const Model model = running_bond(GetParam(), 14, 14);
     const std::vector<int> order = another_order(model);
@@ -131,7 +131,7 @@ TEST_P(Determinism, the_order_of_the_blocks_changes_no_more_than_rounding)
 }
 
 // Nothing in the Workspace may change a result: the second half starts with a fresh one.
-TEST_P(Determinism, a_restart_changes_no_bit)
+TEST_P(Determinism, ARestartChangesNoBit)
 {
     for (const LinearSolverKind solver :
          {LinearSolverKind::automatic, LinearSolverKind::cholmod, LinearSolverKind::conjugate_gradients}) {
@@ -150,7 +150,7 @@ TEST_P(Determinism, a_restart_changes_no_bit)
 }
 
 // The run, with its grid of times and cut steps, goes on from any state as if it had never stopped.
-TEST_P(Determinism, an_interrupted_run_goes_on_as_if_nothing_had_been)
+TEST_P(Determinism, AnInterruptedRunGoesOnAsIfNothingHadBeen)
 {
     const FewBlocks scene(GetParam(), {});
     Stage stage = shaking(0.12, 2e-3);
@@ -170,7 +170,7 @@ TEST_P(Determinism, an_interrupted_run_goes_on_as_if_nothing_had_been)
     EXPECT_EQ(hash_of(part), hash_of(whole));
 }
 
-TEST(Hash, sees_the_last_bit_of_everything_that_changes)
+TEST(Hash, SeesTheLastBitOfEverythingThatChanges)
 {
     FewBlocks scene(Kinematics::spatial_deformable, {});
     step_on(scene.model, shaking(1, 1e-3), 5, scene.state);

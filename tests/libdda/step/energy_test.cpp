@@ -21,7 +21,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, Energy, every_kinematics(), test_name);
 
 }  // namespace
 
-TEST_P(Energy, of_a_free_fall)
+TEST_P(Energy, OfAFreeFall)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     add_box(model, "block", {-0.5, -0.4, -0.3}, {0.5, 0.4, 0.3});
@@ -36,7 +36,7 @@ TEST_P(Energy, of_a_free_fall)
 }
 
 // Friction takes mu N times the distance; gravity gives m g times the drop.
-TEST_P(Energy, of_sliding_down_an_incline)
+TEST_P(Energy, OfSlidingDownAnIncline)
 {
     const Model model = block_on_plane(GetParam(), 20);
     State state = initial_state(model);
@@ -56,7 +56,7 @@ TEST_P(Energy, of_sliding_down_an_incline)
 }
 
 // A block carried along by a base that starts gently: the base does all the work, and it becomes motion.
-TEST_P(Energy, of_a_block_carried_by_a_moving_base)
+TEST_P(Energy, OfABlockCarriedByAMovingBase)
 {
     Model model = make_model(GetParam(), stone(), dry(50));
     hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
@@ -74,7 +74,7 @@ TEST_P(Energy, of_a_block_carried_by_a_moving_base)
 }
 
 // A base that lifts a block slowly does the work against gravity.
-TEST_P(Energy, of_a_block_lifted_by_its_base)
+TEST_P(Energy, OfABlockLiftedByItsBase)
 {
     Model model = make_model(GetParam(), stone(), dry(50));
     hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
@@ -95,7 +95,7 @@ TEST_P(Energy, of_a_block_lifted_by_its_base)
 }
 
 // A held block on springs stores W^2 / (2 K) when gravity has come on slowly.
-TEST_P(Energy, of_springs_under_a_weight)
+TEST_P(Energy, OfSpringsUnderAWeight)
 {
     JointMaterial joint = dry(30);
     joint.stiffness = {ContactStiffness::Kind::per_area, 1e8};
@@ -113,7 +113,7 @@ TEST_P(Energy, of_springs_under_a_weight)
 
 // Blocks that the model has within one another start with the energy of their springs, which throws them apart; no
 // contact made it.
-TEST_P(Energy, of_springs_that_are_pressed_at_the_start)
+TEST_P(Energy, OfSpringsThatArePressedAtTheStart)
 {
     JointMaterial joint = dry(30);
     joint.stiffness = {ContactStiffness::Kind::per_area, 1e9};
@@ -131,7 +131,7 @@ TEST_P(Energy, of_springs_that_are_pressed_at_the_start)
 }
 
 // Blocks that rock, slide and knock, shaken: the balance of everything, and how it reacts to a falsified term.
-TEST_P(Energy, residual_is_small_and_notices_a_missing_term)
+TEST_P(Energy, ResidualIsSmallAndNoticesAMissingTerm)
 {
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
         FewBlocks scene(GetParam(), {});
@@ -168,7 +168,7 @@ TEST_P(Energy, residual_is_small_and_notices_a_missing_term)
 
 // Contacts take 8 J, give 10, take 30, give 6: 10 is the most they gave between two moments, though on balance of
 // the whole run they never gave more than 2.
-TEST(EnergyLedger, what_contacts_took_is_no_credit_for_what_they_give)
+TEST(EnergyLedger, WhatContactsTookIsNoCreditForWhatTheyGive)
 {
     EnergyLedger energy;
     energy.kinetic = 50;
@@ -183,7 +183,7 @@ TEST(EnergyLedger, what_contacts_took_is_no_credit_for_what_they_give)
     EXPECT_EQ(energy.peak_stored, 50);
 }
 
-TEST(EnergyLedger, relative_residual_is_a_share_of_what_was_put_in_lost_or_stored)
+TEST(EnergyLedger, RelativeResidualIsAShareOfWhatWasPutInLostOrStored)
 {
     EnergyLedger energy;
     EXPECT_EQ(energy.relative_residual(), 0);

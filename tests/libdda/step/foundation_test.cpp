@@ -29,7 +29,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, Foundations, spatial_kinematics(), test_nam
 
 // The ground is the same whatever the step and the cuts: every held block stands at anchor + d(t) of the time
 // reached.
-TEST_P(Foundations, held_blocks_stand_where_the_ground_is)
+TEST_P(Foundations, HeldBlocksStandWhereTheGroundIs)
 {
     for (const double h : {1e-3, 7.3e-3}) {
         Model model = make_model(GetParam(), stone(), dry(30));
@@ -64,7 +64,7 @@ TEST_P(Foundations, held_blocks_stand_where_the_ground_is)
 }
 
 // x free, all else held, under a body acceleration a sin(w t): x'' = a sin(w t), x = a/w t - a/w^2 sin(w t).
-TEST_P(Foundations, free_component_follows_its_body_acceleration)
+TEST_P(Foundations, FreeComponentFollowsItsBodyAcceleration)
 {
     const double amplitude = 4, frequency = 2.5, w = 2 * std::numbers::pi * frequency, end = 0.6;
     const double exact = amplitude / w * end - amplitude / (w * w) * std::sin(w * end);
@@ -96,7 +96,7 @@ TEST_P(Foundations, free_component_follows_its_body_acceleration)
 }
 
 // The load's share at the start of the step makes the energy-decaying integrator nearly second order.
-TEST_P(Foundations, body_acceleration_is_more_exact_with_the_energy_decaying_integrator)
+TEST_P(Foundations, BodyAccelerationIsMoreExactWithTheEnergyDecayingIntegrator)
 {
     const double amplitude = 4, frequency = 2.5, w = 2 * std::numbers::pi * frequency, end = 0.6;
     const double exact = amplitude / w * end - amplitude / (w * w) * std::sin(w * end);
@@ -115,7 +115,7 @@ TEST_P(Foundations, body_acceleration_is_more_exact_with_the_energy_decaying_int
 }
 
 // A stage begins where the foundations stand: a second stage with a motion of its own does not jump back.
-TEST_P(Foundations, the_next_stage_starts_where_the_last_one_ended)
+TEST_P(Foundations, TheNextStageStartsWhereTheLastOneEnded)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
     hold(model, add_box(model, "base", {-1, -1, -1}, {1, 1, 0}));
@@ -129,7 +129,7 @@ TEST_P(Foundations, the_next_stage_starts_where_the_last_one_ended)
 }
 
 // A base under an eccentric load, on springs: with its rotation held it sinks level, else it tilts.
-TEST_P(Foundations, held_rotation_keeps_a_block_level_under_an_eccentric_load)
+TEST_P(Foundations, HeldRotationKeepsABlockLevelUnderAnEccentricLoad)
 {
     for (const bool rotation_held : {true, false}) {
         Model model = make_model(GetParam(), stone(), dry(30));

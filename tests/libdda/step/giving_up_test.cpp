@@ -43,7 +43,7 @@ Stage impossible()
 
 }  // namespace
 
-TEST_P(GivingUp, leaves_the_state_untouched_and_names_the_block)
+TEST_P(GivingUp, LeavesTheStateUntouchedAndNamesTheBlock)
 {
     Knock knock(GetParam());
     const std::uint64_t before = hash_of(knock.state);
@@ -57,7 +57,7 @@ TEST_P(GivingUp, leaves_the_state_untouched_and_names_the_block)
     EXPECT_EQ(report.energy.gravity_work, 0);
 }
 
-TEST_P(GivingUp, keeps_the_last_good_state_in_the_middle_of_a_run)
+TEST_P(GivingUp, KeepsTheLastGoodStateInTheMiddleOfARun)
 {
     FewBlocks scene(GetParam(), {});
     Stage good = shaking(0.02, 1e-3), bad = shaking(0.02, 1e-3);
@@ -74,7 +74,7 @@ TEST_P(GivingUp, keeps_the_last_good_state_in_the_middle_of_a_run)
 }
 
 // Cutting is the last resort, and counted: with a smaller least step the same scene gets through.
-TEST_P(GivingUp, does_not_happen_while_the_step_can_be_cut)
+TEST_P(GivingUp, DoesNotHappenWhileTheStepCanBeCut)
 {
     FewBlocks scene(GetParam(), {});
     Stage stage = shaking(0.02, 1e-3);
@@ -90,7 +90,7 @@ TEST_P(GivingUp, does_not_happen_while_the_step_can_be_cut)
 }
 
 // A structure that cannot stand is no equilibrium: the static stage says so instead of going on for ever.
-TEST_P(GivingUp, static_stage_of_a_mechanism)
+TEST_P(GivingUp, StaticStageOfAMechanism)
 {
     const Model model = block_on_plane(GetParam(), 20);
     State state = initial_state(model);
@@ -103,7 +103,7 @@ TEST_P(GivingUp, static_stage_of_a_mechanism)
     EXPECT_GT(report.static_unbalanced, 0.1);
 }
 
-TEST_P(GivingUp, is_not_what_a_request_to_stop_is)
+TEST_P(GivingUp, IsNotWhatARequestToStopIs)
 {
     Knock knock(GetParam());
     RunObserver observer;

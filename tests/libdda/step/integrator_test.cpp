@@ -123,7 +123,7 @@ Model running_bond_wall(Kinematics kinematics, int courses, int stones)
 
 // One step multiplies the phase-space area by det = (1 + W^2 (1 - theta)/4) / (1 + W^2 (1 + theta)/4), W = omega
 // h, so that xi = -ln(det) / (2 W), theta W / 4 for small W.
-TEST(Integrator, damping_ratio_against_omega_h)
+TEST(Integrator, DampingRatioAgainstOmegaH)
 {
     const auto exact = [](double theta, double w) {
         return -std::log((1 + w * w * (1 - theta) / 4) / (1 + w * w * (1 + theta) / 4)) / (2 * w);
@@ -140,7 +140,7 @@ TEST(Integrator, damping_ratio_against_omega_h)
         }
 }
 
-TEST(Integrator, impact_never_gains_energy)
+TEST(Integrator, ImpactNeverGainsEnergy)
 {
     std::printf("drop of 3 m, h = 1 ms: first rebound [m]\n  N/m per corner   newmark   energy_decaying\n");
     for (const double k : {1e9, 1e11, 1e13}) {
@@ -154,7 +154,7 @@ TEST(Integrator, impact_never_gains_energy)
     }
 }
 
-TEST(Integrator, shaken_wall_never_gains_energy)
+TEST(Integrator, ShakenWallNeverGainsEnergy)
 {
     double duration = 1;
 #if defined(__SANITIZE_ADDRESS__)
@@ -196,7 +196,7 @@ TEST(Integrator, shaken_wall_never_gains_energy)
 }
 
 // Where no contact changes its state a step is one linear problem: whatever the integrator, one solve.
-TEST(Integrator, takes_one_iteration_where_no_contact_changes)
+TEST(Integrator, TakesOneIterationWhereNoContactChanges)
 {
     for (const Kinematics kinematics : {Kinematics::spatial_rigid, Kinematics::planar_rigid})
         for (const double dissipation : {-1.0, 0.0, 0.1, 1.0}) {  // -1: newmark

@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, Invariance, spatial_kinematics(), test_name
 
 }  // namespace
 
-TEST_P(Invariance, the_scene_is_worth_comparing)
+TEST_P(Invariance, TheSceneIsWorthComparing)
 {
     const Ending plain = end_of(GetParam(), {});
     EXPECT_GT(plain.friction, 100);
@@ -73,14 +73,14 @@ TEST_P(Invariance, the_scene_is_worth_comparing)
     EXPECT_GT((plain.attitudes[4] - Eigen::Matrix3d::Identity()).norm(), 1e-2);
 }
 
-TEST_P(Invariance, of_the_frame)
+TEST_P(Invariance, OfTheFrame)
 {
     Telling turned_scene;
     turned_scene.rotation = turned(0.7, {1, 2, -0.5});
     expect_same(end_of(GetParam(), {}), end_of(GetParam(), turned_scene), 1e-8, "turned by 0.7 rad");
 }
 
-TEST_P(Invariance, of_the_place)
+TEST_P(Invariance, OfThePlace)
 {
     Telling moved;
     moved.offset = {1000, -700, 300};
@@ -88,7 +88,7 @@ TEST_P(Invariance, of_the_place)
     expect_same(end_of(GetParam(), {}), end_of(GetParam(), moved), 1e-7, "moved by 1 km");
 }
 
-TEST_P(Invariance, of_the_unit_of_length)
+TEST_P(Invariance, OfTheUnitOfLength)
 {
     Telling millimetres;
     millimetres.scale = 1000;
@@ -96,7 +96,7 @@ TEST_P(Invariance, of_the_unit_of_length)
 }
 
 // While the first of two touching blocks stays the first, order is only where a number is stored.
-TEST_P(Invariance, of_the_order_of_the_blocks)
+TEST_P(Invariance, OfTheOrderOfTheBlocks)
 {
     Telling shuffled;
     shuffled.order = {0, 1, 2, 4, 3};
@@ -105,14 +105,14 @@ TEST_P(Invariance, of_the_order_of_the_blocks)
 
 // Of two touching blocks that claim the reference face with equal right the first has it: another first block is
 // another, equally good discretisation. The difference is one of method, not of rounding.
-TEST_P(Invariance, of_the_order_of_the_blocks_up_to_the_choice_of_reference_faces)
+TEST_P(Invariance, OfTheOrderOfTheBlocksUpToTheChoiceOfReferenceFaces)
 {
     Telling shuffled;
     shuffled.order = {3, 1, 4, 0, 2};
     expect_same(end_of(GetParam(), {}), end_of(GetParam(), shuffled), 1e-3, "blocks in an order that swaps faces");
 }
 
-TEST_P(Invariance, of_the_linear_solver)
+TEST_P(Invariance, OfTheLinearSolver)
 {
     expect_same(end_of(GetParam(), {}), end_of(GetParam(), {}, LinearSolverKind::conjugate_gradients), 1e-8,
                 "conjugate gradients instead of Cholesky");

@@ -30,7 +30,7 @@ Model stone_above_shelf(Kinematics kinematics, double gap)
 
 }  // namespace
 
-TEST_P(MissedContacts, a_stone_above_a_shelf_comes_to_rest_on_it)
+TEST_P(MissedContacts, AStoneAboveAShelfComesToRestOnIt)
 {
     for (const double gap : {1e-4, 1e-3, 5e-3, 0.2, 3.0}) {
         const Model model = stone_above_shelf(GetParam(), gap);
@@ -43,7 +43,7 @@ TEST_P(MissedContacts, a_stone_above_a_shelf_comes_to_rest_on_it)
 }
 
 // A ball shot at a thin wall by a force that acts within the step: its velocity at the start does not tell.
-TEST_P(MissedContacts, a_stone_that_is_pushed_hard_stops_at_a_thin_wall)
+TEST_P(MissedContacts, AStoneThatIsPushedHardStopsAtAThinWall)
 {
     Model model = make_model(GetParam(), stone(), dry(0));
     hold(model, add_box(model, "wall", {1, -2, -2}, {1.01, 2, 2}));

@@ -83,14 +83,14 @@ double largest_slide(const Wall& wall)
 
 }  // namespace
 
-TEST(ConvexPolygon, is_turned_the_right_way_round_and_loses_corners_on_straight_lines)
+TEST(ConvexPolygon, IsTurnedTheRightWayRoundAndLosesCornersOnStraightLines)
 {
     const ConvexPolygon square = make_convex_polygon({{0, 0}, {0, 1}, {0, 2}, {2, 2}, {2, 0}});
     EXPECT_EQ(square.vertices.size(), 4U);
     EXPECT_NEAR(twice_area(square), 8, 1e-15);
 }
 
-TEST(ConvexPolygon, refuses_what_is_none)
+TEST(ConvexPolygon, RefusesWhatIsNone)
 {
     EXPECT_THROW(make_convex_polygon({{0, 0}, {1, 0}}), InputError);
     EXPECT_THROW(make_convex_polygon({{0, 0}, {1, 0}, {2, 0}}), InputError);
@@ -102,7 +102,7 @@ TEST(ConvexPolygon, refuses_what_is_none)
     EXPECT_THROW(make_convex_polygon(star), InputError);
 }
 
-TEST(ConvexPolygon, moments_are_those_of_the_prism)
+TEST(ConvexPolygon, MomentsAreThoseOfThePrism)
 {
     const std::vector<Vector2d> outline{{1e5, 3}, {1e5 + 2, 3.5}, {1e5 + 1.5, 5}, {1e5 + 0.2, 4.4}};
     std::vector<Vector3d> vertices;
@@ -124,7 +124,7 @@ TEST(ConvexPolygon, moments_are_those_of_the_prism)
                  InputError);
 }
 
-TEST(SegmentContact, of_a_level_box_is_its_edge)
+TEST(SegmentContact, OfALevelBoxIsItsEdge)
 {
     const auto contact = contact_of({0.3, 0.25 - 1e-4}, 0);
     ASSERT_TRUE(contact);
@@ -137,7 +137,7 @@ TEST(SegmentContact, of_a_level_box_is_its_edge)
     }
 }
 
-TEST(SegmentContact, is_clipped_where_the_box_juts_out)
+TEST(SegmentContact, IsClippedWhereTheBoxJutsOut)
 {
     const auto contact = contact_of({1.8, 0.25}, 0);
     ASSERT_TRUE(contact);
@@ -145,7 +145,7 @@ TEST(SegmentContact, is_clipped_where_the_box_juts_out)
     EXPECT_NEAR(std::max(contact->points[0].position.x(), contact->points[1].position.x()), 2, 1e-12);
 }
 
-TEST(SegmentContact, of_a_tilted_box_opens_along_its_edge)
+TEST(SegmentContact, OfATiltedBoxOpensAlongItsEdge)
 {
     const double tilt = 0.02;
     const auto contact = contact_of({0, 0.25 * std::cos(tilt) + 0.5 * std::sin(tilt)}, tilt);
@@ -154,7 +154,7 @@ TEST(SegmentContact, of_a_tilted_box_opens_along_its_edge)
     EXPECT_NEAR(std::max(contact->points[0].gap, contact->points[1].gap), std::sin(tilt), 1e-12);
 }
 
-TEST(SegmentContact, ends_beyond_the_margin_and_beside_the_edge)
+TEST(SegmentContact, EndsBeyondTheMarginAndBesideTheEdge)
 {
     EXPECT_FALSE(contact_of({0, 0.25 + 0.11}, 0));
     EXPECT_FALSE(contact_of({2.6, 0.25}, 0));
@@ -162,7 +162,7 @@ TEST(SegmentContact, ends_beyond_the_margin_and_beside_the_edge)
 }
 
 // Two points of half the length are the four corners of the spatial block seen from the side: the same equations.
-TEST(Planar, rigid_wall_moves_like_the_spatial_one)
+TEST(Planar, RigidWallMovesLikeTheSpatialOne)
 {
     const Wall plane(Kinematics::planar_rigid, PlaneCondition::strain, 0.4);
     const Wall space(Kinematics::spatial_rigid, PlaneCondition::strain, 0.4);
@@ -177,7 +177,7 @@ TEST(Planar, rigid_wall_moves_like_the_spatial_one)
 }
 
 // A spatial wall one block thick is free to bulge: plane stress, up to its inertia across.
-TEST(Planar, deformable_wall_in_plane_stress_moves_like_the_spatial_one)
+TEST(Planar, DeformableWallInPlaneStressMovesLikeTheSpatialOne)
 {
     const Wall stress(Kinematics::planar_deformable, PlaneCondition::stress, 0.4);
     const Wall space(Kinematics::spatial_deformable, PlaneCondition::strain, 0.4);
@@ -189,7 +189,7 @@ TEST(Planar, deformable_wall_in_plane_stress_moves_like_the_spatial_one)
 
 // Pressed between two plates by its weight: e_zz = (1 - nu^2) s/E in plane strain, s/E in plane stress; the stress
 // across is nu s in plane strain and 0 in plane stress.
-TEST(Planar, plane_strain_and_plane_stress_of_a_pressed_block)
+TEST(Planar, PlaneStrainAndPlaneStressOfAPressedBlock)
 {
     for (const PlaneCondition plane : {PlaneCondition::strain, PlaneCondition::stress}) {
         Model model = make_model(Kinematics::planar_deformable, {"stone", 2500, 1e9, 0.3}, dry(0));
@@ -210,7 +210,7 @@ TEST(Planar, plane_strain_and_plane_stress_of_a_pressed_block)
 }
 
 // A free turn in the plane is exact: no energy, momentum or shape is lost in 100 turns.
-TEST(Planar, spin_is_exact)
+TEST(Planar, SpinIsExact)
 {
     for (const Kinematics kinematics : {Kinematics::planar_rigid, Kinematics::planar_deformable}) {
         Model model = make_model(kinematics, {"stone", 2400, 4.5e9, 0.25}, dry(30));
@@ -230,7 +230,7 @@ TEST(Planar, spin_is_exact)
 }
 
 // What a planar scene does not pay: numbers of the state, entries of the factor, bytes of a contact point.
-TEST(Planar, costs_less_than_the_spatial_scene)
+TEST(Planar, CostsLessThanTheSpatialScene)
 {
     const Wall plane(Kinematics::planar_rigid, PlaneCondition::strain, 0.01);
     const Wall space(Kinematics::spatial_rigid, PlaneCondition::strain, 0.01);

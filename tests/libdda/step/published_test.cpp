@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, Published, spatial_kinematics(), test_name)
 
 }  // namespace
 
-TEST_P(Published, incline_is_within_a_few_percent)
+TEST_P(Published, InclineIsWithinAFewPercent)
 {
     const Model model = block_on_plane(GetParam(), 20);
     State state = initial_state(model);
@@ -45,7 +45,7 @@ TEST_P(Published, incline_is_within_a_few_percent)
 
 // From rest under its own weight: dropped onto its contacts a deformable block slips by millimetres in this
 // scheme.
-TEST_P(Published, block_that_must_stick_sticks)
+TEST_P(Published, BlockThatMustStickSticks)
 {
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
         const Model model = block_on_plane(GetParam(), 50);
@@ -63,7 +63,7 @@ TEST_P(Published, block_that_must_stick_sticks)
 }
 
 // Friction follows the normal force one pass behind, also while no state switches: gravity doubles on the way.
-TEST_P(Published, friction_follows_the_normal_force)
+TEST_P(Published, FrictionFollowsTheNormalForce)
 {
     const Model model = block_on_plane(GetParam(), 20);
     State state = initial_state(model);
@@ -78,7 +78,7 @@ TEST_P(Published, friction_follows_the_normal_force)
 }
 
 // And it turns with the sliding: a block pushed sideways while it slides curves on.
-TEST_P(Published, friction_follows_the_direction_of_sliding)
+TEST_P(Published, FrictionFollowsTheDirectionOfSliding)
 {
     Vector3d place[2];
     for (const OpenClose scheme : {OpenClose::newton, OpenClose::published}) {

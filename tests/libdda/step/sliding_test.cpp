@@ -12,7 +12,7 @@ class Sliding : public ::testing::TestWithParam<Kinematics>
 INSTANTIATE_TEST_SUITE_P(Kinematics, Sliding, every_kinematics(), test_name);
 
 // s = g (sin a - cos a tan phi) t^2 / 2 from rest.
-TEST_P(Sliding, incline_follows_the_closed_form)
+TEST_P(Sliding, InclineFollowsTheClosedForm)
 {
     const Model model = block_on_plane(GetParam(), 20);
     State state = initial_state(model);
@@ -33,7 +33,7 @@ TEST_P(Sliding, incline_follows_the_closed_form)
 
 // mu = m0 + c v gives v' = d - r v with d = g (sin a - m0 cos a), r = c g cos a:
 // s = d / r (t - (1 - e^{-rt}) / r). It may weaken (c < 0) as well.
-TEST_P(Sliding, friction_follows_the_speed_of_slip_to_second_order)
+TEST_P(Sliding, FrictionFollowsTheSpeedOfSlipToSecondOrder)
 {
     const double angle = 30 * degrees, at_rest = std::tan(20 * degrees);
     for (const double slope : {0.4, -0.1}) {  // s/m
@@ -66,7 +66,7 @@ TEST_P(Sliding, friction_follows_the_speed_of_slip_to_second_order)
 }
 
 // Static stages have pseudo steps and no speeds: friction is that at rest whatever the step.
-TEST_P(Sliding, friction_in_static_stages_is_that_at_rest)
+TEST_P(Sliding, FrictionInStaticStagesIsThatAtRest)
 {
     for (const double h : {1e-3, 1.0}) {
         Model model = block_on_plane(GetParam(), 30);
@@ -78,7 +78,7 @@ TEST_P(Sliding, friction_in_static_stages_is_that_at_rest)
     }
 }
 
-TEST_P(Sliding, block_that_must_stick_does_not_creep)
+TEST_P(Sliding, BlockThatMustStickDoesNotCreep)
 {
     const Model model = block_on_plane(GetParam(), 50);
     State state = initial_state(model);
@@ -96,7 +96,7 @@ TEST_P(Sliding, block_that_must_stick_does_not_creep)
 }
 
 // x = v t - mu g t^2 / 2 over two floor blocks whose tops are flush.
-TEST_P(Sliding, box_passes_the_joint_of_a_flush_floor)
+TEST_P(Sliding, BoxPassesTheJointOfAFlushFloor)
 {
     for (const double h : {1e-3, 5e-3}) {
         Model model = make_model(GetParam(), stone(), dry(std::atan(0.3) / degrees));
@@ -123,7 +123,7 @@ TEST_P(Sliding, box_passes_the_joint_of_a_flush_floor)
 }
 
 // Thrown along a level floor a box stops after v^2 / (2 mu g), wherever in a step that is, and stays.
-TEST_P(Sliding, box_stops_inside_a_step)
+TEST_P(Sliding, BoxStopsInsideAStep)
 {
     for (const bool divide : {true, false}) {
         const Model model = block_on_plane(GetParam(), std::atan(0.3) / degrees);
@@ -154,7 +154,7 @@ TEST_P(Sliding, box_stops_inside_a_step)
 }
 
 // A joint between blocks that tremble turns round at each of their vibrations; steps must not follow all of them.
-TEST_P(Sliding, a_tower_that_trembles_divides_a_step_only_so_often)
+TEST_P(Sliding, ATowerThatTremblesDividesAStepOnlySoOften)
 {
     Model model = make_model(GetParam(), stone(), dry(25));
     hold(model, add_box(model, "floor", {-1, -1, -1}, {1, 1, 0}));

@@ -48,7 +48,7 @@ Tumbling tumble(Kinematics kinematics, double h, double turns)
 
 }  // namespace
 
-TEST(Spin, rigid_block_keeps_momentum_volume_and_energy)
+TEST(Spin, RigidBlockKeepsMomentumVolumeAndEnergy)
 {
     const Tumbling coarse = tumble(Kinematics::spatial_rigid, 1e-2, 20);
     const Tumbling fine = tumble(Kinematics::spatial_rigid, 5e-3, 20);
@@ -63,7 +63,7 @@ TEST(Spin, rigid_block_keeps_momentum_volume_and_energy)
 }
 
 // Centrifugal volume strain (1 - 2 nu)/E rho w^2 (Lx^2 + Ly^2)/12, for the axis where it is largest.
-TEST(Spin, deformable_block_stretches_no_more_than_it_should)
+TEST(Spin, DeformableBlockStretchesNoMoreThanItShould)
 {
     const Tumbling full = tumble(Kinematics::spatial_deformable, 5e-3, 100);
     const double strain = (1 - 2 * 0.25) / 4.5e9 * 2400 * spin_rate * spin_rate * (1 + 0.36) / 12;

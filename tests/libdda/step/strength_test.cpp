@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, BondedAsItStands, every_kinematics(), test_
 }  // namespace
 
 // A block hung below a held one: breaks when its weight is sigma_t A.
-TEST_P(Strength, hung_block_falls_when_its_weight_exceeds_the_tensile_strength)
+TEST_P(Strength, HungBlockFallsWhenItsWeightExceedsTheTensileStrength)
 {
     const double strength = 30e3;
     Model model = make_model(GetParam(), stone(), mortar(35, 50e3, strength));
@@ -110,7 +110,7 @@ TEST_P(Strength, hung_block_falls_when_its_weight_exceeds_the_tensile_strength)
 
 // However soft the joint: it stretches by 15 mm, far more than stones that only touch are looked for, and no more
 // of it is lost.
-TEST_P(Strength, soft_bonds_break_by_their_strength_and_not_before)
+TEST_P(Strength, SoftBondsBreakByTheirStrengthAndNotBefore)
 {
     const double strength = 30e3;
     JointMaterial soft = mortar(35, 50e3, strength);
@@ -123,7 +123,7 @@ TEST_P(Strength, soft_bonds_break_by_their_strength_and_not_before)
     EXPECT_NEAR(g.middle(), exact, 1e-2 * exact);
 }
 
-TEST_P(Strength, hung_block_hangs_still_and_then_falls_freely)
+TEST_P(Strength, HungBlockHangsStillAndThenFallsFreely)
 {
     Model model = make_model(GetParam(), stone(), mortar(35, 50e3, 30e3));
     hold(model, add_box(model, "above", {-2, -2, 0}, {2, 2, 1}));
@@ -148,7 +148,7 @@ TEST_P(Strength, hung_block_hangs_still_and_then_falls_freely)
 }
 
 // A block glued sideways to a wall: bending m g L / 2 against sigma_t W. Shear is kept out by a high cohesion.
-TEST_P(Strength, cantilever_breaks_at_the_moment_of_linear_stress)
+TEST_P(Strength, CantileverBreaksAtTheMomentOfLinearStress)
 {
     const double strength = 200e3, length = 1, depth = 0.3, width = 0.5;
     Model model = make_model(GetParam(), stone(), mortar(35, 1e9, strength));
@@ -162,7 +162,7 @@ TEST_P(Strength, cantilever_breaks_at_the_moment_of_linear_stress)
 }
 
 // The same for prisms: a regular polygon has the section modulus I / r, r to the corner that opens first.
-TEST_P(Strength, prism_on_its_side_breaks_at_the_moment_of_linear_stress)
+TEST_P(Strength, PrismOnItsSideBreaksAtTheMomentOfLinearStress)
 {
     for (const int corners : {3, 4, 6, 8}) {
         const double strength = 200e3, length = 1;
@@ -185,7 +185,7 @@ TEST_P(Strength, prism_on_its_side_breaks_at_the_moment_of_linear_stress)
 }
 
 // On an incline a bonded block holds up to c A + mu N.
-TEST_P(Strength, incline_holds_up_to_cohesion_plus_friction)
+TEST_P(Strength, InclineHoldsUpToCohesionPlusFriction)
 {
     const double cohesion = 10e3;
     Model model = make_model(GetParam(), stone(), mortar(20, cohesion, 27e3));
@@ -200,7 +200,7 @@ TEST_P(Strength, incline_holds_up_to_cohesion_plus_friction)
 }
 
 // Once broken, friction is all that is left, and the joint does not heal.
-TEST_P(Strength, broken_joint_slides_like_a_dry_one)
+TEST_P(Strength, BrokenJointSlidesLikeADryOne)
 {
     Model model = make_model(GetParam(), stone(), mortar(20, 1e3, 2.7e3));
     hold(model, add_box(model, "plane", {-5, -5, -1}, {25, 5, 0}));
@@ -227,7 +227,7 @@ TEST_P(Strength, broken_joint_slides_like_a_dry_one)
 }
 
 // All reach their strength in the same step, whatever its length: each gets its own iterations.
-TEST_P(Strength, any_number_of_joints_may_break_at_once)
+TEST_P(Strength, AnyNumberOfJointsMayBreakAtOnce)
 {
     Model model = make_model(GetParam(), stone(), mortar(35, 50e3, 1e3));
     hold(model, add_box(model, "ceiling", {-1, -1, 0}, {60, 2, 1}));
@@ -241,7 +241,7 @@ TEST_P(Strength, any_number_of_joints_may_break_at_once)
 }
 
 // Mortar that adheres in shear only, in joints that nothing presses: a stone between two others stays where it is.
-TEST_P(Strength, cohesion_alone_holds_in_an_unloaded_joint)
+TEST_P(Strength, CohesionAloneHoldsInAnUnloadedJoint)
 {
     for (const double cohesion : {100e3, 1e3}) {  // 6.1 kPa would do
         Model model = make_model(GetParam(), stone(), mortar(35, cohesion, 0));
@@ -261,7 +261,7 @@ TEST_P(Strength, cohesion_alone_holds_in_an_unloaded_joint)
 
 // The model leaves a wedge between the stones, 0 to 60 micrometres wide, or lets them overlap by as much: mortar
 // fills it, and nothing moves or presses until there is a load. Then the joint yields by W / (k A), from there on.
-TEST_P(BondedAsItStands, has_no_stress_of_its_own)
+TEST_P(BondedAsItStands, HasNoStressOfItsOwn)
 {
     for (const double gap : {60e-6, -60e-6}) {
         Model model = make_model(GetParam(), stone(), mortar(35, 50e4, 30e4));
@@ -296,7 +296,7 @@ TEST_P(BondedAsItStands, has_no_stress_of_its_own)
 
 // A wedge of a millimetre is no joint: nothing is pulled together, no energy is there from the start, and the run
 // says that the strength it was given counts for nothing.
-TEST_P(BondedAsItStands, is_dry_and_said_to_be_where_it_gapes)
+TEST_P(BondedAsItStands, IsDryAndSaidToBeWhereItGapes)
 {
     for (const double gap : {60e-6, 1e-3, 0.05}) {
         Model model = make_model(GetParam(), stone(), mortar(35, 50e4, 30e4));
@@ -325,7 +325,7 @@ TEST_P(BondedAsItStands, is_dry_and_said_to_be_where_it_gapes)
 }
 
 // An overlap that no mortar could be is not hidden by the bond.
-TEST_P(BondedAsItStands, still_shows_stones_that_overlap)
+TEST_P(BondedAsItStands, StillShowsStonesThatOverlap)
 {
     Model model = make_model(GetParam(), stone(), mortar(35, 50e4, 30e4));
     hold(model, add_box(model, "below", {-2, -2, -1}, {2, 2, 0}));
@@ -342,7 +342,7 @@ TEST_P(BondedAsItStands, still_shows_stones_that_overlap)
 }
 
 // Only joints closed at the start of the run are bonded: a stone that falls on another does not stick to it.
-TEST_P(Strength, later_contacts_are_dry)
+TEST_P(Strength, LaterContactsAreDry)
 {
     Model model = make_model(GetParam(), stone(), mortar(35, 1e6, 1e6));
     hold(model, add_box(model, "plane", {-2, -2, -1}, {2, 2, 0}));

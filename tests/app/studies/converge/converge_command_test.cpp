@@ -28,7 +28,7 @@ class ConvergeCommand : public CommandTest
     const std::string incline_ = "'" VOUSSOIR_CASES "/incline.yaml' --set kinematics=spatial_rigid";
 };
 
-TEST_F(ConvergeCommand, writes_table_json_page_and_pictures)
+TEST_F(ConvergeCommand, WritesTableJsonPageAndPictures)
 {
     EXPECT_EQ(
         converge(incline_ + " --set 'stages[0].duration=0.2 s' --time-steps 4ms,2ms,1ms --stiffness-factors 0.5,1 "
@@ -50,7 +50,7 @@ TEST_F(ConvergeCommand, writes_table_json_page_and_pictures)
     EXPECT_EQ(contents("made/converge/01_block.d_history.png").substr(1, 3), "PNG");
 }
 
-TEST_F(ConvergeCommand, places_that_cannot_be_written_are_refused_before_the_runs)
+TEST_F(ConvergeCommand, PlacesThatCannotBeWrittenAreRefusedBeforeTheRuns)
 {
     folder_.write("stay", "");  // a file, where a folder is wanted
     for (const std::string place : {"--json nowhere/made.json", "-o stay/made", "--json ."}) {
@@ -60,7 +60,7 @@ TEST_F(ConvergeCommand, places_that_cannot_be_written_are_refused_before_the_run
     }
 }
 
-TEST_F(ConvergeCommand, json_to_standard_output_is_nothing_but_json)
+TEST_F(ConvergeCommand, JsonToStandardOutputIsNothingButJson)
 {
     EXPECT_EQ(converge(incline_ + " --set 'stages[0].duration=0.1 s' --time-steps 4ms,2ms --stiffness-factors 1 "
                                   "--quantity block.ux:end,largest:peak --json -"),
@@ -68,7 +68,7 @@ TEST_F(ConvergeCommand, json_to_standard_output_is_nothing_but_json)
     EXPECT_EQ(nlohmann::json::parse(output_)["quantities"].size(), 2u);
 }
 
-TEST_F(ConvergeCommand, refuses_bad_input_in_a_sentence_and_writes_nothing)
+TEST_F(ConvergeCommand, RefusesBadInputInASentenceAndWritesNothing)
 {
     expect_refusal("nowhere.yaml", "nowhere.yaml");
     expect_refusal(incline_ + " --quantity blok.ux", "did you mean block.ux?");
@@ -87,7 +87,7 @@ TEST_F(ConvergeCommand, refuses_bad_input_in_a_sentence_and_writes_nothing)
     expect_refusal(incline_ + " --set 'stages[0]={type: static}'", "none is dynamic");
 }
 
-TEST_F(ConvergeCommand, interrupted_leaves_nothing_and_says_so)
+TEST_F(ConvergeCommand, InterruptedLeavesNothingAndSaysSo)
 {
     // In the foreground, for otherwise timeout signals its whole group too, and a second interrupt is not caught.
     // The block stays where it is: one that slides leaves the scene, which ends the run.

@@ -27,7 +27,7 @@ std::vector<Sample> series_of(const std::vector<double>& steps, double c, double
 
 const std::vector<double> halved{4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4};
 
-TEST(Estimate, recovers_a_known_order_and_the_limit)
+TEST(Estimate, RecoversAKnownOrderAndTheLimit)
 {
     for (const std::vector<double>& steps :
          {halved, std::vector<double>{5e-3, 2e-3, 1e-3}, {1e-2, 3e-3, 2e-3, 1e-4}})
@@ -42,7 +42,7 @@ TEST(Estimate, recovers_a_known_order_and_the_limit)
 }
 
 // What is left of the next order lies within the stated uncertainty.
-TEST(Estimate, is_as_uncertain_as_it_says)
+TEST(Estimate, IsAsUncertainAsItSays)
 {
     for (const double next : {-5e3, -1e3, 1e3, 5e3}) {
         const Estimate found = estimate(series_of(halved, 40, 1, next, 2), halved);
@@ -53,7 +53,7 @@ TEST(Estimate, is_as_uncertain_as_it_says)
     }
 }
 
-TEST(Estimate, of_three_runs_is_uncertain_by_the_whole_correction)
+TEST(Estimate, OfThreeRunsIsUncertainByTheWholeCorrection)
 {
     const std::vector<double> steps{4, 2, 1};
     const Estimate found = estimate(scalars({7, 5, 4}), steps);
@@ -62,7 +62,7 @@ TEST(Estimate, of_three_runs_is_uncertain_by_the_whole_correction)
     EXPECT_NEAR(found.uncertainty, 1.0 / 3, 1e-9);
 }
 
-TEST(Estimate, refuses_what_shows_no_order)
+TEST(Estimate, RefusesWhatShowsNoOrder)
 {
     const auto reason = [](const std::vector<double>& values) {
         const std::vector<double> steps(halved.begin(),
@@ -83,7 +83,7 @@ TEST(Estimate, refuses_what_shows_no_order)
 }
 
 // Three times the last difference at a ratio of 2, more at a smaller one, and no less than the difference before.
-TEST(Estimate, without_an_order_is_cautious)
+TEST(Estimate, WithoutAnOrderIsCautious)
 {
     EXPECT_NEAR(estimate(scalars({1, 3, 2, 2.5}), {8, 4, 2, 1}).uncertainty, 3 * 0.5 / 2.5, 1e-12);
     EXPECT_NEAR(estimate(scalars({2, 2.5}), {1.5, 1}).uncertainty, 3 * 0.5 / 0.5 / 2.5, 1e-12);
@@ -91,7 +91,7 @@ TEST(Estimate, without_an_order_is_cautious)
     EXPECT_TRUE(std::isinf(estimate(scalars({1}), {1}).uncertainty));
 }
 
-TEST(Estimate, does_not_read_an_order_out_of_the_resolution)
+TEST(Estimate, DoesNotReadAnOrderOutOfTheResolution)
 {
     const std::vector<double> steps{4, 2, 1};
     const Estimate found = estimate(scalars({7, 5, 4}), steps, 1.5);
@@ -100,14 +100,14 @@ TEST(Estimate, does_not_read_an_order_out_of_the_resolution)
     EXPECT_NEAR(estimate(scalars({4, 4, 4}), steps, 1.5).uncertainty, 0.75 / 4, 1e-12);
 }
 
-TEST(Estimate, of_a_quantity_that_is_zero_is_zero)
+TEST(Estimate, OfAQuantityThatIsZeroIsZero)
 {
     const Estimate found = estimate(scalars({0, 0, 0}), {4, 2, 1});
     EXPECT_EQ(found.errors, (std::vector<double>{0, 0, 0}));
     EXPECT_EQ(found.uncertainty, 0);
 }
 
-TEST(Estimate, of_a_finest_run_that_is_zero_is_finite)
+TEST(Estimate, OfAFinestRunThatIsZeroIsFinite)
 {
     const Estimate found = estimate(scalars({1, -2, 0}), {4, 2, 1});
     EXPECT_FALSE(found.order);
@@ -127,7 +127,7 @@ Sample history(double h, double order)
     return sample;
 }
 
-TEST(Estimate, of_a_history_is_its_largest_distance)
+TEST(Estimate, OfAHistoryIsItsLargestDistance)
 {
     std::vector<Sample> samples;
     for (const double h : halved) samples.push_back(history(h, 2));
@@ -140,7 +140,7 @@ TEST(Estimate, of_a_history_is_its_largest_distance)
 }
 
 // Rocking after many impacts: every run is another history of about the same size.
-TEST(Estimate, of_histories_that_part_shows_no_order)
+TEST(Estimate, OfHistoriesThatPartShowsNoOrder)
 {
     std::vector<Sample> samples;
     for (const double phase : {0.3, 2.0, 4.1, 1.0, 5.0}) {

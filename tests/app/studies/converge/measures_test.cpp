@@ -42,7 +42,7 @@ class Measures : public ::testing::Test
     }
 };
 
-TEST_F(Measures, are_read_from_words)
+TEST_F(Measures, AreReadFromWords)
 {
     EXPECT_EQ(names({"top.ux", "top.d:peak", "largest:end", "top.ux"}),
               (std::vector<std::string>{"top.ux:history", "top.d:peak", "largest:end"}));
@@ -51,7 +51,7 @@ TEST_F(Measures, are_read_from_words)
     EXPECT_EQ(names({}), (std::vector<std::string>{"largest:peak", "largest:end"}));
 }
 
-TEST_F(Measures, unknown_ones_are_refused_with_the_nearest)
+TEST_F(Measures, UnknownOnesAreRefusedWithTheNearest)
 {
     EXPECT_NE(refusal({"topp.ux"}).find("did you mean top.ux?"), std::string::npos) << refusal({"topp.ux"});
     EXPECT_NE(refusal({"top.ux:peek"}).find("did you mean peak?"), std::string::npos) << refusal({"top.ux:peek"});
@@ -61,7 +61,7 @@ TEST_F(Measures, unknown_ones_are_refused_with_the_nearest)
     EXPECT_NE(refusal({"largest:"}).find("history, peak, end"), std::string::npos) << refusal({"largest:"});
 }
 
-TEST_F(Measures, take_history_peak_and_end)
+TEST_F(Measures, TakeHistoryPeakAndEnd)
 {
     Recording recording;
     recording.values.resize(1);
@@ -95,7 +95,7 @@ State moved(const Model& model, double time, const Vector3d& ground, const Vecto
     return state;
 }
 
-TEST_F(Measures, drift_is_relative_to_the_ground_since_the_motion_began)
+TEST_F(Measures, DriftIsRelativeToTheGroundSinceTheMotionBegan)
 {
     Recorder recorder(case_, read_quantities({"top.u", "top.d", "top.dz", "largest"}, case_), {});
     recorder.step(moved(case_.model, 0, {0, 0, 0}, {0, 0, -0.01}));  // it settles: time stands
@@ -111,7 +111,7 @@ TEST_F(Measures, drift_is_relative_to_the_ground_since_the_motion_began)
     EXPECT_FALSE(recorder.collapse);
 }
 
-TEST_F(Measures, collapse_is_a_displacement_relative_to_the_ground)
+TEST_F(Measures, CollapseIsADisplacementRelativeToTheGround)
 {
     const auto collapses = [&](const CollapseRule& rule, double ground, double stone) {
         Recorder recorder(case_, {}, rule);
@@ -125,7 +125,7 @@ TEST_F(Measures, collapse_is_a_displacement_relative_to_the_ground)
     EXPECT_FALSE(collapses({{}, {}}, 0, 100));
 }
 
-TEST_F(Measures, settings_change_dynamic_stages_and_all_joints)
+TEST_F(Measures, SettingsChangeDynamicStagesAndAllJoints)
 {
     const Case changed = with_setting(case_, {Integrator::energy_decaying, 0.5, 4});
     EXPECT_EQ(changed.stages[0].control.time_step, case_.stages[0].control.time_step);
@@ -135,7 +135,7 @@ TEST_F(Measures, settings_change_dynamic_stages_and_all_joints)
     EXPECT_EQ(changed.model.joints[0].stiffness.factor, 4);
 }
 
-TEST_F(Measures, plans_run_from_coarse_to_fine)
+TEST_F(Measures, PlansRunFromCoarseToFine)
 {
     const ConvergePlan plan = plan_of({{"1 ms", "0.004", "2 ms"}, {2, 0.5, 1}, {"energy_decaying"}}, case_);
     EXPECT_EQ(plan.step_factors, (std::vector<double>{2, 1, 0.5}));
@@ -149,13 +149,13 @@ TEST_F(Measures, plans_run_from_coarse_to_fine)
     }
 }
 
-TEST_F(Measures, plans_refuse_what_is_no_number)
+TEST_F(Measures, PlansRefuseWhatIsNoNumber)
 {
     EXPECT_THROW(plan_of({{}, {std::nan(""), 1}, {}}, case_), InputError);
 }
 
 // The stage lasts 0.2 s.
-TEST_F(Measures, plans_hold_only_steps_that_can_be_run)
+TEST_F(Measures, PlansHoldOnlyStepsThatCanBeRun)
 {
     EXPECT_THROW(plan_of({{"1 ms", "0.3 s"}, {}, {}}, case_), InputError);
     EXPECT_NO_THROW(plan_of({{"1 ms", "0.2 s"}, {}, {}}, case_));
@@ -168,7 +168,7 @@ TEST_F(Measures, plans_hold_only_steps_that_can_be_run)
     EXPECT_THROW(plan_of({{"0.1 s", "10 ms"}, {}, {}}, case_), InputError);
 }
 
-TEST(Words, steps_are_in_milliseconds_below_a_second)
+TEST(Words, StepsAreInMillisecondsBelowASecond)
 {
     EXPECT_EQ(step_in_words(2e-3), "2 ms");
     EXPECT_EQ(step_in_words(0.5), "500 ms");

@@ -44,7 +44,7 @@ double oscillator(double t)
     return 2 / (own * own - driven * driven) * (std::sin(driven * t) - driven / own * std::sin(own * t));
 }
 
-TEST(Study, of_an_oscillator_estimates_its_true_error_and_the_order_of_the_method)
+TEST(Study, OfAnOscillatorEstimatesItsTrueErrorAndTheOrderOfTheMethod)
 {
     const TemporaryFolder folder;
     const Case the_case = read_case(folder.write("case.yaml", oscillator_case), {});
@@ -75,7 +75,7 @@ TEST(Study, of_an_oscillator_estimates_its_true_error_and_the_order_of_the_metho
     }
 }
 
-TEST(Study, names_the_cheapest_setting_and_the_sensitivity)
+TEST(Study, NamesTheCheapestSettingAndTheSensitivity)
 {
     const TemporaryFolder folder;
     const Case the_case = read_case(folder.write("case.yaml", oscillator_case), {});
@@ -109,7 +109,7 @@ Case incline(const std::vector<std::string>& overrides)
 }
 
 // g (sin 45 - cos 45 tan phi) t^2 / 2 reaches 1 cm in the case's 1 s at this angle.
-TEST(Threshold, of_an_incline_is_found_within_its_bracket)
+TEST(Threshold, OfAnInclineIsFoundWithinItsBracket)
 {
     const double limit =
         std::atan(1 - 2 * 0.01 / (9.80665 * std::cos(std::numbers::pi / 4))) * 180 / std::numbers::pi;
@@ -128,7 +128,7 @@ TEST(Threshold, of_an_incline_is_found_within_its_bracket)
     }
 }
 
-TEST(Threshold, that_is_not_between_the_values_is_a_failure_of_the_setting)
+TEST(Threshold, ThatIsNotBetweenTheValuesIsAFailureOfTheSetting)
 {
     const Case the_case = incline({});
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms"}, {1}, {}}, the_case));
@@ -146,7 +146,7 @@ TEST(Threshold, that_is_not_between_the_values_is_a_failure_of_the_setting)
 }
 
 // 285 Pa of 1 MPa hold the block (its shear stress less the friction): a bracket of 1 % of that is not worth it.
-TEST(Threshold, next_to_zero_ends)
+TEST(Threshold, NextToZeroEnds)
 {
     const Case the_case = incline({"joints.dry.friction=44 deg", "joints.dry.tensile_strength=1 MPa"});
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms"}, {1}, {}}, the_case));
@@ -158,7 +158,7 @@ TEST(Threshold, next_to_zero_ends)
     }
 }
 
-TEST(Threshold, is_read_strictly)
+TEST(Threshold, IsReadStrictly)
 {
     for (const char* text : {"a", "a=1", "=1..2", "a=x..2", "a=1..", "a=1 m..2 s", "a=3..3"})
         EXPECT_THROW(read_threshold(text), InputError) << text;
@@ -170,7 +170,7 @@ TEST(Threshold, is_read_strictly)
 }
 
 // The block slides by more than its size: end states give way to the peak before.
-TEST(Study, of_a_collapse_compares_peaks_before_it)
+TEST(Study, OfACollapseComparesPeaksBeforeIt)
 {
     const Case the_case = incline({});
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms", "1 ms"}, {1}, {}}, the_case));
@@ -187,7 +187,7 @@ TEST(Study, of_a_collapse_compares_peaks_before_it)
     EXPECT_NE(peaks.notes[0].find("block 'block' is the first to collapse"), std::string::npos);
 }
 
-TEST(Study, does_not_compare_what_does_not_move)
+TEST(Study, DoesNotCompareWhatDoesNotMove)
 {
     const Case the_case = incline({"stages[0].duration=0.1 s"});
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms", "1 ms"}, {1}, {}}, the_case));
@@ -205,7 +205,7 @@ TEST(Study, does_not_compare_what_does_not_move)
     EXPECT_NE(lines[0].find("in all quantities that are compared: 4 ms"), std::string::npos) << lines[0];
 }
 
-TEST(Study, keeps_runs_that_give_up_as_rows)
+TEST(Study, KeepsRunsThatGiveUpAsRows)
 {
     const Case the_case = incline(
         {"stages[0].max_open_close=1", "stages[0].force_tolerance=1e-15", "stages[0].min_time_step=0.9 ms"});

@@ -40,7 +40,7 @@ class EnsembleCommand : public ::testing::Test
 
 }  // namespace
 
-TEST_F(EnsembleCommand, writes_table_json_page_and_picture)
+TEST_F(EnsembleCommand, WritesTableJsonPageAndPicture)
 {
     const Ended ended = ensemble({"--jobs", "2", "-o", folder_ / "made", "--json", folder_ / "made.json"});
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
@@ -60,7 +60,7 @@ TEST_F(EnsembleCommand, writes_table_json_page_and_picture)
     }
 }
 
-TEST_F(EnsembleCommand, refuses_what_it_cannot_use_before_it_runs)
+TEST_F(EnsembleCommand, RefusesWhatItCannotUseBeforeItRuns)
 {
     expect_refusal({}, "names no key", "nothing");
     expect_refusal({}, "much", "joints.soft.friction=30 deg,much");

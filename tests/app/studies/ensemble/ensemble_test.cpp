@@ -52,7 +52,7 @@ void expect_refusal(const std::string& vary, const std::string& part)
 
 }  // namespace
 
-TEST(EnsembleStatistics, medians_and_ranges)
+TEST(EnsembleStatistics, MediansAndRanges)
 {
     EXPECT_EQ(median_of({3, 1, 2}), 2);
     EXPECT_EQ(median_of({4, 1, 2, 3}), 2.5);
@@ -66,7 +66,7 @@ TEST(EnsembleStatistics, medians_and_ranges)
     EXPECT_TRUE(std::isnan(range_of({1, unknown})));
 }
 
-TEST(EnsembleVariation, is_a_key_and_different_values)
+TEST(EnsembleVariation, IsAKeyAndDifferentValues)
 {
     const Variation variation = read_variation("blocks[0].house.imperfection.seed=1,2,3");
     EXPECT_EQ(variation.key, "blocks[0].house.imperfection.seed");
@@ -81,7 +81,7 @@ TEST(EnsembleVariation, is_a_key_and_different_values)
 
 // Members that do not differ have no spread; then the tolerance decides, and at a step that damps the oscillator
 // away it must say so.
-TEST(Ensemble, tells_a_step_that_is_small_enough_from_one_that_is_not)
+TEST(Ensemble, TellsAStepThatIsSmallEnoughFromOneThatIsNot)
 {
     const EnsembleStudy fine = study_of(shaken_stone(gentle_wave, "1 ms"));
     EXPECT_TRUE(fine.agrees()) << verdict_of(fine);
@@ -93,7 +93,7 @@ TEST(Ensemble, tells_a_step_that_is_small_enough_from_one_that_is_not)
 }
 
 // Pressed all the time, the oscillator's amplitude falls with its stiffness: of a slow wave, inversely.
-TEST(Ensemble, reports_the_stiffness_as_a_sensitivity)
+TEST(Ensemble, ReportsTheStiffnessAsASensitivity)
 {
     EnsembleChoices choices;
     choices.stiffness_factor = 8;
@@ -108,7 +108,7 @@ TEST(Ensemble, reports_the_stiffness_as_a_sensitivity)
 }
 
 // A block that is lifted straight up opens its joint by what it rises.
-TEST(Ensemble, counts_open_joints)
+TEST(Ensemble, CountsOpenJoints)
 {
     const EnsembleStudy study = study_of(shaken_stone(lifting_wave, "1 ms"));
     EXPECT_EQ(study.runs[0][0].joints, 1);
@@ -119,7 +119,7 @@ TEST(Ensemble, counts_open_joints)
     EXPECT_EQ(measure(study_of(shaken_stone(gentle_wave, "1 ms")), "joints that were open").medians[0], 0);
 }
 
-TEST(Ensemble, does_not_depend_on_how_many_runs_go_side_by_side)
+TEST(Ensemble, DoesNotDependOnHowManyRunsGoSideBySide)
 {
     EnsembleChoices one, three;
     three.jobs = 3;
@@ -132,7 +132,7 @@ TEST(Ensemble, does_not_depend_on_how_many_runs_go_side_by_side)
     EXPECT_GT(a.runs[0][0].energy.friction, 0.1);
 }
 
-TEST(Ensemble, a_run_that_gives_up_leaves_nothing_to_judge)
+TEST(Ensemble, ARunThatGivesUpLeavesNothingToJudge)
 {
     std::string text = shaken_stone(lifting_wave, "1 ms");
     text.replace(text.find("type: static"), 12, "type: static, max_static_steps: 1");
@@ -145,7 +145,7 @@ TEST(Ensemble, a_run_that_gives_up_leaves_nothing_to_judge)
 
 // A wave that presses the stone more than 10 mm into its soft joint: what a run says of itself is not lost among
 // the others.
-TEST(Ensemble, passes_on_what_its_runs_warn_of)
+TEST(Ensemble, PassesOnWhatItsRunsWarnOf)
 {
     const EnsembleStudy study =
         study_of(shaken_stone("z: {sine: {acceleration: 20 m/s2, frequency: 3 Hz}}", "1 ms"));
@@ -165,7 +165,7 @@ TEST(Ensemble, passes_on_what_its_runs_warn_of)
     EXPECT_EQ(ensemble_table(quiet).find("arning"), std::string::npos);
 }
 
-TEST(Ensemble, passes_on_what_its_case_warns_of)
+TEST(Ensemble, PassesOnWhatItsCaseWarnsOf)
 {
     const TemporaryFolder folder;
     const Variation variation = read_variation(vary_friction);
@@ -179,7 +179,7 @@ TEST(Ensemble, passes_on_what_its_case_warns_of)
 }
 
 // The spread of members of which some collapsed is infinite: that is no licence.
-TEST(Ensemble, a_collapse_widens_no_tolerance)
+TEST(Ensemble, ACollapseWidensNoTolerance)
 {
     const auto judged = [&](std::vector<double> coarse, std::vector<double> fine) {
         MeasureStudy each;
@@ -197,14 +197,14 @@ TEST(Ensemble, a_collapse_widens_no_tolerance)
     EXPECT_FALSE(judged({10, 11, unknown}, {10, 11, 12}));
 }
 
-TEST(Ensemble, members_that_cannot_be_compared_are_refused)
+TEST(Ensemble, MembersThatCannotBeComparedAreRefused)
 {
     const std::string text = shaken_stone(gentle_wave, "1 ms");
     EXPECT_THROW(study_of(text, "stages[1].time_step=1 ms,2 ms"), InputError);
     EXPECT_THROW(study_of(text, "stages[1].min_time_step=0.1 ms,0.9 ms"), InputError);
 }
 
-TEST(Ensemble, ends_when_it_is_told_to)
+TEST(Ensemble, EndsWhenItIsToldTo)
 {
     const TemporaryFolder folder;
     const Variation variation = read_variation(vary_friction);

@@ -33,7 +33,7 @@ CellRun with_error(double error)
     return run;
 }
 
-TEST(StabilityCells, are_two_hundred_with_names_of_their_own_and_a_reference_each)
+TEST(StabilityCells, AreTwoHundredWithNamesOfTheirOwnAndAReferenceEach)
 {
     std::set<std::string> names;
     std::size_t count = 0;
@@ -52,7 +52,7 @@ TEST(StabilityCells, are_two_hundred_with_names_of_their_own_and_a_reference_eac
     EXPECT_GE(count, 200u);
 }
 
-TEST(StabilityCells, the_maps_span_ten_decades_of_stiffness_and_three_of_time_step)
+TEST(StabilityCells, TheMapsSpanTenDecadesOfStiffnessAndThreeOfTimeStep)
 {
     int maps = 0;
     for (const StabilityScene& scene : stability_scenes()) {
@@ -70,7 +70,7 @@ TEST(StabilityCells, the_maps_span_ten_decades_of_stiffness_and_three_of_time_st
     EXPECT_EQ(maps, 3) << "sliding, rocking and the wall";
 }
 
-TEST(StabilityCells, are_judged_by_their_tolerance)
+TEST(StabilityCells, AreJudgedByTheirTolerance)
 {
     StabilityCell cell;
     cell.tolerance = 0.02;
@@ -107,7 +107,7 @@ std::vector<CellResult> map_results(StabilityScene& scene, const std::function<b
     return results;
 }
 
-TEST(StabilityRange, is_the_rectangle_in_which_all_cells_passed)
+TEST(StabilityRange, IsTheRectangleInWhichAllCellsPassed)
 {
     StabilityScene scene, hole;
     const auto results = map_results(
@@ -127,7 +127,7 @@ TEST(StabilityRange, is_the_rectangle_in_which_all_cells_passed)
     EXPECT_TRUE(holds_too_little(hole, ring)) << "a hole in the middle";
 }
 
-TEST(StabilityRange, is_enough_with_eight_decades_of_stiffness_and_three_of_time_step)
+TEST(StabilityRange, IsEnoughWithEightDecadesOfStiffnessAndThreeOfTimeStep)
 {
     StabilityScene enough, nothing;
     const auto good = map_results(enough, [](int decade, int step) { return decade > 12 || step > -2; });
@@ -139,7 +139,7 @@ TEST(StabilityRange, is_enough_with_eight_decades_of_stiffness_and_three_of_time
     EXPECT_EQ(sound_range_in_words(nothing, bad), "map holds nowhere");
 }
 
-TEST(StabilityCells, what_said_why_it_has_no_answer_is_not_wrong)
+TEST(StabilityCells, WhatSaidWhyItHasNoAnswerIsNotWrong)
 {
     StabilityCell cell;
     CellRun stopped = with_error(NAN), refused = with_error(NAN);
@@ -153,7 +153,7 @@ TEST(StabilityCells, what_said_why_it_has_no_answer_is_not_wrong)
     EXPECT_EQ(judge(cell, thrown), CellOutcome::refused);
 }
 
-TEST(StabilityCells, what_said_that_it_should_not_be_trusted_is_not_silently_wrong)
+TEST(StabilityCells, WhatSaidThatItShouldNotBeTrustedIsNotSilentlyWrong)
 {
     StabilityCell cell;
     cell.tolerance = 0.02;
@@ -165,7 +165,7 @@ TEST(StabilityCells, what_said_that_it_should_not_be_trusted_is_not_silently_wro
     EXPECT_EQ(judge(cell, run), CellOutcome::passed);
 }
 
-TEST(StabilityCells, what_sinks_in_its_springs_stops_and_is_named)
+TEST(StabilityCells, WhatSinksInItsSpringsStopsAndIsNamed)
 {
     const CellRun run = run_here(cell_named("sliding/k=1e+04/h=0.005"));
     EXPECT_NE(run.diagnosis.find("'block' and 'base' overlap"), std::string::npos) << run.diagnosis;
@@ -173,7 +173,7 @@ TEST(StabilityCells, what_sinks_in_its_springs_stops_and_is_named)
     EXPECT_NE(run.note.find("by the reference it sinks 0.049"), std::string::npos) << run.note;
 }
 
-TEST(StabilityCells, run_in_a_process_of_their_own_as_they_do_here)
+TEST(StabilityCells, RunInAProcessOfTheirOwnAsTheyDoHere)
 {
     const StabilityCell cell = cell_named("sliding/k=1e+08/h=0.005");
     const CellResult apart = run_apart(cell, {});
@@ -187,7 +187,7 @@ TEST(StabilityCells, run_in_a_process_of_their_own_as_they_do_here)
         << "a millisecond is less than the ticks in which a process with a limit is counted";
 }
 
-TEST(StabilityCells, beyond_the_budget_is_a_timeout)
+TEST(StabilityCells, BeyondTheBudgetIsATimeout)
 {
     StabilityCell cell = cell_named("wall/k=1e+08/h=2e-05");
     cell.budget = 1;
@@ -197,7 +197,7 @@ TEST(StabilityCells, beyond_the_budget_is_a_timeout)
 }
 
 #ifndef __SANITIZE_ADDRESS__  // under which no bound is set: it reserves terabytes of addresses
-TEST(StabilityCells, beyond_the_memory_is_a_crash)
+TEST(StabilityCells, BeyondTheMemoryIsACrash)
 {
     CellLimits limits;
     limits.memory = std::size_t{40} << 20;
@@ -207,7 +207,7 @@ TEST(StabilityCells, beyond_the_memory_is_a_crash)
 }
 #endif
 
-TEST(StabilityCells, results_come_in_the_order_of_the_cells_whatever_the_number_of_jobs)
+TEST(StabilityCells, ResultsComeInTheOrderOfTheCellsWhateverTheNumberOfJobs)
 {
     const std::vector<StabilityCell> cells{cell_named("sliding/k=1e+08/h=0.005"),
                                            cell_named("sliding/k=1e+08/h=0.02"), cell_named("column/E=1e+09")};
@@ -218,7 +218,7 @@ TEST(StabilityCells, results_come_in_the_order_of_the_cells_whatever_the_number_
     for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_EQ(results[i].cell.name, cells[i].name);
 }
 
-TEST(StabilityMaps, a_wrong_cell_is_red_and_named_on_the_page)
+TEST(StabilityMaps, AWrongCellIsRedAndNamedOnThePage)
 {
     CellResult good, bad;
     good.cell = cell_named("sliding/k=1e+08/h=0.005");
@@ -241,7 +241,7 @@ TEST(StabilityMaps, a_wrong_cell_is_red_and_named_on_the_page)
     EXPECT_NE(page.find("1 passed, 0 refused, 0 stopped, 0 warned, 1 wrong"), std::string::npos);
 }
 
-TEST(StabilityMaps, every_scene_is_on_the_page_that_ships)
+TEST(StabilityMaps, EverySceneIsOnThePageThatShips)
 {
     std::ostringstream page;
     page << std::ifstream(VOUSSOIR_DOCS "/stability.md").rdbuf();

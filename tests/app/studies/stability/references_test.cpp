@@ -41,7 +41,7 @@ SpringBlock flat_block(double stiffness)
     return block;
 }
 
-TEST(BlockOnSprings, slides_as_a_rigid_block_when_the_springs_are_stiff)
+TEST(BlockOnSprings, SlidesAsARigidBlockWhenTheSpringsAreStiff)
 {
     const std::vector<double> times = times_to(2, 40);
     SlidingProblem rigid;
@@ -59,7 +59,7 @@ TEST(BlockOnSprings, slides_as_a_rigid_block_when_the_springs_are_stiff)
     EXPECT_LT(worst, 1e-3 * largest);
 }
 
-TEST(BlockOnSprings, soft_springs_lag_by_their_own_compliance)
+TEST(BlockOnSprings, SoftSpringsLagByTheirOwnCompliance)
 {
     // A pulse too weak to slide: the block follows the ground but for the stretch of its shear springs,
     // m a / (2 k_t), once the pulse is slow against the springs.
@@ -72,7 +72,7 @@ TEST(BlockOnSprings, soft_springs_lag_by_their_own_compliance)
     EXPECT_NEAR(at_peak.x, -stretch, 0.05 * stretch);
 }
 
-TEST(BlockOnSprings, rocks_as_a_rigid_block_until_it_lands)
+TEST(BlockOnSprings, RocksAsARigidBlockUntilItLands)
 {
     RockingBlock rigid;
     rigid.half_width = 0.5;
@@ -105,7 +105,7 @@ TEST(BlockOnSprings, rocks_as_a_rigid_block_until_it_lands)
     EXPECT_LT(worst, 0.01 * largest);
 }
 
-TEST(BlockOnSprings, let_go_on_a_stiff_edge_turns_about_it_as_its_weight_falls)
+TEST(BlockOnSprings, LetGoOnAStiffEdgeTurnsAboutItAsItsWeightFalls)
 {
     SpringBlock block;
     block.half_width = 1;

@@ -22,20 +22,20 @@ const std::string quick =
     "modulus/E=1e+09/h=0.01 column/E=1e+07 column/E=1e+11 density/above=1e+02/h=0.001 shape/pillar=10/h=0.001 "
     "shape/slab=100/h=0.01 friction/phi=80-dip=60/h=0.01 gravity/stack=10/h=0.01 ";
 
-TEST_F(StabilityCommand, lists_without_running)
+TEST_F(StabilityCommand, ListsWithoutRunning)
 {
     EXPECT_EQ(stability("--list"), 0);
     EXPECT_NE(output_.find("sliding/k=1e+08/h=0.001"), std::string::npos);
     EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
-TEST_F(StabilityCommand, names_the_nearest_cell)
+TEST_F(StabilityCommand, NamesTheNearestCell)
 {
     EXPECT_EQ(stability("slidng"), 2);
     EXPECT_NE(output_.find("did you mean sliding?"), std::string::npos) << output_;
 }
 
-TEST_F(StabilityCommand, quick_cells_pass_and_tell_all_figures)
+TEST_F(StabilityCommand, QuickCellsPassAndTellAllFigures)
 {
     EXPECT_EQ(stability(quick + "--json out.json"), 0) << output_;
     const nlohmann::json cells = nlohmann::json::parse(contents("out.json")).at("cells");
@@ -59,7 +59,7 @@ TEST_F(StabilityCommand, quick_cells_pass_and_tell_all_figures)
     EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
-TEST_F(StabilityCommand, a_tolerance_that_cannot_be_met_makes_a_cell_wrong)
+TEST_F(StabilityCommand, AToleranceThatCannotBeMetMakesACellWrong)
 {
     EXPECT_EQ(stability("sliding/k=1e+06/h=0.005 --tolerance-factor 1e-9 --json out.json"), 1);
     const nlohmann::json cell = nlohmann::json::parse(contents("out.json")).at("cells").at(0);
@@ -68,7 +68,7 @@ TEST_F(StabilityCommand, a_tolerance_that_cannot_be_met_makes_a_cell_wrong)
     EXPECT_NE(cell.at("diagnosis"), "");
 }
 
-TEST_F(StabilityCommand, writes_page_figures_and_maps)
+TEST_F(StabilityCommand, WritesPageFiguresAndMaps)
 {
     EXPECT_EQ(stability("sliding/k=1e+06/h=0.005 column/E=1e+11 -o map"), 0) << output_;
     const std::string page = contents("map/stability.md");

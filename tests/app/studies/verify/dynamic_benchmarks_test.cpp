@@ -26,20 +26,20 @@ void run_and_judge(const std::vector<Benchmark>& family)
 
 }  // namespace
 
-TEST(DynamicBenchmarks, impact)
+TEST(DynamicBenchmarks, Impact)
 {
     run_and_judge(impact_benchmarks());
 }
-TEST(DynamicBenchmarks, rocking)
+TEST(DynamicBenchmarks, Rocking)
 {
     run_and_judge(rocking_benchmarks());
 }
-TEST(DynamicBenchmarks, mode_chart)
+TEST(DynamicBenchmarks, ModeChart)
 {
     run_and_judge(mode_chart_benchmarks(1));
 }
 // No point of the charts of ten seeds disagrees.
-TEST(DynamicBenchmarks, mode_chart_of_other_seeds)
+TEST(DynamicBenchmarks, ModeChartOfOtherSeeds)
 {
     for (std::uint64_t seed = 2; seed < 12; ++seed)
         for (const Benchmark& chart : mode_chart_benchmarks(seed)) {
@@ -48,15 +48,15 @@ TEST(DynamicBenchmarks, mode_chart_of_other_seeds)
         }
 }
 
-TEST(DynamicBenchmarks, waves)
+TEST(DynamicBenchmarks, Waves)
 {
     run_and_judge(wave_benchmarks());
 }
-TEST(DynamicBenchmarks, tower)
+TEST(DynamicBenchmarks, Tower)
 {
     run_and_judge(tower_benchmarks());
 }
-TEST(DynamicBenchmarks, kinetic_damping)
+TEST(DynamicBenchmarks, KineticDamping)
 {
     run_and_judge(kinetic_damping_benchmarks());
 }

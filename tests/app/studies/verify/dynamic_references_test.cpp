@@ -20,7 +20,7 @@ namespace voussoir::reference
 using Eigen::VectorXd;
 constexpr double pi = std::numbers::pi;
 
-TEST(SmoothOde, finds_the_zeros_of_a_cosine)
+TEST(SmoothOde, FindsTheZerosOfACosine)
 {
     OdePoint point;
     point.y = VectorXd{{1, 0}};
@@ -33,7 +33,7 @@ TEST(SmoothOde, finds_the_zeros_of_a_cosine)
 }
 
 // Both thresholds of the note, which were found by another program.
-TEST(Rocking, thresholds_of_the_full_and_the_linear_equation)
+TEST(Rocking, ThresholdsOfTheFullAndTheLinearEquation)
 {
     RockingBlock block{0.2, 0.6, 9.81, 0, 1, false};
     const double full = overturning_threshold(block);
@@ -45,7 +45,7 @@ TEST(Rocking, thresholds_of_the_full_and_the_linear_equation)
 }
 
 // Linear, under gravity only: theta = alpha - (alpha - theta0) cosh(p t) until the first impact.
-TEST(Rocking, linear_block_falls_back_like_a_cosh)
+TEST(Rocking, LinearBlockFallsBackLikeACosh)
 {
     RockingBlock block{0.2, 0.6, 9.81, 5, 1, true};
     const double alpha = slenderness(block), p = std::sqrt(0.75 * 9.81 / std::hypot(0.2, 0.6));
@@ -62,7 +62,7 @@ TEST(Rocking, linear_block_falls_back_like_a_cosh)
     }
 }
 
-TEST(Rocking, impacts_take_housners_share)
+TEST(Rocking, ImpactsTakeHousnersShare)
 {
     const RockingBlock block{0.2, 0.6, 9.81, 5.43, 1, false};
     std::vector<double> times;
@@ -80,7 +80,7 @@ TEST(Rocking, impacts_take_housners_share)
 }
 
 // A cube that hardly deforms is a mass on a spring: depth from its energy, height as dropped.
-TEST(Rebound, of_a_stiff_cube_is_that_of_a_mass_on_a_spring)
+TEST(Rebound, OfAStiffCubeIsThatOfAMassOnASpring)
 {
     const DroppedCube cube{2, 2000, 3e14, 0.15, 1.2e9, 3, 9.81};
     const Rebound rebound = first_rebound(cube);
@@ -92,7 +92,7 @@ TEST(Rebound, of_a_stiff_cube_is_that_of_a_mass_on_a_spring)
 
 // A stiff cube loses by the integrator only: exp(-pi omega h / 2) of the height is left for small omega h; and for
 // small steps the scheme finds the exact rebound.
-TEST(Rebound, of_the_papers_scheme)
+TEST(Rebound, OfThePapersScheme)
 {
     const DroppedCube stiff{2, 2000, 3e14, 0.15, 1.2e9, 3, 9.81}, soft{2, 2000, 3e9, 0.15, 1.2e9, 3, 9.81};
     const double omega = std::sqrt(1.2e9 / 16000);
@@ -101,7 +101,7 @@ TEST(Rebound, of_the_papers_scheme)
 }
 
 // In every point of the chart exactly the mode of the chart keeps all its own conditions.
-TEST(ModeChart, modes_keep_the_conditions_of_rigid_bodies)
+TEST(ModeChart, ModesKeepTheConditionsOfRigidBodies)
 {
     using dynamic_scenes::ChartCase;
     using dynamic_scenes::ChartKind;
@@ -126,13 +126,13 @@ TEST(ModeChart, modes_keep_the_conditions_of_rigid_bodies)
     for (const int count : counts) EXPECT_GT(count, 10);
 }
 
-TEST(ModeChart, boundaries_meet_where_psi_is_delta)
+TEST(ModeChart, BoundariesMeetWherePsiIsDelta)
 {
     for (const double angle : {0.2, 0.5, 0.9}) EXPECT_NEAR(dynamic_friction_angle(angle, angle), angle, 1e-12);
 }
 
 // Uniform and undamped: 1 / cos(2 pi f H / c); damped, the peak is close to 2 / (pi xi) at f = c / 4 H.
-TEST(LayeredSite, uniform_layers_are_one_layer)
+TEST(LayeredSite, UniformLayersAreOneLayer)
 {
     const double infinite = INFINITY, c = 880;
     std::vector<SiteLayer> layers(15, {1, 2000, 2000 * c * c, infinite});
@@ -147,7 +147,7 @@ TEST(LayeredSite, uniform_layers_are_one_layer)
     EXPECT_NEAR(std::abs(amplification(layers, 2, 0)), std::abs(1 / std::cos(2 * pi * 2 * 15 / slow)), 1e-3);
 }
 
-TEST(LayeredSite, peaks_and_spectra)
+TEST(LayeredSite, PeaksAndSpectra)
 {
     std::vector<double> values, samples;
     for (int i = 0; i < 100; ++i) values.push_back(5 - std::pow(0.1 * i - 4.234, 2));
@@ -161,7 +161,7 @@ TEST(LayeredSite, peaks_and_spectra)
 }
 
 // At the free surface the wave doubles; back at the base it finds the prescribed motion.
-TEST(ShearWave, doubles_at_the_surface)
+TEST(ShearWave, DoublesAtTheSurface)
 {
     const auto base = [](double t) { return t > 0 && t < 0.02 ? std::sin(100 * pi * t) : 0.0; };
     for (double t = 0; t < 0.2; t += 1.7e-3) {
@@ -176,7 +176,7 @@ TEST(ShearWave, doubles_at_the_surface)
                 0.7e-4, 1e-6);
 }
 
-TEST(KineticDamping, closed_forms_against_the_sums)
+TEST(KineticDamping, ClosedFormsAgainstTheSums)
 {
     double u = 0, v = 0;
     for (int n = 0; n < 500; ++n) {

@@ -37,7 +37,7 @@ Benchmark second_order()
     return benchmark;
 }
 
-TEST(Runner, finds_the_order_and_keeps_failures_as_rows)
+TEST(Runner, FindsTheOrderAndKeepsFailuresAsRows)
 {
     const VerifyOutcome outcome = run_benchmark(second_order(), true);
     EXPECT_TRUE(outcome.pass);
@@ -52,7 +52,7 @@ TEST(Runner, finds_the_order_and_keeps_failures_as_rows)
     EXPECT_DOUBLE_EQ(cpu_share(outcome.row.result), 0.25);
 }
 
-TEST(Runner, an_error_above_the_tolerance_or_none_at_all_does_not_pass)
+TEST(Runner, AnErrorAboveTheToleranceOrNoneAtAllDoesNotPass)
 {
     Benchmark benchmark = second_order();
     benchmark.tolerance = 0.99e-4;
@@ -68,7 +68,7 @@ TEST(Runner, an_error_above_the_tolerance_or_none_at_all_does_not_pass)
     EXPECT_FALSE(run_benchmark(benchmark, false).pass);
 }
 
-TEST(Runner, json_has_what_design_names_and_null_for_an_error_that_is_none)
+TEST(Runner, JsonHasWhatDesignNamesAndNullForAnErrorThatIsNone)
 {
     const VerifyOutcome outcome = run_benchmark(second_order(), true);
     const nlohmann::json list = nlohmann::json::parse(verify_json({outcome}));
@@ -82,7 +82,7 @@ TEST(Runner, json_has_what_design_names_and_null_for_an_error_that_is_none)
     EXPECT_NEAR(list[0]["error"].get<double>(), 1e-4, 1e-15);
 }
 
-TEST(Runner, draws_what_was_swept_and_nothing_where_every_error_is_none)
+TEST(Runner, DrawsWhatWasSweptAndNothingWhereEveryErrorIsNone)
 {
     Benchmark benchmark = second_order();
     const Figure swept = work_precision(run_benchmark(benchmark, true));
@@ -97,7 +97,7 @@ TEST(Runner, draws_what_was_swept_and_nothing_where_every_error_is_none)
     EXPECT_EQ(none.notes.size(), 20u) << "each row is one without error";
 }
 
-TEST(Runner, the_same_scene_in_other_unknowns_must_pass_and_agree)
+TEST(Runner, TheSameSceneInOtherUnknownsMustPassAndAgree)
 {
     Benchmark benchmark = second_order();
     benchmark.also = {Kinematics::planar_rigid, Kinematics::planar_deformable, Kinematics::spatial_deformable};
@@ -120,7 +120,7 @@ TEST(Runner, the_same_scene_in_other_unknowns_must_pass_and_agree)
     }
 }
 
-TEST(Runner, runs_add_up_and_the_worst_error_counts)
+TEST(Runner, RunsAddUpAndTheWorstErrorCounts)
 {
     VerifyResult total, one;
     one.error = 1e-3, one.steps = 5, one.cpu_time = 2, one.note = "a";
@@ -133,7 +133,7 @@ TEST(Runner, runs_add_up_and_the_worst_error_counts)
     EXPECT_EQ(total.note, "a; b");
 }
 
-TEST(Benchmarks, have_names_of_their_own_tolerances_and_sweeps_of_four_steps)
+TEST(Benchmarks, HaveNamesOfTheirOwnTolerancesAndSweepsOfFourSteps)
 {
     std::set<std::string> names;
     int swept = 0;

@@ -29,7 +29,7 @@ SlidingProblem on_level_ground(double friction)
     return problem;
 }
 
-TEST(SlidingReference, a_pushed_block_brakes_evenly_and_stays)
+TEST(SlidingReference, APushedBlockBrakesEvenlyAndStays)
 {
     SlidingProblem problem = on_level_ground(0.5);
     problem.start_velocity = {3, 4};
@@ -42,7 +42,7 @@ TEST(SlidingReference, a_pushed_block_brakes_evenly_and_stays)
 }
 
 // Equation 3 of Yagoda-Biran and Hatzor holds from the first slip to the first stop.
-TEST(SlidingReference, a_shaken_block_follows_equation_3_until_it_stops)
+TEST(SlidingReference, AShakenBlockFollowsEquation3UntilItStops)
 {
     const double angle = 45 * degree, friction_angle = 50 * degree, amplitude = 2, omega = 2 * std::numbers::pi;
     SlidingProblem problem;
@@ -71,7 +71,7 @@ TEST(SlidingReference, a_shaken_block_follows_equation_3_until_it_stops)
 }
 
 // Without friction the block stays behind; with enough of it, it goes with the ground.
-TEST(SlidingReference, a_base_without_friction_moves_alone_and_one_with_much_takes_the_block_along)
+TEST(SlidingReference, ABaseWithoutFrictionMovesAloneAndOneWithMuchTakesTheBlockAlong)
 {
     SlidingProblem problem = on_level_ground(0);
     problem.driving = [](double t) { return Eigen::Vector2d(-3 * std::cos(5 * t), 0); };
@@ -84,7 +84,7 @@ TEST(SlidingReference, a_base_without_friction_moves_alone_and_one_with_much_tak
 }
 
 // Two equal loads at a right angle are one load along the diagonal, through stops and reversals.
-TEST(SlidingReference, two_directions_along_the_diagonal_are_one)
+TEST(SlidingReference, TwoDirectionsAlongTheDiagonalAreOne)
 {
     SlidingProblem one = on_level_ground(0.2), two = one;
     one.driving = [](double t) { return Eigen::Vector2d(5 * std::sin(6 * t), 0); };
@@ -96,7 +96,7 @@ TEST(SlidingReference, two_directions_along_the_diagonal_are_one)
 }
 
 // A slip that never stops is a smooth equation: twice the output times must not change the answer.
-TEST(SlidingReference, the_answer_does_not_hang_on_the_output_times)
+TEST(SlidingReference, TheAnswerDoesNotHangOnTheOutputTimes)
 {
     SlidingProblem problem = on_level_ground(0.6);
     problem.driving = [](double t) {
@@ -107,7 +107,7 @@ TEST(SlidingReference, the_answer_does_not_hang_on_the_output_times)
     EXPECT_LT((coarse.displacement - fine.displacement).norm(), 1e-8 * fine.displacement.norm());
 }
 
-TEST(SlidingReference, three_sines_in_closed_form_are_what_is_integrated)
+TEST(SlidingReference, ThreeSinesInClosedFormAreWhatIsIntegrated)
 {
     const std::vector<Eigen::Vector2d> terms{{1, 10}, {0.5, 5}, {0.25, 2.5}};
     SlidingProblem problem = on_level_ground(0.3);
@@ -122,7 +122,7 @@ TEST(SlidingReference, three_sines_in_closed_form_are_what_is_integrated)
         EXPECT_NEAR(points[i].displacement.x(), sum_of_sines_displacement(terms, times[i]), 1e-9);
 }
 
-TEST(SlidingReference, a_flat_wedge_is_a_plane_and_a_right_one_resists_more_by_root_two)
+TEST(SlidingReference, AFlatWedgeIsAPlaneAndARightOneResistsMoreByRootTwo)
 {
     EXPECT_NEAR(wedge_friction(1e-9, 1e-9, 20 * degree), std::tan(20 * degree), 1e-12);
     EXPECT_NEAR(wedge_friction(45 * degree, 45 * degree, 20 * degree), std::sqrt(2) * std::tan(20 * degree),

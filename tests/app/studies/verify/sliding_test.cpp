@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Papers, SlidingBenchmark,
                              return name;
                          });
 
-TEST_P(SlidingBenchmark, is_within_its_tolerance_and_far_below_the_papers_error)
+TEST_P(SlidingBenchmark, IsWithinItsToleranceAndFarBelowThePapersError)
 {
     for (const Benchmark& benchmark : all_benchmarks(1)) {
         if (benchmark.name != GetParam()) continue;

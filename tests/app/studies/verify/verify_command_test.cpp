@@ -16,14 +16,14 @@ class VerifyCommand : public CommandTest
     int verify(const std::string& arguments) { return voussoir("verify " + arguments); }
 };
 
-TEST_F(VerifyCommand, lists_without_running)
+TEST_F(VerifyCommand, ListsWithoutRunning)
 {
     EXPECT_EQ(verify("--list"), 0);
     EXPECT_NE(output_.find("incline-gravity-3d"), std::string::npos);
     EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
-TEST_F(VerifyCommand, every_benchmark_is_on_the_page_that_ships)
+TEST_F(VerifyCommand, EveryBenchmarkIsOnThePageThatShips)
 {
     EXPECT_EQ(verify("--list"), 0);
     const std::string page = contents(VOUSSOIR_DOCS "/verification.md");
@@ -33,13 +33,13 @@ TEST_F(VerifyCommand, every_benchmark_is_on_the_page_that_ships)
             << name << ": rerun voussoir verify --sweep -o docs";
 }
 
-TEST_F(VerifyCommand, names_the_nearest_benchmark)
+TEST_F(VerifyCommand, NamesTheNearestBenchmark)
 {
     EXPECT_EQ(verify("incline-gravty-3d"), 2);
     EXPECT_NE(output_.find("did you mean incline-gravity-3d?"), std::string::npos) << output_;
 }
 
-TEST_F(VerifyCommand, with_json_alone_writes_nothing_else)
+TEST_F(VerifyCommand, WithJsonAloneWritesNothingElse)
 {
     EXPECT_EQ(verify("incline-gravity-3d --json out.json"), 0) << output_;
     const nlohmann::json list = nlohmann::json::parse(contents("out.json"));
@@ -51,7 +51,7 @@ TEST_F(VerifyCommand, with_json_alone_writes_nothing_else)
     EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
-TEST_F(VerifyCommand, places_that_cannot_be_written_are_refused_before_the_runs)
+TEST_F(VerifyCommand, PlacesThatCannotBeWrittenAreRefusedBeforeTheRuns)
 {
     EXPECT_EQ(verify("incline-gravity-3d --json nowhere/out.json"), 2);
     EXPECT_EQ(output_.find("paper's error"), std::string::npos) << "it ran first:\n" << output_;
@@ -59,13 +59,13 @@ TEST_F(VerifyCommand, places_that_cannot_be_written_are_refused_before_the_runs)
     EXPECT_EQ(output_.find("paper's error"), std::string::npos) << "it ran first:\n" << output_;
 }
 
-TEST_F(VerifyCommand, json_to_standard_output_is_nothing_but_json)
+TEST_F(VerifyCommand, JsonToStandardOutputIsNothingButJson)
 {
     EXPECT_EQ(verify("incline-gravity-3d --json -"), 0);
     EXPECT_EQ(nlohmann::json::parse(output_).size(), 1u);
 }
 
-TEST_F(VerifyCommand, writes_the_page_and_the_diagram)
+TEST_F(VerifyCommand, WritesThePageAndTheDiagram)
 {
     const bool has_plots = fs::exists(fs::path(VOUSSOIR_PROGRAM).parent_path() / "voussoir-plot");
     EXPECT_EQ(verify(has_plots ? "incline-gravity-3d --sweep -o docs" : "incline-gravity-3d -o docs"), 0)
