@@ -1,8 +1,7 @@
 // voussoir-generate-record: writes a synthetic accelerogram (noise.h) as a PEER AT2 file whose header names
 // the command that makes it again.
 
-#include <getopt.h>
-
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -23,103 +22,55 @@ using voussoir::SyntheticMotion;
 namespace
 {
 
-constexpr const char* usage =
-    R"(voussoir-generate-record [options] -o FILE: a synthetic accelerogram in PEER's AT2 format
-
-  --duration S         length                                        [10]
-  --time-step S        sampling                                      [0.005]
-  --pga G              peak acceleration in g                        [0.3]
-  --ground-frequency F where the soil resonates, Hz                  [3]
-  --ground-damping Z   damping ratio of the soil                     [0.4]
-  --high-pass F        corner below which motion falls off, Hz       [0.3]
-  --seed N             of the noise: the same seed, the same record  [1]
-  --component NAME     written into the header                       [X]
-  -o, --output FILE    the file to write
-  -h, --help           this text
-)";
-
 struct Options {
     SyntheticMotion motion;
     double peak_g = 0.3;  // as typed, so that the header repeats it exactly
     std::string component = "X";
     std::filesystem::path output;
-    bool help = false;
 };
 
-enum OptionCode { duration = 1000, time_step, pga, ground_frequency, ground_damping, high_pass, seed, component };
-
-const option long_options[] = {{"duration", required_argument, nullptr, duration},
-                               {"time-step", required_argument, nullptr, time_step},
-                               {"pga", required_argument, nullptr, pga},
-                               {"ground-frequency", required_argument, nullptr, ground_frequency},
-                               {"ground-damping", required_argument, nullptr, ground_damping},
-                               {"high-pass", required_argument, nullptr, high_pass},
-                               {"seed", required_argument, nullptr, seed},
-                               {"component", required_argument, nullptr, component},
-                               {"output", required_argument, nullptr, 'o'},
-                               {"help", no_argument, nullptr, 'h'},
-                               {nullptr, 0, nullptr, 0}};
-
-double number(const char* text)
+/// A number as records write it, to its last bit: CLI11 would read it as long double and round twice.
+double number(const std::string& option, const std::string& word)
 {
     double value = 0;
-    if (!voussoir::parse_fortran_number(text, value)) throw InputError("command line", text, "give a number");
+    if (!voussoir::parse_fortran_number(word, value)) throw CLI::ValidationError(option, word + " is not a number");
     return value;
 }
 
-std::uint64_t whole_number(const char* text)
+std::uint64_t whole_number(const std::string& option, const std::string& word)
 {
-    const double value = number(text);
+    const double value = number(option, word);
     const bool exact =
         value >= 0 && value <= 0x1p53 && value == static_cast<double>(static_cast<std::uint64_t>(value));
-    if (!exact) throw InputError("command line: --seed", text, "give a whole number from 0 to 2^53");
+    if (!exact) throw CLI::ValidationError(option, word + " is not a whole number from 0 to 2^53");
     return static_cast<std::uint64_t>(value);
 }
 
-Options parse(int argc, char** argv)
+void add_number(CLI::App& program, const std::string& name, double& value, const std::string& meaning)
 {
-    Options options;
-    for (int code = 0; (code = getopt_long(argc, argv, "o:h", long_options, nullptr)) != -1;) {
-        switch (code) {
-            case duration:
-                options.motion.duration = number(optarg);
-                break;
-            case time_step:
-                options.motion.time_step = number(optarg);
-                break;
-            case pga:
-                options.peak_g = number(optarg);
-                break;
-            case ground_frequency:
-                options.motion.ground_frequency = number(optarg);
-                break;
-            case ground_damping:
-                options.motion.ground_damping = number(optarg);
-                break;
-            case high_pass:
-                options.motion.high_pass_frequency = number(optarg);
-                break;
-            case seed:
-                options.motion.seed = whole_number(optarg);
-                break;
-            case component:
-                options.component = optarg;
-                break;
-            case 'o':
-                options.output = optarg;
-                break;
-            case 'h':
-                options.help = true;
-                break;
-            default:
-                throw InputError("command line", "unknown or incomplete option", "see --help");
-        }
-    }
-    if (options.help) return options;
-    if (optind < argc) throw InputError("command line", argv[optind], "is not an option; see --help");
-    if (options.output.empty()) throw InputError("command line", "no -o FILE", "name the file to write");
-    options.motion.peak_acceleration = options.peak_g * voussoir::standard_gravity;
-    return options;
+    const auto read = [name, &value](const std::string& word) { value = number(name, word); };
+    program.add_option_function<std::string>(name, read, meaning)
+        ->type_name("NUMBER")
+        ->default_str(voussoir::to_text(value));
+}
+
+void add_options(CLI::App& program, Options& options)
+{
+    SyntheticMotion& motion = options.motion;
+    add_number(program, "--duration", motion.duration, "Length in s");
+    add_number(program, "--time-step", motion.time_step, "Sampling in s");
+    add_number(program, "--pga", options.peak_g, "Peak acceleration in g");
+    add_number(program, "--ground-frequency", motion.ground_frequency, "Where the soil resonates, Hz");
+    add_number(program, "--ground-damping", motion.ground_damping, "Damping ratio of the soil");
+    add_number(program, "--high-pass", motion.high_pass_frequency, "Corner below which motion falls off, Hz");
+    const auto read_seed = [&motion](const std::string& word) { motion.seed = whole_number("--seed", word); };
+    program.add_option_function<std::string>("--seed", read_seed, "Of the noise: the same seed, the same record")
+        ->type_name("NUMBER")
+        ->default_str(std::to_string(motion.seed));
+    program.add_option("--component", options.component, "Written into the header")
+        ->type_name("NAME")
+        ->capture_default_str();
+    program.add_option("-o,--output", options.output, "The file to write")->required()->type_name("FILE");
 }
 
 /// The command that makes the same file again, every default spelled out.
@@ -165,11 +116,15 @@ void generate(const Options& options)
 int main(int argc, char** argv)
 {
     try {
-        const Options options = parse(argc, argv);
-        if (options.help) {
-            std::fputs(usage, stdout);
-            return 0;
+        CLI::App program("A synthetic accelerogram in PEER's AT2 format", "voussoir-generate-record");
+        Options options;
+        add_options(program, options);
+        try {
+            program.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return program.exit(error) == 0 ? 0 : 2;
         }
+        options.motion.peak_acceleration = options.peak_g * voussoir::standard_gravity;
         generate(options);
         return 0;
     } catch (const InputError& error) {

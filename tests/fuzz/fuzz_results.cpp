@@ -13,7 +13,7 @@
 #include "app/results/restart_file.h"
 #include "app/results/state_file.h"
 #include "libdda/errors.h"
-#include "tests/app_results/synthetic.h"
+#include "tests/app/results/synthetic.h"
 #include "tests/fuzz/damaged_results.h"
 #include "tests/temporary_folder.h"
 

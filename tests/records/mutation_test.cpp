@@ -56,7 +56,7 @@ bool accepts(const std::string& content, const ReadOptions& options)
 
 }  // namespace
 
-TEST(DamagedRecords, are_refused_in_words_or_read_as_sound_records)
+TEST(DamagedRecords, AreRefusedInWordsOrReadAsSoundRecords)
 {
     Damage damage(2009);
     const std::vector<std::filesystem::path> files = seeds();
@@ -75,7 +75,7 @@ TEST(DamagedRecords, are_refused_in_words_or_read_as_sound_records)
 }
 
 // The seeds are worth damaging: each is a record as it stands, or with what a user adds.
-TEST(DamagedRecords, come_from_sound_ones)
+TEST(DamagedRecords, ComeFromSoundOnes)
 {
     for (const std::filesystem::path& file : seeds()) {
         if (file.filename() == "decimal_commas.csv") continue;  // looks like one and is none

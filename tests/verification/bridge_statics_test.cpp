@@ -100,7 +100,7 @@ std::vector<HalfArchJoint> half_arch(const Model& model)
 
 }  // namespace
 
-TEST(BridgeStatics, every_joint_of_the_half_arch_is_in_equilibrium)
+TEST(BridgeStatics, EveryJointOfTheHalfArchIsInEquilibrium)
 {
     const Solved solved = solve_self_weight(1);
     ASSERT_EQ(solved.report.outcome, Outcome::completed) << solved.report.message;
@@ -131,7 +131,7 @@ TEST(BridgeStatics, every_joint_of_the_half_arch_is_in_equilibrium)
     EXPECT_LT(std::hypot(reactions.x(), reactions.y()) / arch_weight, 1e-6);
 }
 
-TEST(BridgeStatics, thrust_does_not_depend_on_the_static_step_and_lies_in_the_range_of_limit_analysis)
+TEST(BridgeStatics, ThrustDoesNotDependOnTheStaticStepAndLiesInTheRangeOfLimitAnalysis)
 {
     const Solved coarse = solve_self_weight(1), fine = solve_self_weight(0.1);
     ASSERT_EQ(coarse.report.outcome, Outcome::completed);
@@ -149,7 +149,7 @@ TEST(BridgeStatics, thrust_does_not_depend_on_the_static_step_and_lies_in_the_ra
     EXPECT_LT(thrust(coarse), range.greatest);
 }
 
-TEST(BridgeStatics, line_of_thrust_lies_inside_every_joint)
+TEST(BridgeStatics, LineOfThrustLiesInsideEveryJoint)
 {
     const Solved solved = solve_self_weight(1);
     for (const JointResultant& joint : solved.joints) {

@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Stations, LAquila, ::testing::Values("AQV_16837", "AQK_
 }  // namespace
 
 // All three components of the whole record, 300 to 860 s, at steps that do not divide its 5 ms.
-TEST_P(LAquila, foundation_follows_the_whole_record)
+TEST_P(LAquila, FoundationFollowsTheWholeRecord)
 {
     const GroundOfStation ground = whole();
     for (const double time_step : {3.7e-3, 11e-3}) {
@@ -155,7 +155,7 @@ TEST_P(LAquila, foundation_follows_the_whole_record)
 }
 
 // A stone rests on the foundation, rocks and slides; steps of the record's own length and of others.
-TEST_P(LAquila, foundation_under_a_stone_follows_the_record)
+TEST_P(LAquila, FoundationUnderAStoneFollowsTheRecord)
 {
     const GroundOfStation ground = strong_part();
     for (const double time_step : {3.7e-3, 5e-3, 11e-3}) {
@@ -171,7 +171,7 @@ TEST_P(LAquila, foundation_under_a_stone_follows_the_record)
 
 // A stone that falls on the moving ground, and no more than two passes of the open-close iteration to take a step
 // in: the impacts cut steps. The ground is the same.
-TEST_P(LAquila, foundation_follows_the_record_when_steps_are_cut)
+TEST_P(LAquila, FoundationFollowsTheRecordWhenStepsAreCut)
 {
     const GroundOfStation ground = strong_part();
     Scene scene(ground, true, ground.duration, 5e-3);
@@ -186,7 +186,7 @@ TEST_P(LAquila, foundation_follows_the_record_when_steps_are_cut)
 }
 
 // The same samples, called velocities and displacements: a record of either is followed as exactly.
-TEST_P(LAquila, foundation_follows_a_record_of_velocity_or_displacement)
+TEST_P(LAquila, FoundationFollowsARecordOfVelocityOrDisplacement)
 {
     for (const Quantity quantity : {Quantity::velocity, Quantity::displacement}) {
         GroundOfStation ground = strong_part(quantity);

@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, GroundFrame, testing::every_kinematics(), t
 
 }  // namespace
 
-TEST_P(GroundFrame, body_acceleration_moves_a_stone_as_moving_ground_does)
+TEST_P(GroundFrame, BodyAccelerationMovesAStoneAsMovingGroundDoes)
 {
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
         const bool newmark = integrator == Integrator::newmark;

@@ -104,7 +104,7 @@ Answer shake(const Reading& reading)
 
 }  // namespace
 
-TEST(MoscaPaper, sequence_of_the_paper_under_both_readings_of_its_abutments)
+TEST(MoscaPaper, SequenceOfThePaperUnderBothReadingsOfItsAbutments)
 {
     std::printf("%-40s %9s %9s %9s %9s %9s %9s %9s %8s %8s\n", "reading", "crown", "crown", "abutment", "span",
                 "compr.", "compr.", "tension", "highest", "centre/");

@@ -66,7 +66,7 @@ ProgramRun run_with_supports(double left, double right)
 
 }  // namespace
 
-TEST(MovedSupportsCase, two_foundations_with_records_of_their_own_open_and_close_an_arch)
+TEST(MovedSupportsCase, TwoFoundationsWithRecordsOfTheirOwnOpenAndCloseAnArch)
 {
     const ThreeHingedArch arch;
     const double ends[][2] = {{-0.06, 0.14}, {0.02, -0.1}};

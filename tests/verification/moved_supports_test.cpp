@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, MovedSupports,
 
 }  // namespace
 
-TEST_P(MovedSupports, open_and_close_an_arch_as_its_span_says)
+TEST_P(MovedSupports, OpenAndCloseAnArchAsItsSpanSays)
 {
     const ThreeHingedArch arch;
     constexpr double soft = 1e10, stiff = 1e11;  // Pa

@@ -49,7 +49,7 @@ double largest_difference(const ProgramRun& plane, const ProgramRun& space)
 
 }  // namespace
 
-TEST(PlanarScene, incline_gives_the_same_answer_with_six_and_three_unknowns_and_less_memory)
+TEST(PlanarScene, InclineGivesTheSameAnswerWithSixAndThreeUnknownsAndLessMemory)
 {
     const double angle = std::numbers::pi / 4, friction = std::tan(20 * std::numbers::pi / 180);
     const double exact = 0.5 * 9.80665 * (std::sin(angle) - std::cos(angle) * friction);
@@ -82,7 +82,7 @@ TEST(PlanarScene, incline_gives_the_same_answer_with_six_and_three_unknowns_and_
 
 // Four hinges form at 0.3736 g by virtual work over all sets of four hinges of this arch.
 // Source: Oppenheim 1992 (0.37 g).
-TEST(PlanarScene, arch_stands_below_its_limit_and_falls_above_it)
+TEST(PlanarScene, ArchStandsBelowItsLimitAndFallsAboveIt)
 {
     const std::vector<std::string> still = {"output=null", "foundation.motion=null"};
     const auto tilted = [&](const char* direction) {
@@ -96,7 +96,7 @@ TEST(PlanarScene, arch_stands_below_its_limit_and_falls_above_it)
     EXPECT_NE(falls.word("message").find("mechanism"), std::string::npos) << falls.word("message");
 }
 
-TEST(PlanarScene, a_case_without_meshes_and_pictures_starts_no_helper)
+TEST(PlanarScene, ACaseWithoutMeshesAndPicturesStartsNoHelper)
 {
     const TemporaryFolder alone;
     copy_file(VOUSSOIR_PROGRAM, alone / "voussoir");  // its helpers would stand beside it
@@ -107,7 +107,7 @@ TEST(PlanarScene, a_case_without_meshes_and_pictures_starts_no_helper)
 }
 
 // Mosca's bridge, its stones being prisms along y, shaken along and up and down.
-TEST(PlanarScene, bridge_moves_like_the_spatial_one)
+TEST(PlanarScene, BridgeMovesLikeTheSpatialOne)
 {
     const auto run = [](const char* kinematics) {
         return run_case(

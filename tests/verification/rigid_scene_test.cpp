@@ -10,7 +10,7 @@
 namespace voussoir::verification
 {
 
-TEST(RigidScene, incline_gives_the_same_answer_with_six_unknowns_and_less_memory)
+TEST(RigidScene, InclineGivesTheSameAnswerWithSixUnknownsAndLessMemory)
 {
     const std::filesystem::path incline = VOUSSOIR_CASES "/incline.yaml";
     const ProgramRun deformable = run_case(incline, {"kinematics=spatial_deformable"}),

@@ -1,0 +1,261 @@
+// Whole cases made of boxes: what a good one becomes, and what is said about bad ones.
+#include "app/reader/case_file.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "app/reader/blocks.h"
+#include "app/reader/overlaps.h"
+#include "tests/app/reader/case_reading.h"
+
+namespace voussoir
+{
+namespace
+{
+
+TEST(CaseFile, BecomesAModelWithStages)
+{
+    const Case the_case = read(two_boxes);
+    const Model& model = the_case.model;
+    EXPECT_EQ(the_case.title, "Two boxes");
+    ASSERT_EQ(model.blocks.size(), 2);
+    EXPECT_EQ(model.groups, (std::vector<std::string>{"foundation", "masonry"}));
+    EXPECT_NEAR(model.mass(1), 2400, 1e-9);
+    EXPECT_NEAR(model.joint_between(0, 1).friction_angle, std::numbers::pi / 6, 1e-15);
+    EXPECT_EQ(model.joints[0].stiffness.kind, ContactStiffness::Kind::from_modulus);
+    ASSERT_EQ(model.foundations.size(), 1);
+    EXPECT_EQ(model.foundations[0].block, 0);
+    EXPECT_TRUE(model.foundations[0].fully_held());
+    ASSERT_EQ(the_case.stages.size(), 2);
+    EXPECT_EQ(the_case.stages[0].type, StageType::static_equilibrium);
+    EXPECT_DOUBLE_EQ(the_case.stages[0].control.time_step, 1);
+    EXPECT_DOUBLE_EQ(the_case.stages[1].control.time_step, 0.002);
+    EXPECT_DOUBLE_EQ(the_case.stages[1].duration, 0.2);
+    EXPECT_DOUBLE_EQ(the_case.output.every, 0.02);
+    EXPECT_FALSE(the_case.output.snapshots);
+    EXPECT_EQ(the_case.output.histories.at(0).block, "stone");
+}
+
+TEST(CaseFile, FrictionMayDependOnTheSpeedOfSlip)
+{
+    const std::string table =
+        "friction: 30 deg, friction_at_speed: [{speed: 1 cm/s, friction: 25 deg}, {speed: 0.1 m/s, friction: 20 "
+        "deg}]";
+    const JointMaterial joint = read(with(two_boxes, "friction: 30 deg", table)).model.joints.at(0);
+    ASSERT_EQ(joint.friction_at_speed.size(), 2u);
+    const auto tangent = [](double angle) { return std::tan(angle * std::numbers::pi / 180); };
+    EXPECT_NEAR(friction_coefficient(joint, 0), tangent(30), 1e-15);
+    EXPECT_NEAR(friction_coefficient(joint, 0.005), 0.5 * (tangent(30) + tangent(25)), 1e-15);
+    EXPECT_NEAR(friction_coefficient(joint, 0.055), 0.5 * (tangent(25) + tangent(20)), 1e-15);
+    EXPECT_NEAR(friction_coefficient(joint, 3), tangent(20), 1e-15);
+    const std::string none = "friction: 30 deg, friction_at_speed: []";
+    EXPECT_NE(faults_of(with(two_boxes, "friction: 30 deg", none)).find("an empty list"), std::string::npos);
+    const std::string descending =
+        "friction: 30 deg, friction_at_speed: [{speed: 2 m/s, friction: 25 deg}, {speed: 1 m/s, friction: 20 "
+        "deg}]";
+    EXPECT_NE(faults_of(with(two_boxes, "friction: 30 deg", descending)).find("speeds must ascend"),
+              std::string::npos);
+}
+
+TEST(CaseFile, PrintsEveryDefaultItTakes)
+{
+    const Case the_case = read(with(two_boxes, ", time_step: 2 ms", ""));
+    EXPECT_TRUE(has_default(the_case, "kinematics = spatial_deformable"));
+    EXPECT_TRUE(has_default(the_case, "gravity = 9.80665 m/s2 along -z"));
+    EXPECT_TRUE(has_default(the_case, "stages[1]: time_step = 0.002 s"));
+    EXPECT_TRUE(has_default(the_case, "blocks[1]: material = granite, group = masonry"));
+    EXPECT_TRUE(has_default(the_case, "foundation: x = fixed, y = fixed, z = fixed, rotation = fixed"));
+    EXPECT_FALSE(has_default(read(two_boxes), "stages[1]: time_step"));
+}
+
+TEST(CaseFile, ListsAllFaultsAtOnceWithLines)
+{
+    std::string text = with(two_boxes, "young: 4.5 GPa", "yung: 4.5 GPa");
+    text = with(text, "time_step: 2 ms", "time_step: -1 ms");
+    text = with(text, "friction: 30 deg", "friction: 30 m");
+    text = with(text, "block: stone", "block: stome");
+    EXPECT_EQ(
+        faults_of(text),
+        "case.yaml:3: materials.granite.young: missing; give a pressure such as 4.5 GPa\n"
+        "case.yaml:3: materials.granite.yung: unknown key; did you mean young?\n"
+        "case.yaml:5: joints.dry.friction: \"30 m\" has the wrong dimension; expected an angle such as 30 deg\n"
+        "case.yaml:12: stages[1].time_step: -1 ms; must be > 0\n"
+        "case.yaml:13: output.histories.top.block: no block \"stome\"; did you mean stone?");
+}
+
+TEST(CaseFile, PlacesFaultsOfOverridesAtTheOption)
+{
+    EXPECT_EQ(faults_of(two_boxes, {"stages[1].time_step=0 s"}), "--set stages[1].time_step: 0 s; must be > 0");
+    EXPECT_DOUBLE_EQ(read(two_boxes, {"stages[1].time_step=1 ms"}).stages[1].control.time_step, 0.001);
+    EXPECT_EQ(read(two_boxes, {"kinematics=spatial_rigid"}).model.kinematics, Kinematics::spatial_rigid);
+    EXPECT_TRUE(read(two_boxes, {"output=null"}).output.histories.empty());
+}
+
+TEST(CaseFile, BareDegreesDoNotPassForRadians)
+{
+    EXPECT_EQ(faults_of(two_boxes, {"joints.dry.friction=30"}),
+              "--set joints.dry.friction: 30 rad (1718.87 deg); must be >= 0 and < 1.5708 rad (90 deg)");
+}
+
+TEST(CaseFile, ContactStiffnessNeedsItsUnit)
+{
+    const auto kind = [](const std::string& value) {
+        return read(two_boxes, {"joints.dry.contact_stiffness=" + value}).model.joints[0].stiffness.kind;
+    };
+    EXPECT_EQ(kind("1e8 N/m"), ContactStiffness::Kind::per_point);
+    EXPECT_EQ(kind("50 MPa/m"), ContactStiffness::Kind::per_area);
+    EXPECT_NE(faults_of(two_boxes, {"joints.dry.contact_stiffness=1e8"}).find("no unit"), std::string::npos);
+}
+
+TEST(CaseFile, ContactStiffnessFactorIsOneAndPositive)
+{
+    const std::string key = "joints.dry.contact_stiffness_factor";
+    EXPECT_EQ(read(two_boxes).model.joints[0].stiffness.factor, 1);
+    EXPECT_EQ(read(two_boxes, {key + "=4"}).model.joints[0].stiffness.factor, 4);
+    EXPECT_EQ(faults_of(two_boxes, {key + "=0"}), "--set " + key + ": 0; must be > 0");
+}
+
+TEST(CaseFile, OverlappingBoxesAreRefusedAndTouchingOnesAreNot)
+{
+    EXPECT_EQ(faults_of(with(two_boxes, "[-0.5, -0.5, 0]", "[-0.5, -0.5, -0.1]")),
+              "case.yaml:8: blocks[1].box: floor and stone: overlap by 0.1 m; stones may touch but not overlap");
+}
+
+TEST(CaseFile, BoxesTurnAboutTheirCentreOrAPoint)
+{
+    const Case the_case = read(with(two_boxes, "upper: [50 cm, 0.5, 1]",
+                                    "upper: [50 cm, 0.5, 1], rotate: {axis: [0, 0, 2], angle: 90 deg, about: [0, "
+                                    "1, 0]}"));
+    EXPECT_TRUE(the_case.model.blocks[1].moments.centroid.isApprox(Eigen::Vector3d(1, 1, 0.5), 1e-14));
+}
+
+TEST(CaseFile, JointsFollowTheirRules)
+{
+    std::string text =
+        with(two_boxes, "  dry: {friction: 30 deg}", "  dry: {friction: 30 deg}\n  slick: {friction: 10 deg}");
+    EXPECT_NE(faults_of(text).find("default_joint: missing"), std::string::npos);
+    text += "default_joint: dry\njoint_rules: [{between: [masonry, foundation], joint: slick}]\n";
+    const Model model = read(text).model;
+    EXPECT_EQ(model.joint_between(0, 1).name, "slick");
+    EXPECT_EQ(model.joint_between(1, 0).name, "slick");
+    EXPECT_EQ(model.joint_between(1, 1).name, "dry");
+}
+
+TEST(CaseFile, MotionActsInTheOnlyDynamicStage)
+{
+    const std::string sine = "{sine: {acceleration: 0.5 g, frequency: 2.5 Hz}}";
+    const std::string text =
+        with(two_boxes, "{blocks: foundation}", "{blocks: foundation, motion: {x: " + sine + "}}");
+    const Case the_case = read(text);
+    ASSERT_EQ(the_case.stages[1].motions.size(), 1);
+    EXPECT_TRUE(the_case.stages[0].motions.empty());
+    EXPECT_EQ(the_case.stages[1].motions[0].component, 0);
+    EXPECT_DOUBLE_EQ(the_case.stages[1].motions[0].motion->duration(), 0.2);
+    EXPECT_EQ(the_case.motions.size(), 1);
+    EXPECT_NE(faults_of(text, {"stages[2]={type: dynamic, duration: 1 s}"}).find("2 dynamic stages"),
+              std::string::npos);
+    const Case named =
+        read(text, {"stages[2]={name: more, type: dynamic, duration: 1 s}", "foundation.motion_stage=more"});
+    EXPECT_TRUE(named.stages[1].motions.empty());
+    EXPECT_EQ(named.stages[2].motions.size(), 1);
+    EXPECT_NE(faults_of(text, {"foundation.x=free"}).find("a motion of a free component"), std::string::npos);
+}
+
+TEST(CaseFile, ARecordGivesItsDurationAndIsScaledToAPeak)
+{
+    const TemporaryFolder folder;
+    folder.write("record.txt", "0.00 0.0\n0.01 1.0\n0.02 -2.0\n0.03 0.0\n");
+    const std::string text =
+        with(with(two_boxes, ", duration: 0.2 s", ""), "{blocks: foundation}",
+             "{blocks: foundation, motion: {z: {record: record.txt, unit: m/s2, scale_to_pga: "
+             "0.1 g}}}");
+    const Case the_case = read_case(folder.write("case.yaml", text), {});
+    EXPECT_NEAR(the_case.stages[1].duration, 0.03, 1e-12);
+    EXPECT_NEAR(the_case.stages[1].motions.at(0).motion->peak_acceleration(), 0.1 * 9.80665, 1e-12);
+    EXPECT_NE(the_case.motions.at(0).residual_velocity, 0);
+    const Case corrected = read_case(folder / "case.yaml", {"foundation.motion.z.end_correction=true"});
+    EXPECT_NEAR(corrected.motions.at(0).residual_velocity, 0, 1e-12);
+}
+
+TEST(CaseFile, BodyAccelerationLoadsAFreeGroup)
+{
+    const Case the_case =
+        read(two_boxes, {"stages[1].body_acceleration=[{blocks: masonry, y: {sine: {acceleration: 1 m/s2, "
+                         "frequency: 1 Hz}}}]"});
+    ASSERT_EQ(the_case.stages[1].body_accelerations.size(), 1);
+    EXPECT_EQ(the_case.stages[1].body_accelerations[0].block, 1);
+    EXPECT_EQ(the_case.stages[1].body_accelerations[0].component, 1);
+}
+
+TEST(CaseFile, ARigidSceneHasNoStressToDraw)
+{
+    EXPECT_EQ(read(two_boxes, {"output.snapshots={color: principal_stress}"}).output.snapshots->color,
+              SnapshotColor::principal_stress);
+    EXPECT_NE(faults_of(two_boxes, {"output.snapshots={color: principal_stress}", "kinematics=spatial_rigid"})
+                  .find("rigid scene, which has no stress"),
+              std::string::npos);
+}
+
+TEST(CaseFile, KeysOfTheOtherKindOfStageSaySo)
+{
+    EXPECT_EQ(faults_of(two_boxes, {"stages[0].duration=3 s"}),
+              "--set stages[0].duration: has no meaning here; a static stage ends at equilibrium");
+    EXPECT_EQ(faults_of(two_boxes, {"stages[1].dissipation=0.1"}),
+              "--set stages[1].dissipation: has no meaning here; it belongs to integrator: energy_decaying");
+}
+
+// It would leave them out without a word.
+TEST(CaseFile, ThePublishedIterationRefusesWhatItDoesNotKnow)
+{
+    const std::string published = with(two_boxes, "time_step: 2 ms}", "time_step: 2 ms, open_close: published}");
+    ASSERT_EQ(faults_of(published), "no fault");
+    for (const std::string key : {"cohesion: 1 MPa", "tensile_strength: 1 kPa", "dashpot: 1 ms"}) {
+        const std::string joint = with(published, "friction: 30 deg}", "friction: 30 deg, " + key + "}");
+        EXPECT_NE(faults_of(joint).find("case.yaml:12: stages[1]: open_close: published has no cohesion"),
+                  std::string::npos)
+            << faults_of(joint);
+        EXPECT_EQ(faults_of(with(joint, ", open_close: published", "")), "no fault");
+    }
+    for (const std::string key : {"max_open_close: 6", "force_tolerance: 1e-3", "integrator: energy_decaying",
+                                  "divide_up_to_blocks: 10"}) {
+        const std::string stage = with(published, "published}", "published, " + key + "}");
+        EXPECT_NE(faults_of(stage).find("has no meaning here; the published iteration has"), std::string::npos)
+            << faults_of(stage);
+    }
+}
+
+TEST(Patterns, StarsAndQuestionMarks)
+{
+    EXPECT_TRUE(matches_pattern("abutment_left", "abutment_*"));
+    EXPECT_TRUE(matches_pattern("abc", "*c"));
+    EXPECT_TRUE(matches_pattern("abc", "a?c"));
+    EXPECT_TRUE(matches_pattern("", "*"));
+    EXPECT_FALSE(matches_pattern("abc", "a?"));
+    EXPECT_FALSE(matches_pattern("voussoir", "abutment_*"));
+    EXPECT_FALSE(matches_pattern(std::string(200, 'a'), "*a*a*a*a*a*a*a*a*a*a*b"));  // in no time
+}
+
+TEST(Overlaps, DepthIsTheShortestWayOut)
+{
+    const ConvexPolyhedron cube = make_box({0, 0, 0}, {1, 1, 1});
+    EXPECT_NEAR(overlap_depth(cube, cube, {0.75, 0.5, 0}), 0.25, 1e-15);
+    EXPECT_LE(overlap_depth(cube, cube, {1, 0, 0}), 0);
+    // Two cubes edge to edge, which only an edge-edge axis can part: both turned by 45 degrees about different
+    // axes.
+    const auto turned = [](ConvexPolyhedron shape, const Eigen::Vector3d& axis) {
+        const Eigen::AngleAxisd rotation(std::numbers::pi / 4, axis);
+        for (Eigen::Vector3d& vertex : shape.vertices) vertex = rotation * vertex;
+        return shape;
+    };
+    const ConvexPolyhedron centred = make_box({-1, -1, -1}, {1, 1, 1});
+    const ConvexPolyhedron a = turned(centred, Eigen::Vector3d::UnitX());
+    const ConvexPolyhedron b = turned(centred, Eigen::Vector3d::UnitY());
+    EXPECT_LT(overlap_depth(a, b, {0, 0, 2 * std::numbers::sqrt2 + 1e-3}), 0);
+    EXPECT_NEAR(overlap_depth(a, b, {0, 0, 2 * std::numbers::sqrt2 - 1e-3}), 1e-3, 1e-9);
+}
+
+}  // namespace
+}  // namespace voussoir

@@ -1,0 +1,22 @@
+// Some dozen kills at random moments; 200 of them are in many_killed_runs_test.cpp.
+#include "tests/app/results/killed_runs.h"
+
+#include <gtest/gtest.h>
+
+namespace voussoir::killed_runs
+{
+namespace
+{
+
+TEST(KilledRuns, ADozenOfATower)
+{
+    kill_many(shaken_tower, 12, 1);
+}
+
+TEST(KilledRuns, ADozenOfAPlanarFrame)
+{
+    kill_many(shaken_frame, 12, 2);
+}
+
+}  // namespace
+}  // namespace voussoir::killed_runs

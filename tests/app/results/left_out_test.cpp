@@ -1,0 +1,47 @@
+// left_out names exactly what is not created.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/results/results_writer.h"
+#include "tests/app/results/synthetic.h"
+
+namespace voussoir
+{
+namespace
+{
+
+bool names(const std::vector<std::string>& words, const std::string& start)
+{
+    return std::any_of(words.begin(), words.end(), [&](const std::string& w) { return w.starts_with(start); });
+}
+
+TEST(LeftOut, ABareRigidCaseLeavesOutNearlyAll)
+{
+    const auto words = left_out(synthetic::tower(Kinematics::spatial_rigid));
+    for (const char* word :
+         {"strains", "mesh importers", "ground motion", "body accelerations", "cohesion", "contact dashpots",
+          "kinetic damping", "viscous boundaries", "histories", "renderer"}) {
+        EXPECT_TRUE(names(words, word)) << word;
+    }
+    EXPECT_FALSE(names(words, "foundations"));
+}
+
+TEST(LeftOut, WhatACaseListsIsNotLeftOut)
+{
+    Case full = synthetic::arch(Kinematics::spatial_deformable);
+    const auto sine = std::make_shared<GroundMotion>(GroundMotion::sine_acceleration(1, 1, 0, 1));
+    full.mesh_files = {"arch.obj"};
+    full.stages[1].motions = {{0, 0, sine}};
+    full.stages[1].body_accelerations = {{0, 0, sine}};
+    full.stages[1].damping.rate = 1;
+    full.model.joints[0].tensile_strength = 1e3;
+    full.model.joints[0].dashpot = 1e-4;
+    full.output.snapshots.emplace();
+    EXPECT_EQ(left_out(full), std::vector<std::string>{"viscous boundaries (not in this model)"});
+    full.model.foundations.clear();
+    EXPECT_TRUE(names(left_out(full), "foundations"));
+}
+
+}  // namespace
+}  // namespace voussoir

@@ -1,0 +1,220 @@
+// What goes into results.h5 comes out, and what a scene does not have is not in it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "app/results/energy_terms.h"
+#include "app/results/results_reader.h"
+#include "app/results/results_writer.h"
+#include "tests/app/results/synthetic.h"
+#include "tests/temporary_folder.h"
+
+namespace voussoir
+{
+namespace
+{
+
+std::filesystem::path write_run(const Case& the_case, const std::filesystem::path& folder, int frames = 3)
+{
+    ResultsWriter writer(the_case, folder);
+    RunReport report;
+    State state;
+    for (int i = 0; i < frames; ++i) {
+        state = synthetic::swaying(the_case, 0.5 * i);
+        report.steps = state.step;
+        report.energy.friction = 10.0 * i;
+        report.energy.gravity_work = 25.0 * i;
+        writer.history(state, {}, report);
+        writer.frame(state, report);
+    }
+    writer.finish(state, report, {2.5, 4.5});
+    return writer.results_file();
+}
+
+std::string bytes_of(const std::filesystem::path& path)
+{
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << stream.rdbuf();
+    return bytes.str();
+}
+
+/// Vertices of the first part or outline, in space.
+std::vector<Eigen::Vector3d> levers_of(const Block& block)
+{
+    if (block.outlines.empty()) return block.parts[0].vertices;
+    std::vector<Eigen::Vector3d> levers;
+    for (const Eigen::Vector2d& lever : block.outlines[0].vertices) levers.push_back(to_space(lever));
+    return levers;
+}
+
+class AllKinematics : public testing::TestWithParam<Kinematics>
+{
+};
+
+TEST_P(AllKinematics, FramesComeBackBitForBit)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::arch(GetParam());
+    const ResultsReader reader(write_run(the_case, folder.path()));
+    ASSERT_EQ(reader.times, (std::vector<double>{0, 0.5, 1}));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const State state = synthetic::swaying(the_case, reader.times[i]);
+        const RecordedFrame frame = reader.frame(i);
+        EXPECT_EQ(frame.state.coordinates, state.coordinates);
+        EXPECT_EQ(frame.state.velocities, state.velocities);
+        EXPECT_EQ(frame.step, state.step);
+        EXPECT_EQ(frame.stage, state.stage);
+        EXPECT_NEAR(frame.ground.x(), 0.05 * reader.times[i], 1e-15);
+    }
+}
+
+TEST_P(AllKinematics, JointsComeBackBitForBit)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::arch(GetParam());
+    const ResultsReader reader(write_run(the_case, folder.path()));
+    const auto expected = joint_resultants(the_case.model, synthetic::swaying(the_case, 1));
+    const auto found = reader.frame(2).joints;
+    ASSERT_EQ(found.size(), expected.size());
+    ASSERT_EQ(found.size(), 16U);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].block_a, expected[i].block_a);
+        EXPECT_EQ(found[i].block_b, expected[i].block_b);
+        EXPECT_EQ(found[i].force, expected[i].force);
+        EXPECT_EQ(found[i].moment, expected[i].moment);
+        EXPECT_EQ(found[i].centre, expected[i].centre);
+        EXPECT_EQ(found[i].normal_force, expected[i].normal_force);
+        EXPECT_EQ(found[i].max_opening, expected[i].max_opening);
+        EXPECT_EQ(found[i].slip, expected[i].slip);
+    }
+}
+
+TEST_P(AllKinematics, TheMeshIsThatOfTheModel)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::arch(GetParam());
+    const ResultsReader reader(write_run(the_case, folder.path()));
+    const SurfaceMesh mesh = surface_mesh_of(the_case.model);
+    EXPECT_EQ(reader.model.mesh.levers, mesh.levers);
+    EXPECT_EQ(reader.model.mesh.face_vertices, mesh.face_vertices);
+    EXPECT_EQ(reader.model.mesh.vertex_block, mesh.vertex_block);
+    EXPECT_EQ(reader.model.block_names.at(1), "voussoir_1");
+    EXPECT_EQ(reader.model.foundations, (std::vector<std::int32_t>{0, 16}));
+    // every edge of a closed surface is run once in each direction: 24 corners of faces a box; an outline has 4
+    EXPECT_EQ(mesh.face_vertices.size(), is_planar(GetParam()) ? 17U * 4U : 17U * 24U);
+}
+
+TEST_P(AllKinematics, PositionsAreThoseOfTheVertices)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::arch(GetParam());
+    const Hdf5File file = Hdf5File::open(write_run(the_case, folder.path()));
+    const State state = synthetic::swaying(the_case, 1);
+    const std::vector<float> positions = file.read_rows<float>("/frames/positions", 2, 1);
+    std::size_t row = 0;
+    for (std::size_t b = 0; b < the_case.model.blocks.size(); ++b) {
+        const Pose pose = pose_of(the_case.model.kinematics, state, static_cast<int>(b));
+        for (const Eigen::Vector3d& lever : levers_of(the_case.model.blocks[b])) {
+            const Eigen::Vector3d place = pose.centroid + pose.map * lever;
+            for (const int axis : axes_of(GetParam())) EXPECT_NEAR(positions[row++], place[axis], 1e-6);
+        }
+    }
+    EXPECT_EQ(row, positions.size());
+}
+
+TEST_P(AllKinematics, TwoRunsGiveTheSameBytes)
+{
+    const TemporaryFolder first, second;
+    const Case the_case = synthetic::arch(GetParam());
+    const std::string bytes = bytes_of(write_run(the_case, first.path()));
+    EXPECT_TRUE(bytes == bytes_of(write_run(the_case, second.path())));
+    EXPECT_GT(bytes.size(), 10000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinematics, AllKinematics,
+                         testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid,
+                                         Kinematics::planar_deformable, Kinematics::planar_rigid));
+
+TEST(Results, StressIsTheBlocksCauchyStress)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::tower(Kinematics::spatial_deformable);
+    const ResultsReader reader(write_run(the_case, folder.path()));
+    const Eigen::Matrix3d stress = stress_of(the_case.model, synthetic::swaying(the_case, 1), 3);
+    const Eigen::Matrix3d found = reader.frame(2).stresses.at(3);
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) EXPECT_EQ(found(i, j), stress(i, j));
+    EXPECT_LT(stress(2, 2), -1e4) << "the made-up state presses the block";
+}
+
+TEST(Results, ARigidSceneHasNoStressOrStrain)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = write_run(synthetic::tower(Kinematics::spatial_rigid), folder.path());
+    const Hdf5File file = Hdf5File::open(path);
+    EXPECT_TRUE(file.has("/frames/coordinates"));
+    EXPECT_EQ(file.extents("/frames/coordinates"), (Extents{3, 9, 7}));
+    EXPECT_EQ(file.extents("/frames/velocities"), (Extents{3, 9, 6}));
+    for (const char* name : {"/frames/stress", "/frames/face_least_stress", "/frames/face_greatest_stress"}) {
+        EXPECT_FALSE(file.has(name)) << name;
+    }
+    const std::string bytes = bytes_of(path);  // no dataset of such a name anywhere: names stand as text
+    const std::size_t frames = bytes.find("face_displacement");
+    ASSERT_NE(frames, std::string::npos);
+    EXPECT_EQ(bytes.find("face_least_stress"), std::string::npos);
+}
+
+TEST(Results, MotionsAreThereOnlyWithAMotion)
+{
+    const TemporaryFolder still, shaken;
+    Case the_case = synthetic::tower(Kinematics::spatial_rigid);
+    EXPECT_FALSE(Hdf5File::open(write_run(the_case, still.path())).has("/motions"));
+
+    const auto sine = std::make_shared<GroundMotion>(GroundMotion::sine_acceleration(4.9, 2.5, 0, 0.4));
+    the_case.stages[1].motions = {{0, 0, sine}, {0, 1, sine}};
+    the_case.motions = {{"foundation x: sine", sine->residual_velocity(), sine->residual_displacement(), 4.9}};
+    const Hdf5File file = Hdf5File::open(write_run(the_case, shaken.path()));
+    EXPECT_EQ(file.read_texts("/motions/motion_1/followers"), (std::vector<std::string>{"ground x", "ground y"}));
+    EXPECT_FALSE(file.has("/motions/motion_2")) << "one motion is stored once, however many follow it";
+    const Extents size = file.extents("/motions/motion_1/samples");
+    EXPECT_EQ(size, (Extents{1001, 4}));  // 2 s at 2 ms
+    const std::vector<double> row = file.read_rows<double>("/motions/motion_1/samples", 100, 1);
+    EXPECT_EQ(row,
+              (std::vector<double>{0.2, sine->acceleration(0.2), sine->velocity(0.2), sine->displacement(0.2)}));
+}
+
+TEST(Results, EveryEnergyTermIsANamedColumn)
+{
+    const TemporaryFolder folder;
+    const Hdf5File file = Hdf5File::open(write_run(synthetic::tower(Kinematics::spatial_rigid), folder.path()));
+    const std::vector<std::string> names = file.texts_attribute("/frames/energy", "columns");
+    const std::vector<double> last = file.read_rows<double>("/frames/energy", 2, 1);
+    ASSERT_EQ(names.size(), last.size());
+    ASSERT_EQ(names.size(), energy_terms({}).size());
+    const auto value = [&](const std::string& name) {
+        return last.at(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    EXPECT_EQ(value("friction_J"), 20);
+    EXPECT_EQ(value("gravity_work_J"), 50);
+    EXPECT_EQ(value("residual_J"), 30);
+}
+
+TEST(Results, TheCaseItselfIsInTheFile)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::arch(Kinematics::spatial_deformable);
+    const Hdf5File file = Hdf5File::open(write_run(the_case, folder.path()));
+    EXPECT_EQ(file.read_text("/case/text"), the_case.text);
+    EXPECT_EQ(file.read_texts("/case/overrides"), the_case.overrides);
+    EXPECT_EQ(file.read_texts("/case/defaults"), the_case.defaults);
+    EXPECT_EQ(file.text_attribute("/", "kinematics"), "spatial deformable");
+    EXPECT_EQ(file.number_attribute("/", "unknowns_per_block"), 12);
+    EXPECT_NE(file.read_text("/case/settings").find("\"time_step_s\": 0.002"), std::string::npos);
+    const std::vector<double> mass = file.read<double>("/model/mass");
+    EXPECT_DOUBLE_EQ(mass.at(3), the_case.model.mass(3));
+}
+
+}  // namespace
+}  // namespace voussoir

@@ -1,0 +1,109 @@
+// --resume goes on bit for bit: from every kind of moment at which a run can be asked to stop.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/reader/case_file.h"
+#include "app/results/restart_file.h"
+#include "app/results/results_writer.h"
+#include "tests/app/program_start.h"
+#include "tests/app/results/killed_runs.h"
+
+namespace voussoir
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Runs the case in this process into a folder, stopping after so many steps of this life; from a restart if
+/// given.
+Outcome run_steps(const Case& the_case, const fs::path& folder, int steps, const Restart* restart)
+{
+    State state = restart ? restart->state : initial_state(the_case.model);
+    const std::unique_ptr<ResultsWriter> writer = restart
+                                                      ? std::make_unique<ResultsWriter>(the_case, folder, *restart)
+                                                      : std::make_unique<ResultsWriter>(the_case, folder);
+    RunObserver observer;
+    observer.every = the_case.output.every;
+    int done = 0;
+    observer.frame = [&](const State& now, const RunReport& report) { writer->frame(now, report); };
+    observer.save = [&](const State& now, const RunPosition& at) { writer->save(now, at, {}); };
+    observer.step = [&](const State& now, const StepReport& step, const RunReport& report) {
+        writer->history(now, step, report);
+        ++done;
+    };
+    observer.stop = [&] { return done == steps; };
+    const RunReport report = restart ? run(the_case.model, the_case.stages, state, observer, restart->position)
+                                     : run(the_case.model, the_case.stages, state, observer);
+    writer->finish(state, report, {});
+    if (report.outcome != Outcome::interrupted) writer->end(report);
+    return report.outcome;
+}
+
+/// Stopped after every `steps` steps, in static and dynamic stages, on the grid of frames and off it.
+void stop_again_and_again(const std::string& case_text, int steps)
+{
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("case.yaml", case_text);
+    const Case the_case = read_case(file, {});
+    ASSERT_EQ(run_steps(the_case, folder / "reference", -1, nullptr), Outcome::completed);
+    int lives = 1;
+    Outcome outcome = run_steps(the_case, folder / "stopped", steps, nullptr);
+    for (; outcome == Outcome::interrupted; ++lives) {
+        const Restart restart = load_restart(restart_file_in(folder / "stopped"));
+        outcome = run_steps(the_case, folder / "stopped", steps, &restart);
+    }
+    EXPECT_EQ(outcome, Outcome::completed);
+    EXPECT_GT(lives, 5);
+    killed_runs::expect_equal_results(folder / "stopped", folder / "reference");
+}
+
+TEST(Resume, ATowerStoppedAfterEveryElevenSteps)
+{
+    stop_again_and_again(killed_runs::shaken_tower, 11);
+}
+
+TEST(Resume, AFrameStoppedAfterEveryThirteenSteps)
+{
+    stop_again_and_again(killed_runs::shaken_frame, 13);
+}
+
+TEST(Resume, TimesAddUpAndTheEndedRunSaysSo)
+{
+    const TemporaryFolder folder;
+    const killed_runs::Reference reference = killed_runs::run_through(folder.path(), killed_runs::shaken_tower);
+    const fs::path results = folder / "results";
+    const std::vector<std::string> arguments = {"run", reference.case_file.string(), "-o", results.string()};
+    std::vector<std::string> resume = arguments;
+    resume.emplace_back("--resume");
+    const pid_t child = start(folder, arguments);
+    while (!fs::exists(restart_file_in(results))) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::duration<double>(0.3 * reference.wall_time));
+    kill(child, SIGINT);
+    const Ended interrupted = finish(folder, child);
+    ASSERT_EQ(interrupted.exit_code, 4) << interrupted.errors;
+    EXPECT_NE(interrupted.errors.find("--resume goes on"), std::string::npos) << interrupted.errors;
+    const double before = load_restart(restart_file_in(results)).wall_time;
+    EXPECT_GT(before, 0.2 * reference.wall_time);
+
+    const Ended resumed = voussoir(folder, resume);
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
+    EXPECT_NE(resumed.output.find("goes on from stage '"), std::string::npos) << resumed.output;
+    const auto summary = nlohmann::json::parse(contents(results / "summary.json"));
+    EXPECT_GT(summary["wall_time_s"].get<double>(), before);
+    EXPECT_GT(summary["cpu_time_s"].get<double>(), 0);
+    killed_runs::expect_equal_results(results, reference.folder);
+
+    const std::string histories = contents(results / "histories.csv");
+    const Ended again = voussoir(folder, resume);
+    EXPECT_EQ(again.exit_code, 0) << again.errors;
+    EXPECT_NE(again.output.find("nothing to resume, the run has ended: completed"), std::string::npos);
+    EXPECT_EQ(contents(results / "histories.csv"), histories);
+}
+
+}  // namespace
+}  // namespace voussoir

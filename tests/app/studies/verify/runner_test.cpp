@@ -1,0 +1,154 @@
+// The runner, the table and the JSON on benchmarks whose results are known.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "app/studies/verify/engine_run.h"
+#include "app/studies/verify/page.h"
+#include "app/studies/verify/plot.h"
+#include "app/studies/verify/runner.h"
+#include "app/studies/verify/settings.h"
+#include "app/studies/verify/table.h"
+#include "app/studies/verify/verify_json.h"
+
+namespace voussoir
+{
+namespace
+{
+
+/// The error is 100 h^2; a step of 5 ms throws, one of 10 ms gives up.
+Benchmark second_order()
+{
+    Benchmark benchmark;
+    benchmark.name = "second-order";
+    benchmark.tolerance = 2e-4;
+    benchmark.sweep = standard_sweep({1e-2, 5e-3, 2e-3, 1e-3, 5e-4});
+    benchmark.run = [](const SceneSetting& setting) {
+        if (setting.time_step == 5e-3) throw std::runtime_error("no such thing");
+        VerifyResult result;
+        result.error = 100 * setting.time_step * setting.time_step;
+        result.simulated_time = 2;
+        result.cpu_time = 0.5;
+        if (setting.time_step == 1e-2) result.failure = "gave up";
+        return result;
+    };
+    return benchmark;
+}
+
+TEST(Runner, FindsTheOrderAndKeepsFailuresAsRows)
+{
+    const VerifyOutcome outcome = run_benchmark(second_order(), true);
+    EXPECT_TRUE(outcome.pass);
+    EXPECT_EQ(outcome.rows.size(), 20u);
+    ASSERT_EQ(outcome.orders.size(), 4u);
+    for (const ObservedOrder& order : outcome.orders) EXPECT_NEAR(order.order, 2, 1e-12) << order.method;
+    EXPECT_EQ(outcome.rows[0].result.failure, "gave up");
+    EXPECT_EQ(outcome.rows[1].result.failure, "no such thing");
+    EXPECT_NE(sweep_lines(outcome).find("failed"), std::string::npos);
+    EXPECT_NE(verification_page({outcome}, "voussoir verify", {}).find("failed: no such thing"),
+              std::string::npos);
+    EXPECT_DOUBLE_EQ(cpu_share(outcome.row.result), 0.25);
+}
+
+TEST(Runner, AnErrorAboveTheToleranceOrNoneAtAllDoesNotPass)
+{
+    Benchmark benchmark = second_order();
+    benchmark.tolerance = 0.99e-4;
+    EXPECT_FALSE(run_benchmark(benchmark, false).pass);
+    benchmark.setting.time_step = 5e-3;
+    benchmark.tolerance = 1;
+    EXPECT_FALSE(run_benchmark(benchmark, false).pass);
+    benchmark.run = [](const SceneSetting&) {
+        VerifyResult result;
+        result.error = std::nan("");
+        return result;
+    };
+    EXPECT_FALSE(run_benchmark(benchmark, false).pass);
+}
+
+TEST(Runner, JsonHasWhatDesignNamesAndNullForAnErrorThatIsNone)
+{
+    const VerifyOutcome outcome = run_benchmark(second_order(), true);
+    const nlohmann::json list = nlohmann::json::parse(verify_json({outcome}));
+    ASSERT_EQ(list.size(), 1u);
+    for (const char* key :
+         {"benchmark", "source", "quantity", "rows", "error", "tolerance", "paper_error", "pass"})
+        EXPECT_TRUE(list[0].contains(key)) << key;
+    for (const char* key : {"method", "time_step_s", "error", "cpu_time_s", "steps", "iterations"})
+        EXPECT_TRUE(list[0]["rows"][0].contains(key)) << key;
+    EXPECT_TRUE(list[0]["rows"][0]["error"].is_null());
+    EXPECT_NEAR(list[0]["error"].get<double>(), 1e-4, 1e-15);
+}
+
+TEST(Runner, DrawsWhatWasSweptAndNothingWhereEveryErrorIsNone)
+{
+    Benchmark benchmark = second_order();
+    const Figure swept = work_precision(run_benchmark(benchmark, true));
+    ASSERT_EQ(swept.diagrams.size(), 2u);  // no stiffness was varied
+    EXPECT_EQ(swept.diagrams[0].curves.size(), 4u);
+    EXPECT_EQ(swept.notes.size(), 8u) << "two steps of each method fail";
+    EXPECT_TRUE(picture(run_benchmark(benchmark, false)).diagrams.empty());
+    benchmark.tolerance = 0;
+    benchmark.run = [](const SceneSetting&) { return VerifyResult{}; };
+    const Figure none = work_precision(run_benchmark(benchmark, true));
+    EXPECT_TRUE(none.diagrams.empty());
+    EXPECT_EQ(none.notes.size(), 20u) << "each row is one without error";
+}
+
+TEST(Runner, TheSameSceneInOtherUnknownsMustPassAndAgree)
+{
+    Benchmark benchmark = second_order();
+    benchmark.also = {Kinematics::planar_rigid, Kinematics::planar_deformable, Kinematics::spatial_deformable};
+    double apart = 1e-6;
+    benchmark.run = [&](const SceneSetting& setting) {
+        VerifyResult result;
+        const double place = is_deformable(setting.kinematics) ? 2 : 1;
+        result.answer = {place * (is_planar(setting.kinematics) ? 1 + apart : 1)};
+        return result;
+    };
+    VerifyOutcome outcome = run_benchmark(benchmark, false);
+    EXPECT_TRUE(outcome.pass);
+    ASSERT_EQ(outcome.companions.size(), 3u);
+    EXPECT_NEAR(outcome.companions[0].distance.value(), 1e-6, 1e-12);
+    EXPECT_FALSE(outcome.companions[1].distance) << "the first deformable one has nothing to agree with";
+    EXPECT_NEAR(outcome.companions[2].distance.value(), 1e-6, 1e-9);
+    for (const double worse : {1e-3, std::nan("")}) {
+        apart = worse;
+        EXPECT_FALSE(run_benchmark(benchmark, false).pass);
+    }
+}
+
+TEST(Runner, RunsAddUpAndTheWorstErrorCounts)
+{
+    VerifyResult total, one;
+    one.error = 1e-3, one.steps = 5, one.cpu_time = 2, one.note = "a";
+    add_run(total, one);
+    one.error = 1e-4, one.failure = "why", one.note = "b";
+    add_run(total, one);
+    EXPECT_EQ(total.error, 1e-3);
+    EXPECT_EQ(total.steps, 10);
+    EXPECT_EQ(total.failure, "why");
+    EXPECT_EQ(total.note, "a; b");
+}
+
+TEST(Benchmarks, HaveNamesOfTheirOwnTolerancesAndSweepsOfFourSteps)
+{
+    std::set<std::string> names;
+    int swept = 0;
+    for (const Benchmark& benchmark : all_benchmarks(1)) {
+        EXPECT_TRUE(names.insert(benchmark.name).second) << benchmark.name;
+        EXPECT_GE(benchmark.tolerance, 0) << benchmark.name;
+        EXPECT_LE(benchmark.tolerance, 1) << benchmark.name;
+        std::set<double> steps;
+        for (const SceneSetting& setting : benchmark.sweep) steps.insert(setting.time_step);
+        EXPECT_TRUE(steps.empty() || steps.size() >= 4) << benchmark.name;
+        swept += !steps.empty();
+    }
+    EXPECT_GE(names.size(), 20U);
+    EXPECT_GE(swept, 5);
+}
+
+}  // namespace
+}  // namespace voussoir

@@ -1,0 +1,89 @@
+#include "app/words/quantity.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace voussoir
+{
+namespace
+{
+
+struct Written {
+    const char* text;
+    double si;
+    Dimension dimension;
+};
+
+TEST(Quantity, ReadsUnitsAsPeopleWriteThem)
+{
+    using namespace dimension;
+    const Written written[] = {
+        {"4.5 GPa", 4.5e9, pressure},
+        {"4.5GPa", 4.5e9, pressure},
+        {"30 deg", std::numbers::pi / 6, angle},
+        {"30°", std::numbers::pi / 6, angle},
+        {"0.3 g", 0.3 * 9.80665, acceleration},
+        {"9.81 m/s^2", 9.81, acceleration},
+        {"2 ms", 0.002, time},
+        {"24 kN/m3", 24e3, unit_weight},
+        {"24 kN/m³", 24e3, unit_weight},
+        {"2400 kg/m3", 2400, density},
+        {"2.4 t/m3", 2400, density},
+        {"50 MPa/m", 50e6, stiffness_per_area},
+        {"1e8 N/m", 1e8, stiffness_per_point},
+        {"2.5 Hz", 2.5, frequency},
+        {"0.5 1/s", 0.5, rate},
+        {"0.5 s^-1", 0.5, rate},
+        {"5 %", 0.05, number},
+        {"+3 ft", 3 * 0.3048, length},
+        {"-1 mm", -0.001, length},
+    };
+    for (const Written& one : written) {
+        const ParsedQuantity quantity = parse_quantity(one.text);
+        EXPECT_EQ(quantity.problem, "") << one.text;
+        EXPECT_DOUBLE_EQ(quantity.value, one.si) << one.text;
+        EXPECT_TRUE(quantity.has(one.dimension)) << one.text;
+        EXPECT_FALSE(quantity.bare) << one.text;
+    }
+}
+
+TEST(Quantity, BareNumbersAreMarkedAsSuch)
+{
+    EXPECT_TRUE(parse_quantity("0.25").bare);
+    EXPECT_DOUBLE_EQ(parse_quantity("1e-3").value, 1e-3);
+}
+
+TEST(Quantity, APressureIsNoDensity)
+{
+    EXPECT_FALSE(parse_quantity("2400 Pa").has(dimension::density));
+    EXPECT_FALSE(parse_quantity("50 MPa/m").has(dimension::stiffness_per_point));
+}
+
+TEST(Quantity, RefusesWhatIsNoFiniteNumber)
+{
+    for (const char* text : {"nan", ".nan", "inf", "-inf", ".inf", "-.inf", "1e999", "1e308 GPa", "-nan m"})
+        EXPECT_EQ(parse_quantity(text).problem, "not a finite number") << text;
+    for (const char* text : {"", " ", "abc", "GPa", "--3", "m 3"})
+        EXPECT_EQ(parse_quantity(text).problem, "not a number") << text;
+}
+
+TEST(Quantity, NamesTheUnitItDoesNotKnow)
+{
+    EXPECT_EQ(parse_quantity("4.5 Gpa").problem, "unknown unit \"Gpa\", did you mean GPa?");
+    for (const char* text :
+         {"1 xyz", "1 m//s", "1 m/", "1 /", "1 m3x", "1,5 m", "1 m^", "1 m99999999999", "3 3 m"})
+        EXPECT_NE(parse_quantity(text).problem.find("unknown unit"), std::string::npos) << text;
+}
+
+TEST(Quantity, RangesSayWhatTheyAllow)
+{
+    EXPECT_EQ(in_words(Range::positive(), dimension::time), "must be > 0");
+    EXPECT_EQ(in_words(Range{0, 1, true, false}, dimension::number), "must be >= 0 and < 1");
+    EXPECT_FALSE(Range::positive().contains(0));
+    EXPECT_TRUE(Range::non_negative().contains(0));
+    EXPECT_FALSE(Range::any().contains(std::numeric_limits<double>::quiet_NaN()));
+}
+
+}  // namespace
+}  // namespace voussoir

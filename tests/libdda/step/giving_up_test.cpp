@@ -1,0 +1,117 @@
+// When the numerics fail: no exception, no repair, the last good state and a message that names the block.
+#include <gtest/gtest.h>
+
+#include "libdda/step/advance.h"
+#include "tests/libdda/whole_scenes.h"
+
+namespace voussoir::testing
+{
+
+namespace
+{
+
+using Eigen::Vector3d;
+
+class GivingUp : public ::testing::TestWithParam<Kinematics>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Kinematics, GivingUp, every_kinematics(), test_name);
+
+/// A block that knocks against a floor within the first step.
+struct Knock {
+    Model model;
+    State state;
+
+    explicit Knock(Kinematics kinematics)
+    {
+        model = make_model(kinematics, stone(), dry(30));
+        hold(model, add_box(model, "floor", {-2, -2, -1}, {2, 2, 0}));
+        add_box(model, "keystone", {-0.5, -0.5, 0.001}, {0.5, 0.5, 0.3});
+        state = initial_state(model);
+        set_velocity(model, state, 1, {1, 0.5, -5}, {0.3, 2, 0.1});
+    }
+};
+
+/// A step that may not iterate and may not be cut.
+Stage impossible()
+{
+    Stage stage = dynamic_stage(0.1, 1e-3);
+    stage.control.max_open_close = 0;
+    stage.control.min_time_step = 1e-3;
+    return stage;
+}
+
+}  // namespace
+
+TEST_P(GivingUp, LeavesTheStateUntouchedAndNamesTheBlock)
+{
+    Knock knock(GetParam());
+    const std::uint64_t before = hash_of(knock.state);
+    const RunReport report = run_quietly(knock.model, {impossible()}, knock.state);
+    EXPECT_EQ(report.outcome, Outcome::gave_up);
+    EXPECT_EQ(hash_of(knock.state), before);
+    EXPECT_EQ(report.unconverged_steps, 1);
+    EXPECT_EQ(report.steps, 0);
+    EXPECT_NE(report.message.find("keystone"), std::string::npos) << report.message;
+    EXPECT_NE(report.message.find("try"), std::string::npos) << report.message;
+    EXPECT_EQ(report.energy.gravity_work, 0);
+}
+
+TEST_P(GivingUp, KeepsTheLastGoodStateInTheMiddleOfARun)
+{
+    FewBlocks scene(GetParam(), {});
+    Stage good = shaking(0.02, 1e-3), bad = shaking(0.02, 1e-3);
+    good.control.divide_up_to_blocks = bad.control.divide_up_to_blocks = 0;  // every step is a nominal one
+    bad.control.max_open_close = 0;
+    bad.control.min_time_step = 1e-3;
+    State reference = scene.state;
+    run_quietly(scene.model, {good}, reference);
+    begin_stage(scene.model, 1, reference);
+    const RunReport report = run_quietly(scene.model, {good, bad}, scene.state);
+    EXPECT_EQ(report.outcome, Outcome::gave_up);
+    EXPECT_EQ(report.steps, 20);
+    EXPECT_EQ(hash_of(scene.state), hash_of(reference));
+}
+
+// Cutting is the last resort, and counted: with a smaller least step the same scene gets through.
+TEST_P(GivingUp, DoesNotHappenWhileTheStepCanBeCut)
+{
+    FewBlocks scene(GetParam(), {});
+    Stage stage = shaking(0.02, 1e-3);
+    stage.control.max_open_close = 1;
+    stage.control.divide_up_to_blocks = 0;
+    const RunReport report = run_quietly(scene.model, {stage}, scene.state);
+    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_GT(report.step_cuts, 0);
+    EXPECT_GT(report.steps, 20);
+    EXPECT_EQ(scene.state.grid, 20);
+    EXPECT_EQ(scene.state.stage_time, 0.02);
+    EXPECT_EQ(report.unconverged_steps, 0);
+}
+
+// A structure that cannot stand is no equilibrium: the static stage says so instead of going on for ever.
+TEST_P(GivingUp, StaticStageOfAMechanism)
+{
+    const Model model = block_on_plane(GetParam(), 20);
+    State state = initial_state(model);
+    Stage stage = static_stage(0.01, inclined_gravity(45));
+    stage.max_static_steps = 20;
+    const RunReport report = run_quietly(model, {stage}, state);
+    EXPECT_EQ(report.outcome, Outcome::gave_up);
+    EXPECT_NE(report.message.find("mechanism"), std::string::npos) << report.message;
+    EXPECT_EQ(report.unconverged_steps, 1);
+    EXPECT_GT(report.static_unbalanced, 0.1);
+}
+
+TEST_P(GivingUp, IsNotWhatARequestToStopIs)
+{
+    Knock knock(GetParam());
+    RunObserver observer;
+    observer.stop = [] { return true; };
+    const RunReport report = run(knock.model, {dynamic_stage(0.02, 1e-3)}, knock.state, observer);
+    EXPECT_EQ(report.outcome, Outcome::interrupted);
+    EXPECT_EQ(report.steps, 1);
+    EXPECT_EQ(report.unconverged_steps, 0);
+}
+
+}  // namespace voussoir::testing

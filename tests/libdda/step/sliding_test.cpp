@@ -1,0 +1,185 @@
+// Blocks that slide and blocks that must not.
+#include <gtest/gtest.h>
+
+#include "tests/libdda/whole_scenes.h"
+
+namespace voussoir::testing
+{
+
+class Sliding : public ::testing::TestWithParam<Kinematics>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Kinematics, Sliding, every_kinematics(), test_name);
+
+// s = g (sin a - cos a tan phi) t^2 / 2 from rest.
+TEST_P(Sliding, InclineFollowsTheClosedForm)
+{
+    const Model model = block_on_plane(GetParam(), 20);
+    State state = initial_state(model);
+    const double x0 = centroid(model, state, 1).x();
+    const RunReport report = run_quietly(model, {dynamic_stage(1, 1e-3, inclined_gravity(45))}, state);
+    const double exact =
+        0.5 * gravity * (std::sin(45 * degrees) - std::cos(45 * degrees) * std::tan(20 * degrees));
+    const double error = std::abs(centroid(model, state, 1).x() - x0 - exact) / exact;
+    std::printf(
+        "incline 45/20, 1 ms, 1 s: relative error %.2e (%s), %lld iterations, %lld cuts, energy residual %.1e\n",
+        error, std::string(name_of(GetParam())).c_str(), static_cast<long long>(report.open_close_iterations),
+        static_cast<long long>(report.step_cuts), report.energy.relative_residual());
+    EXPECT_EQ(report.outcome, Outcome::completed);
+    EXPECT_LT(error, 1e-5);
+    EXPECT_NEAR(centroid(model, state, 1).y(), 0, 1e-9);
+    EXPECT_LT(report.energy.relative_residual(), 1e-6);
+}
+
+// mu = m0 + c v gives v' = d - r v with d = g (sin a - m0 cos a), r = c g cos a:
+// s = d / r (t - (1 - e^{-rt}) / r). It may weaken (c < 0) as well.
+TEST_P(Sliding, FrictionFollowsTheSpeedOfSlipToSecondOrder)
+{
+    const double angle = 30 * degrees, at_rest = std::tan(20 * degrees);
+    for (const double slope : {0.4, -0.1}) {  // s/m
+        double last_error = 0;
+        for (const double h : {4e-3, 2e-3}) {
+            Model model = block_on_plane(GetParam(), 20);
+            constexpr double fastest = 2;  // m/s, beyond what is reached
+            model.joints[0].friction_at_speed = {{fastest, std::atan(at_rest + slope * fastest)}};
+            State state = initial_state(model);
+            // The plane is let go with its friction mobilised.
+            const double along = 0.99999 * at_rest * gravity * std::cos(angle);
+            Stage held = static_stage(0.1, {along, 0, -gravity * std::cos(angle)});
+            ASSERT_EQ(run_quietly(model, {held}, state).outcome, Outcome::completed);
+            const double x0 = centroid(model, state, 1).x(), duration = 0.4;
+            begin_stage(model, 0, state);
+            ASSERT_EQ(run_quietly(model, {dynamic_stage(duration, h, inclined_gravity(30))}, state).outcome,
+                      Outcome::completed);
+            const double drive = gravity * (std::sin(angle) - std::cos(angle) * at_rest);
+            const double rate = slope * gravity * std::cos(angle);
+            const double exact = drive / rate * (duration + std::expm1(-rate * duration) / rate);
+            const double error = std::abs(centroid(model, state, 1).x() - x0 - exact) / exact;
+            if (last_error > 0) {
+                std::printf("friction m0 %+.1f v: error %.2e at 4 ms, %.2e at 2 ms\n", slope, last_error, error);
+                EXPECT_LT(error, 0.3 * last_error);
+                EXPECT_LT(error, 2e-5);
+            }
+            last_error = error;
+        }
+    }
+}
+
+// Static stages have pseudo steps and no speeds: friction is that at rest whatever the step.
+TEST_P(Sliding, FrictionInStaticStagesIsThatAtRest)
+{
+    for (const double h : {1e-3, 1.0}) {
+        Model model = block_on_plane(GetParam(), 30);
+        model.joints[0].friction_at_speed = {{1e-3, 5 * degrees}};
+        model.joints[0].stiffness = {ContactStiffness::Kind::per_area, 1e9};
+        State state = initial_state(model);
+        EXPECT_EQ(run_quietly(model, {static_stage(h, inclined_gravity(20))}, state).outcome, Outcome::completed)
+            << h;
+    }
+}
+
+TEST_P(Sliding, BlockThatMustStickDoesNotCreep)
+{
+    const Model model = block_on_plane(GetParam(), 50);
+    State state = initial_state(model);
+    Stage first = dynamic_stage(1, 1e-3, inclined_gravity(45)), rest = first;
+    rest.duration = 9;
+    run_quietly(model, {first}, state);
+    const Eigen::Vector3d before = centroid(model, state, 1);
+    State later = state;
+    begin_stage(model, 0, later);
+    run_quietly(model, {rest}, later);
+    const double creep = (centroid(model, later, 1) - before).norm();
+    std::printf("sticking block: %.2e m from 1 s to 10 s\n", creep);
+    EXPECT_LT(creep, 1e-6);
+    EXPECT_LT((centroid(model, later, 1) - Eigen::Vector3d(0, 0, 0.15)).norm(), 1e-6);
+}
+
+// x = v t - mu g t^2 / 2 over two floor blocks whose tops are flush.
+TEST_P(Sliding, BoxPassesTheJointOfAFlushFloor)
+{
+    for (const double h : {1e-3, 5e-3}) {
+        Model model = make_model(GetParam(), stone(), dry(std::atan(0.3) / degrees));
+        hold(model, add_box(model, "floor 1", {-1, -1, -1}, {1, 1, 0}));
+        hold(model, add_box(model, "floor 2", {1, -1, -1}, {3, 1, 0}));
+        const int box = add_box(model, "box", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
+        State state = initial_state(model);
+        ASSERT_EQ(run_quietly(model, {static_stage(0.1)}, state).outcome, Outcome::completed);
+        set_velocity(model, state, box, {2, 0, 0});
+        state.stage = 0;
+        begin_stage(model, 0, state);
+        double lift = 0;
+        RunObserver observer;
+        observer.step = [&](const State& now, const StepReport&, const RunReport&) {
+            lift = std::max(lift, std::abs(velocity_of(model.kinematics, now, box).z()));
+        };
+        run(model, {dynamic_stage(0.6, h)}, state, observer);
+        const double exact = 2 * 0.6 - 0.5 * 0.3 * gravity * 0.36;
+        const double error = std::abs(centroid(model, state, box).x() - exact);
+        std::printf("flush floor, h = %g s: error %.2e m, largest vertical speed %.1e m/s\n", h, error, lift);
+        EXPECT_LT(error, 1e-4);
+        EXPECT_LT(lift, 1e-3);
+    }
+}
+
+// Thrown along a level floor a box stops after v^2 / (2 mu g), wherever in a step that is, and stays.
+TEST_P(Sliding, BoxStopsInsideAStep)
+{
+    for (const bool divide : {true, false}) {
+        const Model model = block_on_plane(GetParam(), std::atan(0.3) / degrees);
+        State state = initial_state(model);
+        ASSERT_EQ(run_quietly(model, {static_stage(0.1)}, state).outcome, Outcome::completed);
+        set_velocity(model, state, 1, {1, 0, 0});
+        begin_stage(model, 0, state);
+        const double x0 = centroid(model, state, 1).x();
+        Stage stage = dynamic_stage(0.5, 1e-2);
+        if (!divide) stage.control.divide_up_to_blocks = 0;
+        const RunReport report = run_quietly(model, {stage}, state);
+        const double exact = 1 / (2 * 0.3 * gravity);
+        const double error = std::abs(centroid(model, state, 1).x() - x0 - exact) / exact;
+        const double speed = velocity_of(model.kinematics, state, 1).norm();
+        std::printf("stopping box, 10 ms, %s: relative error %.1e, speed left %.1e m/s, %lld steps divided\n",
+                    divide ? "divided" : "not divided", error, speed,
+                    static_cast<long long>(report.divided_steps));
+        EXPECT_EQ(state.stage_time, 0.5);
+        EXPECT_LT(report.energy.relative_residual(), 1e-6);
+        if (!divide) {
+            EXPECT_EQ(report.divided_steps, 0);
+            continue;
+        }
+        EXPECT_GE(report.divided_steps, 1);
+        EXPECT_LT(error, 1e-4);
+        EXPECT_LT(speed, 1e-3);
+    }
+}
+
+// A joint between blocks that tremble turns round at each of their vibrations; steps must not follow all of them.
+TEST_P(Sliding, ATowerThatTremblesDividesAStepOnlySoOften)
+{
+    Model model = make_model(GetParam(), stone(), dry(25));
+    hold(model, add_box(model, "floor", {-1, -1, -1}, {1, 1, 0}));
+    add_box(model, "first", {-0.3, -0.3, 0}, {0.3, 0.3, 0.5});
+    add_box(model, "second", {-0.25, -0.3, 0.5}, {0.35, 0.3, 1});
+    add_box(model, "third", {-0.3, -0.3, 1}, {0.3, 0.3, 1.6});
+    State state = initial_state(model);
+    ASSERT_EQ(run_quietly(model, {static_stage(0.01)}, state).outcome, Outcome::completed);
+    begin_stage(model, 0, state);
+    Stage stage = shaking(0.3, 1e-3);
+    std::int64_t grid = 0;
+    int parts = 0, most_parts = 0;
+    RunObserver observer;
+    observer.step = [&](const State& now, const StepReport& step, const RunReport&) {
+        parts += step.divided;
+        most_parts = std::max(most_parts, parts);
+        if (now.grid != grid) parts = 0;
+        grid = now.grid;
+    };
+    const RunReport report = run(model, {stage}, state, observer);
+    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_GT(report.divided_steps, 0);
+    EXPECT_LE(most_parts, 8);
+    EXPECT_LT(report.steps, 1000);
+    EXPECT_LT(report.energy.relative_residual(), 1e-4);
+}
+
+}  // namespace voussoir::testing
