@@ -173,8 +173,8 @@ void refuse_published_iteration_of(const std::vector<JointMaterial>& joints, Sta
     for (const JointMaterial& joint : joints)
         if (joint.has_strength() || joint.dashpot > 0)
             entry.written.fault(
-                "open_close: published has no cohesion, tensile strength or dashpots, which joint " + joint.name +
-                    " has",
+                "open_close: published has no cohesion, tensile strength or relaxation time, which joint " +
+                    joint.name + " has",
                 "take newton, or joints with friction only");
 }
 

@@ -77,7 +77,7 @@ void print_materials(const Model& model)
     for (const JointMaterial& joint : model.joints) {
         fmt::print(
             "joint {}: friction {:g} deg, cohesion {:g} Pa, tensile strength {:g} Pa, contact stiffness {}, "
-            "shear to normal {:g}, dashpot {:g} s\n",
+            "shear to normal {:g}, relaxation time {:g} s\n",
             joint.name, joint.friction_angle * 180 / std::numbers::pi, joint.cohesion, joint.tensile_strength,
             in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.dashpot);
         for (const FrictionAtSpeed& point : joint.friction_at_speed)
