@@ -35,15 +35,15 @@ void judge_overlaps(const Geometry& geometry, BlockReading& reading)
     int small = 0;
     double largest = 0;
     for (const Overlap& overlap : geometry.overlaps) {
-        if (overlap.share > most_overlap) {
+        if (overlap.fraction > most_overlap) {
             reading.findings.faults.push_back({place + ": " + overlap.stone_a + " and " + overlap.stone_b,
                                                fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
-                                                           overlap.volume, 100 * overlap.share),
+                                                           overlap.volume, 100 * overlap.fraction),
                                                "stones may touch but not overlap by more than 1 %"});
             continue;
         }
         ++small;
-        largest = std::max(largest, overlap.share);
+        largest = std::max(largest, overlap.fraction);
     }
     if (small > 0)
         reading.findings.warnings.push_back(fmt::format(

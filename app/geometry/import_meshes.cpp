@@ -210,7 +210,7 @@ std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
         }
     std::vector<Overlap> overlaps;
     for (const OverlappingPair& pair : find_overlaps(stones))
-        overlaps.push_back({names[pair.a], names[pair.b], pair.volume, pair.share});
+        overlaps.push_back({names[pair.a], names[pair.b], pair.volume, pair.fraction});
     return overlaps;
 }
 

@@ -135,7 +135,7 @@ TEST_F(JointRecords, faults_of_processing_name_the_step_and_its_line)
     EXPECT_EQ(fault("[{taper: 1 m}]"),
               place + "[0].taper: \"1 m\" has the wrong dimension; expected a time such as 2 ms");
     EXPECT_EQ(fault("[{window: {arias: [5 %]}}]"),
-              place + "[0].window.arias: 1 entries; write two shares, [0.1 %, 99 %]");
+              place + "[0].window.arias: 1 entries; write two fractions, [0.1 %, 99 %]");
     EXPECT_EQ(fault("mean"), place + ": \"mean\"; expected a list of steps, [mean, {taper: 1 s}]");
     EXPECT_EQ(fault("[{mean: 1, taper: 1 ms}]"),
               place + "[0].mean: has no meaning here; write it as a word, without figures");

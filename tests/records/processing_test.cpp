@@ -131,7 +131,7 @@ TEST(Baseline, LeavesNothingOfItselfAndSaysWhatItTook)
 TEST(TaperStep, IsZeroAtTheEndsAndOneInside)
 {
     const Channel constant = of_samples(std::vector<double>(1001, 2.0), 0.01);
-    for (const Taper& taper : {Taper{.seconds = 1.0}, Taper{.share = 0.1}}) {
+    for (const Taper& taper : {Taper{.seconds = 1.0}, Taper{.fraction = 0.1}}) {
         const Channel tapered = processed(constant, {taper});
         EXPECT_EQ(tapered.samples.front(), 0);
         EXPECT_EQ(tapered.samples.back(), 0);
@@ -373,7 +373,7 @@ TEST_F(RealRecords, LAquilaGoesThroughAUsualProcessing)
         channels.push_back(read_record(data_folder() / file, {}).channels[0]);
     }
     const ProcessedRecord record =
-        process(channels, {AriasWindow{0.001, 0.99, 2, 40}, RemoveBaseline{1}, Taper{.share = 0.05},
+        process(channels, {AriasWindow{0.001, 0.99, 2, 40}, RemoveBaseline{1}, Taper{.fraction = 0.05},
                            Butterworth{4, 0.05, 30.0}, Resample{0.01}, CorrectEnd{}});
     EXPECT_EQ(record.sentences.size(), 6);
     EXPECT_GT(record.start, 20);
