@@ -7,13 +7,12 @@
 #include <set>
 
 #include "app/case/nearest_word.h"
+#include "libdda/model/standard_gravity.h"
 
 namespace voussoir
 {
 namespace
 {
-
-constexpr double standard_gravity = 9.80665;  // m/s2, by which a weight per volume is a density
 
 /// A density, or the weight per volume that engineers' tables give.
 double read_density(YamlCursor& map)

@@ -29,12 +29,10 @@ SlidingProblem vector_analysis(const TwoDirections& scene)
     const double angle = scene.angle * degree;
     SlidingProblem problem;
     problem.driving = [=](double t) {
-        const double down = standard_gravity * std::sin(angle) + scene.dip(t) * std::cos(angle);
+        const double down = papers_gravity * std::sin(angle) + scene.dip(t) * std::cos(angle);
         return Eigen::Vector2d(down, scene.strike(t));
     };
-    problem.pressing = [=](double t) {
-        return standard_gravity * std::cos(angle) - scene.dip(t) * std::sin(angle);
-    };
+    problem.pressing = [=](double t) { return papers_gravity * std::cos(angle) - scene.dip(t) * std::sin(angle); };
     problem.friction = std::tan(scene.friction * degree);
     return problem;
 }

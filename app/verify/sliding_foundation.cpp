@@ -49,7 +49,7 @@ SlidingProblem equation_8(const Motion& motion)
     problem.driving = [=](double t) {
         return Eigen::Vector2d(-motion[0].acceleration(t), -motion[1].acceleration(t));
     };
-    problem.pressing = [=](double t) { return standard_gravity + motion[2].acceleration(t); };
+    problem.pressing = [=](double t) { return papers_gravity + motion[2].acceleration(t); };
     problem.friction = friction;
     return problem;
 }

@@ -28,7 +28,7 @@ VerifyResult slide_down(const VerifySetting& setting, double angle, double frict
         return made;
     }();
     return compare_sliding(scene, setting, paper_from, [&](double t) {
-        const double s = incline_displacement(standard_gravity, angle * degree, friction * degree, velocity, t);
+        const double s = incline_displacement(papers_gravity, angle * degree, friction * degree, velocity, t);
         return Eigen::Vector3d(s, 0, 0);
     });
 }
@@ -60,9 +60,9 @@ VerifyResult shaken(const VerifySetting& setting, const ShakenIncline& incline, 
     SlidingProblem problem;
     const auto push = [=](double t) { return incline.amplitude * std::sin(omega * t); };
     problem.driving = [=](double t) {
-        return Eigen::Vector2d(standard_gravity * std::sin(angle) + push(t) * std::cos(angle), 0);
+        return Eigen::Vector2d(papers_gravity * std::sin(angle) + push(t) * std::cos(angle), 0);
     };
-    problem.pressing = [=](double t) { return standard_gravity * std::cos(angle) - push(t) * std::sin(angle); };
+    problem.pressing = [=](double t) { return papers_gravity * std::cos(angle) - push(t) * std::sin(angle); };
     problem.friction = std::tan(incline.friction * degree);
     VerifyResult result = compare_sliding(scene, setting, paper_from, problem);
     result.note = fmt::format("{:g}/{:g} deg, {:g} m/s2 at {:g} Hz: {:.1e}", incline.angle, incline.friction,

@@ -22,7 +22,7 @@ VerifyResult slide_down(const VerifySetting& setting, const SlidingBlock& block,
     scene.rest_gravity = held_gravity(angle, std::tan(block.friction));
     scene.duration = duration;
     return compare_sliding(scene, setting, paper_from, [&](double t) {
-        return Eigen::Vector3d(incline_displacement(standard_gravity, angle, block.friction, 0, t), 0, 0);
+        return Eigen::Vector3d(incline_displacement(papers_gravity, angle, block.friction, 0, t), 0, 0);
     });
 }
 

@@ -19,7 +19,7 @@ using Terms = std::vector<Eigen::Vector2d>;  // amplitude [m/s2], angular freque
 /// Table 2: 0.1 g at the first frequency, 0.05 g at half of it, 0.025 g at a quarter.
 Terms set_of(double first)
 {
-    const double g = standard_gravity, omega = first * std::numbers::pi;
+    const double g = papers_gravity, omega = first * std::numbers::pi;
     return {{0.1 * g, omega}, {0.05 * g, omega / 2}, {0.025 * g, omega / 4}};
 }
 

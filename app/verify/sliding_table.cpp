@@ -37,7 +37,7 @@ constexpr std::array<TableTest, 8> tests{{{2.66, 0.28, 0.05367},
 double table_acceleration(const TableTest& test, double t)
 {
     const double envelope = std::clamp(std::min(t, duration - t) / ramp, 0.0, 1.0);
-    return envelope * test.acceleration * standard_gravity * std::sin(2 * std::numbers::pi * test.frequency * t);
+    return envelope * test.acceleration * papers_gravity * std::sin(2 * std::numbers::pi * test.frequency * t);
 }
 
 GroundMotion sampled(const TableTest& test)
@@ -97,10 +97,10 @@ SlidingProblem newmark_block(const TableTest& test, const Interface& interface)
     SlidingProblem problem;
     problem.driving = [=](double t) {
         const double push = table_acceleration(test, t);
-        return Eigen::Vector2d(standard_gravity * std::sin(angle) + push * std::cos(angle), 0);
+        return Eigen::Vector2d(papers_gravity * std::sin(angle) + push * std::cos(angle), 0);
     };
     problem.pressing = [=](double t) {
-        return standard_gravity * std::cos(angle) - table_acceleration(test, t) * std::sin(angle);
+        return papers_gravity * std::cos(angle) - table_acceleration(test, t) * std::sin(angle);
     };
     problem.friction = std::tan(interface.at_rest);
     problem.friction_at = friction_of(interface);

@@ -37,7 +37,7 @@ VerifyResult let_slide(const VerifySetting& setting, const Wedge& wedge)
     scene.duration = 1;
     const double equivalent = std::atan(wedge_friction(wedge.left * degree, wedge.right * degree, friction));
     VerifyResult result = compare_sliding(scene, setting, 0.1, [&](double t) {
-        return Eigen::Vector3d(incline_displacement(standard_gravity, plunge, equivalent, 0, t), 0, 0);
+        return Eigen::Vector3d(incline_displacement(papers_gravity, plunge, equivalent, 0, t), 0, 0);
     });
     result.note = words(wedge, result.error);
     return result;
@@ -53,9 +53,9 @@ VerifyResult shake(const VerifySetting& setting, const Wedge& wedge)
     SlidingProblem problem;
     problem.driving = [](double t) {
         const double sine = amplitude * std::sin(2 * std::numbers::pi * frequency * t);
-        return Eigen::Vector2d(standard_gravity * std::sin(plunge) + sine, 0);
+        return Eigen::Vector2d(papers_gravity * std::sin(plunge) + sine, 0);
     };
-    problem.pressing = [](double) { return standard_gravity * std::cos(plunge); };
+    problem.pressing = [](double) { return papers_gravity * std::cos(plunge); };
     problem.friction = wedge_friction(wedge.left * degree, wedge.right * degree, friction);
     VerifyResult result = compare_sliding(scene, setting, 1, problem);
     result.note = words(wedge, result.error);
