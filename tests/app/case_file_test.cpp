@@ -258,7 +258,7 @@ TEST(RenamedKeys, are_read_under_their_former_name_with_a_warning)
 TEST(RenamedKeys, are_warned_of_once)
 {
     const Case both =
-        read(with_joint("dashpot: 1 ms}, wet: {friction: 20 deg, dashpot: 2 ms"), {"default_joint=dry"});
+        read(with_joint("dashpot: 1 ms}\n  wet: {friction: 20 deg, dashpot: 2 ms"), {"default_joint=dry"});
     EXPECT_DOUBLE_EQ(both.model.joints.at(1).dashpot, 2e-3);
     EXPECT_EQ(both.warnings.size(), 1);
 }
