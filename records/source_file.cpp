@@ -41,7 +41,7 @@ void split_lines(SourceFile& file)
 std::string unpack(const std::string& name, const std::string& packed)
 {
     const auto damaged = [&](const char* what) {
-        return InputError(name, std::string("its gzip packing ") + what, "fetch the file again");
+        return InputError(name, std::string("its gzip packing ") + what, "download the file again");
     };
     z_stream stream{};
     if (inflateInit2(&stream, 16 + MAX_WBITS) != Z_OK) throw std::bad_alloc();
@@ -132,7 +132,7 @@ void FaultList::throw_if_any(const std::string& file)
 {
     if (faults_.empty()) return;
     if (unnamed_ > 0) {
-        faults_.push_back({file, std::to_string(unnamed_) + " more faults", "mend the ones above first"});
+        faults_.push_back({file, std::to_string(unnamed_) + " more faults", "correct those above first"});
     }
     throw InputError(std::move(faults_));
 }

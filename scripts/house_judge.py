@@ -18,12 +18,12 @@ MEMBERS = 5  # whose medians are compared
 DISTRUST = ("unaccounted for", "came from contacts")  # in what a run warns of
 JUDGED_SETTINGS = (0, 1)  # h and h / 2; the third, a stiffer contact, is a sensitivity
 
-CRITERIA = (f"every run gets to its end without giving up or collapse, at a step h of {1000 * MIN_TIME_STEP:g} ms or more, "
-            f"and warns of no energy that is unaccounted for or came from contacts; energy residual below "
+CRITERIA = (f"every run is completed without failure or collapse, at a step h of {1000 * MIN_TIME_STEP:g} ms or more, "
+            f"and without warnings of energy that is unaccounted for or came from contacts; energy residual below "
             f"{100 * MAX_RESIDUAL:g} %, damping below {MAX_DAMPING:g} of the energy put in, the integrator's loss neither "
-            f"negative nor all of it; in ensembles joints open by more than {MIN_OPENING} mm; medians of {MEMBERS} members at "
+            f"negative nor the whole of it; in ensembles joints open by more than {MIN_OPENING} mm; medians of {MEMBERS} members at "
             f"h and h / 2 differ by less than their spread or 10 %; 5 s in one run within {LONGEST_SHORT_RUN / 60:g} min, all "
-            f"within {LONGEST_STUDY / 3600:g} h; all of one engine and of the case as it is")
+            f"within {LONGEST_STUDY / 3600:g} h; all with one engine and the present case")
 
 
 def number(value, unknown=math.inf):

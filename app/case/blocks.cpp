@@ -47,7 +47,7 @@ void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
     }
     if (overlaps.size() < most_overlaps) return;
     reading.findings.faults.push_back({reading.findings.file, "more than 1000 pairs of stones overlap",
-                                       "the stones seem to be drawn in one place"});
+                                       "the stones appear to lie at the same position"});
     blocks.clear();  // a certificate of them would have a contact for every pair
 }
 
@@ -65,7 +65,7 @@ void refuse_infinite_masses(BlockReading& reading)
         if (is_number) continue;
         reading.findings.faults.push_back({reading.places.at(block.name) + ": " + block.name,
                                            fmt::format("a volume of {:g} m3 and a mass of {:g} kg", volume, mass),
-                                           "check its size, its place and its density"});
+                                           "check its size, position and density"});
         return;
     }
 }

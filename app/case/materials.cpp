@@ -41,7 +41,7 @@ ContactStiffness read_stiffness(YamlCursor& map)
     if (quantity.problem.empty() && quantity.has(dimension::stiffness_per_area))
         return {ContactStiffness::Kind::per_area,
                 value->as_quantity(dimension::stiffness_per_area, Range::positive())};
-    value->fault(value->found() + (quantity.bare ? " has no unit, and here it decides the meaning" : ""),
+    value->fault(value->found() + (quantity.bare ? " has no unit; the unit determines the meaning" : ""),
                  "expected 1e8 N/m (per contact point) or 50 MPa/m (per area)");
     return {};
 }
@@ -55,14 +55,15 @@ std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
     const std::optional<YamlCursor> list = map.find("friction_at_speed");
     if (!list) return points;
     double last = 0;
-    if (list->is_list_of(0)) list->fault("an empty list", "give a point, or leave friction_at_speed out");
+    if (list->is_list_of(0)) list->fault("an empty list", "give a point, or omit friction_at_speed");
     for (YamlCursor& item : list->items("a list of {speed: 1 cm/s, friction: 20 deg}")) {
         if (!item.expect_map("a point {speed: 1 cm/s, friction: 20 deg}")) continue;
         FrictionAtSpeed point;
         point.speed = item.quantity("speed", dimension::velocity, Range::positive());
         point.angle = item.quantity("friction", dimension::angle, friction_range);
         item.reject_unknown_keys();
-        if (point.speed <= last) item.fault(in_words(point.speed, dimension::velocity), "speeds must ascend");
+        if (point.speed <= last)
+            item.fault(in_words(point.speed, dimension::velocity), "speeds must be in ascending order");
         last = point.speed;
         points.push_back(point);
     }
@@ -111,7 +112,7 @@ int read_default_joint(YamlCursor& top, const std::vector<JointMaterial>& joints
     if (const std::optional<YamlCursor> value = top.find("default_joint"))
         return find_name(*value, names_of(joints), "joint");
     if (joints.size() == 1) return 0;
-    if (!joints.empty()) top.require("default_joint", "the joint that applies where no rule does");
+    if (!joints.empty()) top.require("default_joint", "the joint used where no rule applies");
     return -1;
 }
 

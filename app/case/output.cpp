@@ -50,7 +50,8 @@ void read_size(const YamlCursor& value, SnapshotOptions& snapshots)
     if (!(width > 0) || !(height > 0)) return;
     snapshots.width = static_cast<int>(width);
     snapshots.height = static_cast<int>(height);
-    if (snapshots.width != width || snapshots.height != height) value.fault("a part of a pixel", "whole numbers");
+    if (snapshots.width != width || snapshots.height != height)
+        value.fault("a fraction of a pixel", "whole numbers");
 }
 
 void read_times(YamlCursor& map, const std::vector<Stage>& stages, SnapshotOptions& snapshots)
@@ -60,7 +61,7 @@ void read_times(YamlCursor& map, const std::vector<Stage>& stages, SnapshotOptio
         snapshots.count = map.integer_or("count", 1, 10'000, snapshots.count);
         return;
     }
-    map.forbid("count", "the times say how many");
+    map.forbid("count", "the number follows from times");
     double end = 0;
     for (const Stage& stage : stages) end += stage.type == StageType::dynamic ? stage.duration : 0;
     for (const YamlCursor& time : times->items("a list of times, [0 s, 2.5 s]")) {

@@ -71,8 +71,8 @@ YamlNode* step_into(YamlNode& node, const PathStep& step, const std::string& pla
     if (node.kind != kind) {
         const std::string wanted = is_list ? fmt::format("[{}]", step.position) : step.key;
         findings.faults.push_back(
-            {place, fmt::format("no way to {} in {}", wanted, describe(node)),
-             is_list ? "positions are for lists" : "keys are for maps; list items are name[0]"});
+            {place, fmt::format("cannot set {} in {}", wanted, describe(node)),
+             is_list ? "only lists have positions" : "only maps have keys; list items are written as name[0]"});
         return nullptr;
     }
     const std::size_t index = is_list ? step.position : position_of(node, step.key);

@@ -185,15 +185,16 @@ std::optional<ProcessingStep> read_word(const YamlCursor& item)
 std::optional<ProcessingStep> read_step(YamlCursor& item)
 {
     if (item.is_scalar()) return read_word(item);
-    if (!item.expect_map("a step: mean, end_correction, or {window: ...} and its like")) return std::nullopt;
+    if (!item.expect_map("a step: mean, end_correction, {window: ...} or similar")) return std::nullopt;
     std::optional<ProcessingStep> step;
     for (const StepReader& reader : step_readers()) {
         std::optional<YamlCursor> value = item.find(reader.key);
         if (!value) continue;
-        if (step) item.fault("two steps in one entry", "write each as an entry of its own: their order counts");
+        if (step) item.fault("two steps in one entry", "write each as a separate entry: the order matters");
         step = reader.read(*value);
     }
-    for (const char* word : {"mean", "end_correction"}) item.forbid(word, "write it as a word, without figures");
+    for (const char* word : {"mean", "end_correction"})
+        item.forbid(word, "write it as a single word, without parameters");
     item.reject_unknown_keys();
     return step;
 }

@@ -43,7 +43,7 @@ int read_collapse(YamlCursor& map)
 {
     if (!map.expect_map("collapse {stop_after: 1}")) return 0;
     const int blocks = map.find("stop_after") ? map.integer_or("stop_after", 1, 1'000'000'000, 1) : 0;
-    if (blocks == 0) map.require("stop_after", "how many fallen blocks end the run, such as 1");
+    if (blocks == 0) map.require("stop_after", "the number of fallen blocks at which the run ends, such as 1");
     map.reject_unknown_keys();
     return blocks;
 }
@@ -134,7 +134,7 @@ StageEntry* stage_of_motion(const FoundationEntry& foundation, std::vector<Stage
     if (dynamic.empty())
         foundation.motion->fault("a motion, but no dynamic stage", "add a stage of type dynamic");
     else
-        foundation.motion->fault(fmt::format("{} dynamic stages it could act in", dynamic.size()),
+        foundation.motion->fault(fmt::format("{} dynamic stages in which it could act", dynamic.size()),
                                  "name one with motion_stage, or give the stages their own motion");
     return nullptr;
 }
@@ -161,7 +161,7 @@ void settle_duration(StageEntry& entry)
             fmt::format("a stage has at most {:g}", most_steps));
     if (entry.duration) return;
     if (longest > 0)
-        entry.written.took_default("duration", fmt::format("{:g} s, of its longest motion", longest));
+        entry.written.took_default("duration", fmt::format("{:g} s, that of its longest motion", longest));
     else if (!entry.expects_motion)  // else its motion could not be read, and that is said already
         entry.written.require("duration", "a time such as 20 s; there is no motion to take it from");
 }
@@ -175,7 +175,7 @@ void refuse_published_iteration_of(const std::vector<JointMaterial>& joints, Sta
             entry.written.fault(
                 "open_close: published has no cohesion, tensile strength or relaxation time, which joint " +
                     joint.name + " has",
-                "take newton, or joints with friction only");
+                "use newton, or joints with friction only");
 }
 
 std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d& gravity)
@@ -224,7 +224,7 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
 {
     const Eigen::Vector3d gravity = read_gravity(top, model.kinematics);
     std::vector<Stage> stages;
-    std::optional<YamlCursor> section = top.require("stages", "what happens, [{name: self-weight, type: static}]");
+    std::optional<YamlCursor> section = top.require("stages", "the stages, [{name: self-weight, type: static}]");
     if (!section) return stages;
     std::vector<StageEntry> entries = read_entries(*section, gravity);
     for (FoundationEntry& foundation : foundations) {

@@ -35,7 +35,7 @@ void YamlCursor::fault(std::string found, std::string expected) const
     findings_->faults.push_back({place(), std::move(found), std::move(expected)});
     if (findings_->faults.size() < most_faults) return;
     std::vector<Fault> faults = findings_->faults;
-    faults.push_back({findings_->file, "so many faults that reading stopped here", "mend the ones above first"});
+    faults.push_back({findings_->file, "too many faults; reading stopped here", "correct those above first"});
     throw InputError(std::move(faults));
 }
 
@@ -93,8 +93,7 @@ std::vector<std::pair<std::string, YamlCursor>> YamlCursor::named_entries(std::s
 void YamlCursor::report_duplicate(std::size_t first, std::size_t second) const
 {
     child(node_->items[second], node_->keys[second].empty() ? "\"\"" : node_->keys[second])
-        .fault(fmt::format("written a second time (first in line {})", node_->items[first].line),
-               "keep one of them");
+        .fault(fmt::format("given twice (first in line {})", node_->items[first].line), "keep one of them");
 }
 
 std::string YamlCursor::as_text() const

@@ -16,7 +16,7 @@ const char* words_of(Touch touch)
         case Touch::face:
             return "";
         case Touch::tilted:
-            return "tilted: an edge touches";
+            return "tilted: edge contact only";
         case Touch::corner:
             return "a corner touches";
         case Touch::edge:
@@ -88,7 +88,7 @@ void print_findings(const Assembly& assembly)
 {
     if (assembly.stones.empty()) return;
     if (assembly.findings.empty()) {
-        fmt::print("the stones stand together without fault\n");
+        fmt::print("no faults were found in the assembly of the stones\n");
         return;
     }
     fmt::print("findings:\n");

@@ -97,7 +97,7 @@ void print_case(const Case& the_case)
     print_wrapped("left out: " + joined(left_out(the_case)), "");
     std::vector<std::string> motions;
     for (const MotionNote& note : the_case.motions)
-        motions.push_back(fmt::format("{}; peak {:.3g} m/s2, at the end {:.3g} m/s and {:.3g} m", note.description,
+        motions.push_back(fmt::format("{}; peak {:.3g} m/s2, residual {:.3g} m/s and {:.3g} m", note.description,
                                       note.peak_acceleration, note.residual_velocity, note.residual_displacement));
     print_list("motions", motions);
     print_list("defaults taken", the_case.defaults);

@@ -87,7 +87,7 @@ std::vector<std::string> notes_about(const Assembly& assembly, const std::string
     for (const AssemblyFinding& finding : assembly.findings)
         if (finding.kind == kind &&
             std::find(finding.stones.begin(), finding.stones.end(), stone) != finding.stones.end())
-            return {finding.what, "What to do: " + finding.advice};
+            return {finding.what, "Remedy: " + finding.advice};
     return {};
 }
 

@@ -126,7 +126,7 @@ Stop converse(Conversation& talk, double seconds)
         if (streams[1].revents & (POLLIN | POLLHUP | POLLERR))
             errors_open = receive_some(talk.errors.ours, talk.error_output);
         if (talk.output.size() > talk.most_output || talk.error_output.size() > talk.most_output)
-            return {"it answered more than " + std::to_string(talk.most_output >> 20) + " MiB"};
+            return {"its output exceeded " + std::to_string(talk.most_output >> 20) + " MiB"};
     }
     return {};
 }
@@ -159,7 +159,7 @@ std::string describe_end(int status, const std::string& error_output)
     std::string said = last_line(error_output);
     if (!said.empty()) said = " (it said: " + said.substr(0, 200) + ")";
     if (WIFSIGNALED(status)) {
-        if (WTERMSIG(status) == SIGXCPU) return "it used up its processor time" + said;
+        if (WTERMSIG(status) == SIGXCPU) return "it exceeded its CPU time limit" + said;
         return "it crashed with signal " + std::to_string(WTERMSIG(status)) + ", " + strsignal(WTERMSIG(status)) +
                said;
     }

@@ -203,8 +203,8 @@ void close_joints(double width, ImportedMesh& mesh)
         mesh.stones[stone].repairs.push_back(words.str());
     }
     for (const auto& [stone, why] : stuck)
-        mesh.stones[stone].repairs.push_back("its joints were left open, for its faces cannot move so far: " +
-                                             why);
+        mesh.stones[stone].repairs.push_back(
+            "its joints were left open, because its faces cannot move that far: " + why);
 }
 
 }  // namespace voussoir

@@ -71,7 +71,7 @@ struct CommonOptions {
         command.add_option("--direction", direction, "of the first wall, from x to y [deg]")
             ->capture_default_str();
         command.add_option("--seed", imperfection.seed, "of the imperfections")->capture_default_str();
-        command.add_option("--size", imperfection.size, "blocks are smaller by up to this share [-]")
+        command.add_option("--size", imperfection.size, "blocks are smaller by up to this fraction [-]")
             ->capture_default_str();
         command.add_option("--joint", imperfection.joint, "blocks are moved by up to this length [m]")
             ->capture_default_str();
@@ -105,7 +105,7 @@ class WallCommand : public PatternCommand
         command.add_option("--height", wall_.height, "[m]")->capture_default_str();
         command.add_option("--thickness", wall_.thickness, "[m]")->capture_default_str();
         command.add_option("--leaves", wall_.leaves, "side by side through the thickness")->capture_default_str();
-        command.add_option("--header-every", wall_.header_every, "so manyth course reaches through all leaves")
+        command.add_option("--header-every", wall_.header_every, "every n-th course extends through all leaves")
             ->capture_default_str();
         add_list(command, "--opening", openings_, 4, most_numbers,
                  "AT,SILL,WIDTH,HEIGHT of an opening [m]; repeat");

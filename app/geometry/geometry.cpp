@@ -30,7 +30,7 @@ Geometry ask_helper(const std::vector<MeshRequest>& requests, const GeometryLimi
         if (geometry.meshes.size() == requests.size()) return geometry;
         failure = "it answered for another number of files";
     } catch (const std::exception& error) {
-        failure = std::string("its answer makes no sense: ") + error.what();
+        failure = std::string("its answer is invalid: ") + error.what();
     }
     return {};
 }

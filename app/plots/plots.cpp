@@ -32,11 +32,11 @@ std::vector<std::string> draw_figures(const std::vector<Figure>& figures, const 
     }
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw InputError(folder.string(), error.message(), "name a folder that can be made");
+    if (error) throw InputError(folder.string(), error.message(), "name a folder that can be created");
     const std::string request = std::filesystem::absolute(folder).string() + "\n" + figures_json(figures);
     const ChildAnswer answer = ask_child(helper(), request, seconds_allowed, most_output);
     if (!answer.failure.empty())
-        throw InputError(folder.string(), "voussoir-plot drew no diagrams: " + answer.failure, "see what it said");
+        throw InputError(folder.string(), "voussoir-plot drew no diagrams: " + answer.failure, "see its message");
     std::vector<std::string> names;
     std::istringstream lines(answer.output);
     for (std::string line; std::getline(lines, line);) names.push_back(line);

@@ -51,7 +51,7 @@ template <typename Look>
 Look look_from(const json& value, int count)
 {
     const int number = value.get<int>();
-    if (number < 0 || number >= count) throw std::out_of_range("a look that there is not");
+    if (number < 0 || number >= count) throw std::out_of_range("an unknown style");
     return static_cast<Look>(number);
 }
 
@@ -145,7 +145,7 @@ std::vector<fs::path> draw_defects(const DefectPictures& pictures, const fs::pat
     const ChildAnswer answer = ask_child(helper, to_json(pictures, folder), seconds_allowed, most_output);
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-defects drew no pictures: " + answer.failure,
-                         "see what it said");
+                         "see its message");
     std::vector<fs::path> files;
     std::istringstream lines(answer.output);
     for (std::string line; std::getline(lines, line);) files.emplace_back(line);

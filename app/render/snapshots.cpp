@@ -64,7 +64,7 @@ std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::p
         ask_child(helper, request(results_file, folder, options), seconds_allowed, most_output);
     if (!answer.failure.empty()) {
         throw InputError(results_file.string(), "voussoir-render drew no pictures: " + answer.failure,
-                         "see what it said");
+                         "see its message");
     }
     std::vector<fs::path> pictures;
     std::istringstream lines(answer.output);

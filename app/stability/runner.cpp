@@ -84,7 +84,7 @@ std::string why(const StabilityCell& cell, CellOutcome outcome, const CellRun& r
     if (outcome == CellOutcome::stopped) return run.diagnosis;
     if (outcome == CellOutcome::passed) return "";
     const std::string said = run.warning.empty() ? "" : "; it warned: " + run.warning;
-    if (!std::isfinite(run.error)) return "it came to its end without an answer: " + run.note + said;
+    if (!std::isfinite(run.error)) return "it ended without an answer: " + run.note + said;
     return fmt::format("error {} is beyond {}", error_in_words(run.error), error_in_words(cell.tolerance)) + said;
 }
 
@@ -107,7 +107,7 @@ CellResult run_apart(const StabilityCell& cell, const CellLimits& limits)
         result.run = cell_run_from_json(answer.output);
     } catch (const std::exception& error) {
         result.outcome = CellOutcome::crash;
-        result.diagnosis = std::string("it answered nonsense: ") + error.what();
+        result.diagnosis = std::string("its answer is invalid: ") + error.what();
         return result;
     }
     result.outcome = judge(cell, result.run);

@@ -81,8 +81,7 @@ VerifyResult run_table_3_depth(const VerifySetting& setting)
     compare(values, result);
     result.note += fmt::format(
         "; d of the centroid in m, as if H were 1 m: with the side of 2 m all three printed ratios are twice "
-        "ours, and "
-        "the first would need more energy than the drop has; of the corners alone{} m",
+        "ours, and the first would need more energy than that of the fall; of the corners alone{} m",
         corners);
     return result;
 }
@@ -206,17 +205,17 @@ std::vector<Benchmark> rebound_rows()
                        "largest deviation from a printed value", "the values are the paper's", 0.10));
     rows.back().run = run_table_3_depth;
     rows.push_back(row("rebound-trends", "Loss against time step, density and spring", "li, figures 9 and 10",
-                       "share of neighbouring settings that break the stated trend",
+                       "fraction of neighbouring settings that contradict the stated trend",
                        "figure not available; trends stated in the text", 0));
     rows.back().run = run_trends;
     rows.push_back(row("rebound-modulus", "Loss against modulus", "li, figure 10",
-                       "largest |loss - loss of the paper's scheme, written a second time|",
+                       "largest |loss - loss of an independent implementation of the paper's scheme|",
                        "printed to rise with the modulus; figure not available", 0.02));
     rows.back().run = run_modulus;
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
         const bool keeping = integrator == Integrator::energy_decaying;
         rows.push_back(row(keeping ? "rebound-energy-keeping" : "rebound-newmark",
-                           keeping ? "First rebound with the integrator that keeps energy"
+                           keeping ? "First rebound with the energy-conserving integrator"
                                    : "First rebound with the paper's integrator",
                            "li, block rebound model", "|apex - exact apex| / drop",
                            "35.3 % lost at 1 ms; exact is a loss-free contact", keeping ? 0.05 : 0.10));

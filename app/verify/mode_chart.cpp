@@ -174,7 +174,7 @@ Benchmark row(const std::string& name, const std::string& title, const std::stri
     benchmark.name = name;
     benchmark.title = title;
     benchmark.source = source;
-    benchmark.quantity = "share of points with another first motion than the chart";
+    benchmark.quantity = "fraction of points whose first motion differs from the chart";
     benchmark.paper_error = paper_error;
     benchmark.setting.time_step = 1e-3;
     benchmark.sweep = sweep_of(benchmark.setting, {2e-3, 1e-3, 5e-4, 2e-4});

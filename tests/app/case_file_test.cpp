@@ -56,7 +56,7 @@ TEST(CaseFile, friction_may_depend_on_the_speed_of_slip)
     const std::string descending =
         "friction: 30 deg, friction_at_speed: [{speed: 2 m/s, friction: 25 deg}, {speed: 1 m/s, friction: 20 "
         "deg}]";
-    EXPECT_NE(faults_of(with(two_boxes, "friction: 30 deg", descending)).find("speeds must ascend"),
+    EXPECT_NE(faults_of(with(two_boxes, "friction: 30 deg", descending)).find("speeds must be in ascending order"),
               std::string::npos);
 }
 

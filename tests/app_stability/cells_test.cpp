@@ -248,7 +248,7 @@ TEST(StabilityMaps, every_scene_is_on_the_page_that_ships)
     for (const StabilityScene& scene : stability_scenes()) {
         EXPECT_NE(page.str().find("\n## " + scene.name + "\n"), std::string::npos)
             << scene.name << ": rerun voussoir stability -o docs";
-        const bool holds = page.str().find(", " + scene.name + " holds from ") != std::string::npos;
+        const bool holds = page.str().find(", " + scene.name + " works from ") != std::string::npos;
         EXPECT_EQ(holds, scene.over_stiffness_and_step) << scene.name << ": rerun voussoir stability -o docs";
     }
 }

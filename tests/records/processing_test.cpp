@@ -220,7 +220,7 @@ TEST(Resampling, OfUnevenSamplesComesFirstAndIsSaid)
     const ProcessedRecord record = process({uneven}, {RemoveMean{}});
     EXPECT_NEAR(record.channels[0].time_step, 0.1, 1e-12);
     ASSERT_EQ(record.sentences.size(), 2);
-    expect_in(record.sentences[0], "uneven samples resampled along straight lines to 6 at 0.1 s");
+    expect_in(record.sentences[0], "uneven samples interpolated linearly to 6 at 0.1 s");
 }
 
 // ---- scaling
@@ -309,7 +309,7 @@ TEST(Rotation, AllowsForSkewSensors)
         ASSERT_NEAR(record.channels[1].samples[i], north.samples[i], 1e-12);
     }
     expect_in(record.sentences[0], "15 deg off a right angle");
-    expect_in(faults_of({sensor(20), sensor(203)}, {Rotate{0}}), "nearly on one line");
+    expect_in(faults_of({sensor(20), sensor(203)}, {Rotate{0}}), "nearly parallel");
     expect_in(faults_of({sensor(20), east}, {Rotate{0}}), "unknown azimuth");
     Channel shorter = sensor(110);
     shorter.samples.pop_back();
