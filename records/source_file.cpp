@@ -20,7 +20,7 @@ namespace
 
 constexpr std::uintmax_t largest_file = 1'000'000'000;  // bytes; a day at 200 Hz in text is some 300 MB
 constexpr std::size_t faults_named = 10;
-constexpr int most_packings = 3;  // one inside another
+constexpr int max_packings = 3;  // one inside another
 
 void split_lines(SourceFile& file)
 {
@@ -103,7 +103,7 @@ void load_source_bytes(const std::string& name, std::string bytes, SourceFile& f
 {
     file.name = name;
     // Some servers pack what was packed already.
-    for (int packing = 0; packing < most_packings && bytes.starts_with("\x1F\x8B"); ++packing)
+    for (int packing = 0; packing < max_packings && bytes.starts_with("\x1F\x8B"); ++packing)
         bytes = unpack(name, bytes);
     file.bytes = decode_utf16(std::move(bytes));
     if (file.bytes.empty()) throw InputError(name, "the file is empty", "a record holds at least 2 samples");

@@ -27,7 +27,7 @@ double read_unit(YamlCursor& entry)
 
 /// Rounded coordinates make neighbours overlap by next to nothing; a stone that overlaps another by more than this
 /// share of its volume is a mistake.
-constexpr double most_overlap = 0.01;
+constexpr double max_overlap = 0.01;
 
 void judge_overlaps(const Geometry& geometry, BlockReading& reading)
 {
@@ -35,7 +35,7 @@ void judge_overlaps(const Geometry& geometry, BlockReading& reading)
     int small = 0;
     double largest = 0;
     for (const Overlap& overlap : geometry.overlaps) {
-        if (overlap.fraction > most_overlap) {
+        if (overlap.fraction > max_overlap) {
             reading.findings.faults.push_back({place + ": " + overlap.stone_a + " and " + overlap.stone_b,
                                                fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
                                                            overlap.volume, 100 * overlap.fraction),

@@ -14,7 +14,7 @@ namespace
 
 constexpr double default_interval = 0.02;  // s between frames: 25 frames a period of 2 Hz
 
-constexpr double most_intervals = 1e12;  // in a stage; they are counted in 64 bits
+constexpr double max_intervals = 1e12;  // in a stage; they are counted in 64 bits
 
 HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model& model,
                           const std::vector<std::string>& blocks)
@@ -115,7 +115,7 @@ OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector
     if (!map->expect_map("output {every: 20 ms}")) return output;
     output.every = map->quantity_or("every", dimension::time, Range::positive(), default_interval);
     for (const Stage& stage : stages)
-        if (stage.type == StageType::dynamic && stage.duration / output.every > most_intervals)
+        if (stage.type == StageType::dynamic && stage.duration / output.every > max_intervals)
             map->fault(fmt::format("{:.3g} intervals in {}", stage.duration / output.every, stage.name),
                        "give a longer interval");
     const std::vector<std::string> blocks = sorted_block_names(model);

@@ -140,7 +140,7 @@ StageEntry* stage_of_motion(const FoundationEntry& foundation, std::vector<Stage
 }
 
 /// More steps than this are a slip of the pen: at a millisecond each they take eleven days.
-constexpr double most_steps = 1e9;
+constexpr double max_steps = 1e9;
 
 /// A dynamic stage without duration lasts as long as its longest motion.
 void settle_duration(StageEntry& entry)
@@ -154,11 +154,11 @@ void settle_duration(StageEntry& entry)
     for (const FoundationMotion& motion : stage.motions) consider(motion.motion);
     for (const BodyAcceleration& load : stage.body_accelerations) consider(load.motion);
     stage.duration = entry.duration.value_or(longest);
-    if (stage.duration / stage.control.time_step > most_steps)
+    if (stage.duration / stage.control.time_step > max_steps)
         entry.written.fault(
             fmt::format("{:.3g} steps: {:g} s in steps of {:g} s", stage.duration / stage.control.time_step,
                         stage.duration, stage.control.time_step),
-            fmt::format("a stage has at most {:g}", most_steps));
+            fmt::format("a stage has at most {:g}", max_steps));
     if (entry.duration) return;
     if (longest > 0)
         entry.written.took_default("duration", fmt::format("{:g} s, that of its longest motion", longest));

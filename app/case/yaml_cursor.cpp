@@ -14,7 +14,7 @@ namespace voussoir
 {
 namespace
 {
-constexpr std::size_t most_faults = 1000;  // nobody reads more, and a hostile file has a million
+constexpr std::size_t max_faults = 1000;  // nobody reads more, and a hostile file has a million
 
 bool contains(const std::vector<std::string>& words, const std::string& word)
 {
@@ -33,7 +33,7 @@ std::string YamlCursor::place() const
 void YamlCursor::fault(std::string found, std::string expected) const
 {
     findings_->faults.push_back({place(), std::move(found), std::move(expected)});
-    if (findings_->faults.size() < most_faults) return;
+    if (findings_->faults.size() < max_faults) return;
     std::vector<Fault> faults = findings_->faults;
     faults.push_back({findings_->file, "too many faults; reading stopped here", "correct those above first"});
     throw InputError(std::move(faults));

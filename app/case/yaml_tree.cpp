@@ -17,7 +17,7 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t most_nodes = 1'000'000;
+constexpr std::size_t max_nodes = 1'000'000;
 
 /// Where a line is, for faults.
 struct Placer {
@@ -132,7 +132,7 @@ class TreeBuilder : public YAML::EventHandler
     {
         // yaml-cpp gives "?" to what is plain and "!" to what is quoted.
         if (!tag.empty() && tag != "?" && tag != "!") refuse(mark, "the tag " + tag, "tags are not supported");
-        if (++nodes_ > most_nodes) refuse(mark, "more than a million values", "split or shorten the case");
+        if (++nodes_ > max_nodes) refuse(mark, "more than a million values", "split or shorten the case");
         YamlNode made;
         made.kind = kind;
         made.line = mark.line + 1;

@@ -32,7 +32,7 @@ void draw_refused(Album& album)
     }
 }
 
-constexpr std::size_t most_overlaps = 8;
+constexpr std::size_t max_overlaps = 8;
 
 void draw_overlaps(Album& album)
 {
@@ -40,9 +40,9 @@ void draw_overlaps(Album& album)
     std::vector<StoneOverlap> overlaps = album.assembly.overlaps;
     std::stable_sort(overlaps.begin(), overlaps.end(),
                      [](const StoneOverlap& a, const StoneOverlap& b) { return a.volume > b.volume; });
-    if (overlaps.size() > most_overlaps) {  // other findings want pictures too
-        album.left_out += overlaps.size() - most_overlaps;
-        overlaps.resize(most_overlaps);
+    if (overlaps.size() > max_overlaps) {  // other findings want pictures too
+        album.left_out += overlaps.size() - max_overlaps;
+        overlaps.resize(max_overlaps);
     }
     for (const StoneOverlap& overlap : overlaps) {
         DefectPicture picture = pair_picture(album, overlap.a, overlap.b, "they overlap");

@@ -73,15 +73,15 @@ void print_contact_graph(const Assembly& assembly)
                assembly.components.size(), assembly.components.size() == 1 ? "" : "s", ground_words(assembly));
     if (assembly.contacts.empty()) return;
     fmt::print("  {:<24} {:<24} {:>10} {:>8} {:>13}\n", "stone", "stone", "area m2", "patches", "smallest gap");
-    for (std::size_t i = 0; i < std::min(assembly.contacts.size(), most_rows); ++i) {
+    for (std::size_t i = 0; i < std::min(assembly.contacts.size(), max_rows); ++i) {
         const StoneContact& contact = assembly.contacts[i];
         fmt::print("  {:<24} {:<24} {:>10.4g} {:>8} {:>11.1e} m {}\n", assembly.stones[contact.a].name,
                    assembly.stones[contact.b].name, contact.area, contact.patches, contact.smallest_gap,
                    words_of(contact.touch));
     }
-    if (assembly.contacts.size() > most_rows)
+    if (assembly.contacts.size() > max_rows)
         fmt::print("  and {} more pairs: --json and contact_graph.csv (-o DIR) have them all\n",
-                   assembly.contacts.size() - most_rows);
+                   assembly.contacts.size() - max_rows);
 }
 
 void print_findings(const Assembly& assembly)

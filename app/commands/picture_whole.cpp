@@ -10,13 +10,13 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t most_marks = 3000;
+constexpr std::size_t max_marks = 3000;
 
 /// Marks of all findings on the whole, with one callout for each group.
 void mark_findings(const Assembly& assembly, DefectPicture& picture)
 {
     for (const GapGroup& group : assembly.gap_groups)
-        for (std::size_t i = 0; i < group.gaps.size() && picture.marks.size() < most_marks; ++i)
+        for (std::size_t i = 0; i < group.gaps.size() && picture.marks.size() < max_marks; ++i)
             picture.marks.push_back(
                 {{i == group.gaps.size() / 2
                       ? fmt::format("{} pair{} {} apart", group.gaps.size(), group.gaps.size() == 1 ? "" : "s",
@@ -28,14 +28,14 @@ void mark_findings(const Assembly& assembly, DefectPicture& picture)
                  MarkLook::gap});
     const bool overlaps = overlaps_matter(assembly);
     for (const StoneOverlap& overlap : assembly.overlaps)
-        if (overlaps && picture.marks.size() < most_marks)
+        if (overlaps && picture.marks.size() < max_marks)
             picture.marks.push_back({overlap_mark(assembly, overlap), MarkLook::defect});
     for (const int stone : assembly.floating) {
         const MarkedFeature outline = outline_of(assembly.stones[stone], "touches none");
-        if (picture.marks.size() < most_marks) picture.marks.push_back({outline, MarkLook::defect});
+        if (picture.marks.size() < max_marks) picture.marks.push_back({outline, MarkLook::defect});
     }
     for (const StoneContact& contact : assembly.contacts)
-        if (contact.touch == Touch::tilted && picture.marks.size() < most_marks)
+        if (contact.touch == Touch::tilted && picture.marks.size() < max_marks)
             picture.marks.push_back({contact_mark(contact, ""), MarkLook::contact});
     const bool tilted = std::any_of(assembly.contacts.begin(), assembly.contacts.end(),
                                     [](const StoneContact& c) { return c.touch == Touch::tilted; });

@@ -20,12 +20,12 @@ struct NamedUnit {
 /// A unit in which the stones would be of a size that people move, if the file's own gives none.
 void suspect_unit(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
 {
-    constexpr double least_stone = 0.02, most_stone = 20, least_whole = 0.05, most_whole = 1500;  // m
-    constexpr double likely_least = 0.04, likely_most = 4;                                        // m
+    constexpr double least_stone = 0.02, max_stone = 20, least_whole = 0.05, max_whole = 1500;  // m
+    constexpr double likely_least = 0.04, likely_most = 4;                                      // m
     constexpr std::array<NamedUnit, 5> units{
         {{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}, {"m", 1}}};
     const double size = assembly.typical_size, whole = assembly.extent.maxCoeff();
-    if (size >= least_stone && size <= most_stone && whole >= least_whole && whole <= most_whole) return;
+    if (size >= least_stone && size <= max_stone && whole >= least_whole && whole <= max_whole) return;
     AssemblyFinding finding{"unit",
                             fmt::format("the whole is {} long, a typical stone {}: is the unit right?",
                                         length_words(whole), length_words(size)),

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 using nlohmann::json;
 
 constexpr double seconds_allowed = 300;
-constexpr std::size_t most_output = std::size_t{1} << 20;  // bytes, a list of paths
+constexpr std::size_t max_output = std::size_t{1} << 20;  // bytes, a list of paths
 
 json to_json_value(const std::vector<Vector3d>& points)
 {
@@ -142,7 +142,7 @@ std::vector<fs::path> draw_defects(const DefectPictures& pictures, const fs::pat
     if (!fs::exists(helper))
         throw InputError(helper.string(), "there is no such program",
                          "build voussoir with VOUSSOIR_RENDER=ON to have pictures");
-    const ChildAnswer answer = ask_child(helper, to_json(pictures, folder), seconds_allowed, most_output);
+    const ChildAnswer answer = ask_child(helper, to_json(pictures, folder), seconds_allowed, max_output);
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-defects drew no pictures: " + answer.failure,
                          "see its message");

@@ -18,7 +18,7 @@ namespace voussoir
 namespace
 {
 
-constexpr double most_excused = 10;  // times the tolerance, as runs stop themselves at ten times what they warn of
+constexpr double max_excused = 10;  // times the tolerance, as runs stop themselves at ten times what they warn of
 
 }  // namespace
 
@@ -71,7 +71,7 @@ CellOutcome judge(const StabilityCell& cell, const CellRun& run)
     if (!run.diagnosis.empty()) return CellOutcome::stopped;
     if (run.error <= cell.tolerance) return CellOutcome::passed;  // NaN is not
     // A warning says that figures are rough, not that anything goes; nor does it excuse a run that has none.
-    const bool excused = run.error <= most_excused * cell.tolerance && !run.warning.empty();
+    const bool excused = run.error <= max_excused * cell.tolerance && !run.warning.empty();
     return excused ? CellOutcome::warned : CellOutcome::wrong;
 }
 
@@ -92,10 +92,10 @@ std::string why(const StabilityCell& cell, CellOutcome outcome, const CellRun& r
 
 CellResult run_apart(const StabilityCell& cell, const CellLimits& limits)
 {
-    constexpr std::size_t most_output = std::size_t{1} << 20;  // bytes
+    constexpr std::size_t max_output = std::size_t{1} << 20;  // bytes
     const ChildAnswer answer =
         ask_child(helper_folder() / "voussoir-cell", to_json(CellRequest{cell.name, cell.budget, limits.memory}),
-                  limits.waiting * cell.budget, most_output);
+                  limits.waiting * cell.budget, max_output);
     CellResult result;
     result.cell = cell;
     if (!answer.failure.empty()) {
