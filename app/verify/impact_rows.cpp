@@ -80,7 +80,7 @@ VerifyResult run_table_3_depth(const VerifySetting& setting)
     }
     compare(values, result);
     result.note += fmt::format(
-        "; d of the centroid in m, as if H were 1 m: with the side of 2 m all three printed ratios are twice "
+        "; d of the centroid in m, as for H = 1 m: with the side of 2 m all three printed ratios are twice "
         "ours, and the first would need more energy than that of the fall; of the corners alone{} m",
         corners);
     return result;
@@ -130,7 +130,7 @@ VerifyResult run_trends(const VerifySetting& setting)
         judge_rising(fmt::format("E {:.0e}, p 3e7, 1e8, 3e8, 1e9", young), losses, broken, all, note);
     }
     result.error = static_cast<double>(broken) / all;
-    result.note = fmt::format("{} of {} steps of the trends broken; {}", broken, all, note);
+    result.note = fmt::format("{} of {} steps contradict the trends; {}", broken, all, note);
     return result;
 }
 
@@ -167,7 +167,7 @@ VerifyResult run_exact(const VerifySetting& setting)
     if (!result.failure.empty()) return result;
     result.error = std::abs(bounces.heights[1] - exact.height) / block.height;
     result.note = fmt::format(
-        "apex {:.4f} m, exact {:.4f} m (the rest stays as vibration); depth of the corners {:.4f} m, exact {:.4f} "
+        "apex {:.4f} m, exact {:.4f} m (the rest remains as vibration); depth of the corners {:.4f} m, exact {:.4f} "
         "m; "
         "of the centroid {:.4f} m, exact {:.4f} m",
         bounces.heights[1], exact.height, bounces.corner_depth, exact.penetration, bounces.centroid_depth,
