@@ -33,7 +33,8 @@ struct Options {
 double number(const std::string& option, const std::string& word)
 {
     double value = 0;
-    if (!voussoir::parse_fortran_number(word, value)) throw CLI::ValidationError(option, word + " is not a number");
+    if (!voussoir::parse_fortran_number(word, value))
+        throw CLI::ValidationError(option, word + " is not a number");
     return value;
 }
 

@@ -71,8 +71,7 @@ Channel resampled_evenly(const Channel& channel)
 GroundMotion to_ground_motion(const Channel& channel, const std::string& source)
 {
     if (!has_unit(channel))
-        throw InputError(source, "the unit of the samples is not known",
-                         "give the record a unit: " + known_units());
+        throw InputError(source, "the unit of the samples is unknown", "give the record a unit: " + known_units());
     if (!channel.times.empty()) return to_ground_motion(resampled_evenly(channel), source);
     switch (channel.quantity) {
         case Quantity::velocity:

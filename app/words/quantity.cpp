@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/words/nearest_word.h"
+#include "libdda/model/standard_gravity.h"
 #include "libdda/text/words.h"
 
 namespace voussoir
@@ -21,7 +22,6 @@ struct Unit {
     std::array<int, 4> exponents;
 };
 
-constexpr double standard_gravity = 9.80665;  // m/s2
 constexpr double degree = std::numbers::pi / 180;
 
 constexpr Unit units[] = {

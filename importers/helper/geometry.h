@@ -43,8 +43,8 @@ struct ImportedMesh {
 /// Two stones that overlap by more than the tolerance.
 struct Overlap {
     std::string stone_a, stone_b;
-    double volume = 0;  // m3
-    double share = 0;   // of the smaller stone's volume
+    double volume = 0;    // m3
+    double fraction = 0;  // of the smaller stone's volume
 };
 
 struct Geometry {

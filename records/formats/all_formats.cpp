@@ -48,7 +48,7 @@ void require_sound(const Record& record)
 {
     if (record.channels.empty())
         throw InputError(record.file, "a header of " + record.format + " without samples",
-                         "the file is cut short or damaged: fetch it again");
+                         "the file is cut short or damaged: download it again");
     for (const Channel& channel : record.channels)
         for (const double sample : channel.samples)
             if (!std::isfinite(sample))
@@ -72,7 +72,7 @@ Record read_as(const Format& format, const SourceFile& source, const ReadOptions
 {
     if (!options.response.empty() && !format.may_hold_counts)
         throw InputError(source.name, "a response was given, but " + std::string(format.name) + " holds no counts",
-                         "leave the response out");
+                         "omit the response");
     Record record = format.read(source, options);
     require_sound(record);
     encode_names(record);

@@ -96,7 +96,7 @@ TEST(StartTime, ComponentsAreCutToTheirCommonBeginning)
     EXPECT_EQ(together.channels[1].samples, second.samples);
     ASSERT_EQ(together.sentences.size(), 1);
     EXPECT_EQ(together.sentences[0],
-              "component \"x\": 1 s cut, to begin with the last component at 2020-01-01T00:00:01");
+              "component \"x\": 1 s cut, to start with the last component at 2020-01-01T00:00:01");
     EXPECT_TRUE(process(together.channels, {}).sentences.empty()) << "already in step";
     // A window does not lose the start.
     const ProcessedRecord later = process({first}, {TimeWindow{1, 2}});

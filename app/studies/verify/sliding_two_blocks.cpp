@@ -92,7 +92,7 @@ std::vector<Benchmark> two_blocks_benchmarks()
 {
     return {
         {.name = "two-sliding-blocks",
-         .title = "A block on a block that is shaken by 0.5 g at 0.25 Hz, friction 18 degrees",
+         .title = "A block on a moving block, 0.5 g at 0.25 Hz, friction 18 degrees",
          .source = "ma, section Two Sliding Blocks, figure 1",
          .quantity =
              "largest distance from the rigid blocks (integrated to 1e-8) / largest displacement of the top "

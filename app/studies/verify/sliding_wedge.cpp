@@ -80,11 +80,9 @@ VerifyResult shake_all(const SceneSetting& setting)
 }
 
 const std::string choices =
-    "The paper leaves out the wedge, the sine and its direction within the vertical plane of the line of "
-    "intersection. "
-    "Ours is 1 m deep and 2 m long, 2500 kg/m3, 10 GPa, between planes that dip symmetrically and not. Spatial "
-    "scenes "
-    "only: the motion is across every plane strain. ";
+    "The paper does not specify the wedge, the sine and its direction within the vertical plane of the line of "
+    "intersection. Ours is 1 m deep and 2 m long, 2500 kg/m3, 10 GPa, between planes that dip symmetrically and "
+    "not. Spatial scenes only: the motion is not in one plane. ";
 
 }  // namespace
 
@@ -110,7 +108,7 @@ std::vector<Benchmark> wedge_benchmarks()
         "largest distance from the vector analysis (integrated to 1e-8) / largest displacement, the worst "
         "of three";
     sine.choices =
-        choices + "2 m/s2 at 1 Hz, 4 s; one wedge slides from the start, two stand before they are shaken.";
+        choices + "2 m/s2 at 1 Hz, 4 s; one wedge slides from the start, two are stable before the motion.";
     sine.paper_error = "below 7 %";
     sine.paper_level = 0.07;
     sine.run = shake_all;

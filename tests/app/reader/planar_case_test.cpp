@@ -76,7 +76,7 @@ TEST(PlanarCase, AFlatBoxTurnsFromXToZ)
             .model;
     EXPECT_TRUE(model.blocks[0].moments.centroid.isApprox(Eigen::Vector3d(1.5, 0, -1), 1e-14));
     EXPECT_NE(faults_of(two_outlines, {"blocks[0].box.rotate={axis: [0, 1, 0], angle: 1 deg}"})
-                  .find("turns in the plane"),
+                  .find("is rotated in the plane"),
               std::string::npos);
 }
 
@@ -92,10 +92,9 @@ TEST(PlanarCase, ABoxTurnedAboutYIsTheTurnedOutline)
 
 TEST(PlanarCase, StonesOfAnotherDepthAreRefused)
 {
-    EXPECT_EQ(
-        faults_of(two_boxes, rigid),
-        "case.yaml:8: blocks[1].box: from y = -0.5 m to 0.5 m, but floor from y = -1 m to 1 m; the stones of a "
-        "planar scene have one extent along y: draw them so, or as polygons [x, z]");
+    EXPECT_EQ(faults_of(two_boxes, rigid),
+              "case.yaml:8: blocks[1].box: from y = -0.5 m to 0.5 m, but floor from y = -1 m to 1 m; all stones "
+              "of a planar scene must have the same extent along y; change them, or use polygons [x, z]");
 }
 
 TEST(PlanarCase, StonesTurnedOutOfThePlaneAreRefused)
@@ -180,7 +179,7 @@ TEST(PlanarCase, ASpatialSceneTakesNothingPlanar)
               "--set plane: has no meaning here; it belongs to kinematics: planar_deformable");
     EXPECT_EQ(faults_of(two_boxes, {"blocks[1]={polygon: {name: stone, corners: [[0, 0], [1, 0], [1, 1]]}}",
                                     "output.histories=null"}),
-              "--set blocks[1]: blocks[1].polygon: a polygon in a spatial scene; draw a box or a mesh, or set "
+              "--set blocks[1]: blocks[1].polygon: a polygon in a spatial scene; use a box or a mesh, or set "
               "kinematics: planar_rigid or planar_deformable");
     EXPECT_NE(faults_of(two_boxes, {"blocks[1].box.lower=[0, 0]"}).find("expected three components [x, y, z]"),
               std::string::npos);

@@ -86,7 +86,7 @@ TEST(Resume, TimesAddUpAndTheEndedRunSaysSo)
     kill(child, SIGINT);
     const Ended interrupted = finish(folder, child);
     ASSERT_EQ(interrupted.exit_code, 4) << interrupted.errors;
-    EXPECT_NE(interrupted.errors.find("--resume goes on"), std::string::npos) << interrupted.errors;
+    EXPECT_NE(interrupted.errors.find("--resume to continue"), std::string::npos) << interrupted.errors;
     const double before = load_restart(restart_file_in(results)).wall_time;
     EXPECT_GT(before, 0.2 * reference.wall_time);
 

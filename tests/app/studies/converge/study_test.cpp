@@ -143,7 +143,7 @@ TEST(Threshold, ThatIsNotBetweenTheValuesIsAFailureOfTheSetting)
         EXPECT_FALSE(converge_figures(study)[0].notes.empty());
         return series.rows[0].failure;
     };
-    EXPECT_EQ(failure("joints.dry.friction=50 deg..46 deg"), "stands even at joints.dry.friction = 46 deg");
+    EXPECT_EQ(failure("joints.dry.friction=50 deg..46 deg"), "still stands at joints.dry.friction = 46 deg");
     EXPECT_EQ(failure("joints.dry.friction=40 deg..30 deg"), "collapses already at joints.dry.friction = 40 deg");
 }
 

@@ -249,7 +249,7 @@ TEST(StabilityMaps, EverySceneIsOnThePageThatShips)
     for (const StabilityScene& scene : stability_scenes(case_reader)) {
         EXPECT_NE(page.str().find("\n## " + scene.name + "\n"), std::string::npos)
             << scene.name << ": rerun voussoir stability -o docs";
-        const bool holds = page.str().find(", " + scene.name + " holds from ") != std::string::npos;
+        const bool holds = page.str().find(", " + scene.name + " works from ") != std::string::npos;
         EXPECT_EQ(holds, scene.over_stiffness_and_step) << scene.name << ": rerun voussoir stability -o docs";
     }
 }
