@@ -16,7 +16,7 @@ struct Unit {
     double factor;  // SI value of one unit
 };
 
-/// Standard gravity, exact. Source: 3rd CGPM (1901), ISO 80000-3. [m/s2]
+/// Standard gravity, exact. Source: [CGPM1901], [ISO80000-3-2019]. [m/s2]
 inline constexpr double standard_gravity = 9.80665;
 
 /// A unit by any of its usual spellings ("G", "cm/sec/sec", "cm/s^2", "gal"); nothing when unknown.

@@ -30,8 +30,8 @@ struct Decomposition {
 /// surface or to a cut, never to both. The parts are convex hulls by exact predicates, and their volume is
 /// compared with the solid's. A solid of many reentrant edges is cut where that brings the hulls of the pieces
 /// nearest to it, until they exceed it by less than the allowed share of its volume: the hull of a piece never
-/// leaves its side of a cut, so that parts do not overlap. Source: Chazelle 1984 (notch resolution); the choice of
-/// planes is ours.
+/// leaves its side of a cut, so that parts do not overlap. Source: [Chazelle1984] (notch resolution); the choice
+/// of planes is ours.
 /// @param surface closed, outward, not crossing itself [m]
 Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& options = {},
                         const std::string& name = "stone");

@@ -17,7 +17,7 @@ struct Moments {
 
 /// Exact for polyhedra: each outward triangle (p,q,r) seen from a vertex of the shape contributes the moments of
 /// its tetrahedron. A vertex is subtracted first, so that large coordinates cancel nothing.
-/// Source: Shi 1988 (simplex integration); numerics note 2.2.
+/// Source: [Shi1988] (simplex integration); docs/numerics.md 2.2.
 Moments moments_of(const ConvexPolyhedron& shape);
 
 /// Sums of parts about their common centroid (the glued block).

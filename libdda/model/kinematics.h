@@ -37,7 +37,7 @@ constexpr std::span<const int> axes_of(Kinematics kinematics)
 }
 
 /// Unknowns per block: 12 or, planar, 6 (translation, rotation, strain); rigid 6 or 3 (translation, rotation).
-/// Source: Shi 1988.
+/// Source: [Shi1988].
 constexpr int unknowns_per_block(Kinematics kinematics)
 {
     if (is_deformable(kinematics)) return is_planar(kinematics) ? 6 : 12;

@@ -32,8 +32,8 @@ struct MeasureOptions {
 /// exact, peaks of velocity and displacement those of the quadratics and cubics between the samples, and nothing
 /// is removed. Uneven samples are measured as resampled_evenly gives them.
 /// @throws InputError when the channel is not an acceleration with a unit
-/// Source: Arias (1970), I = pi/(2g) integral a^2 dt; Trifunac & Brady, BSSA 65 (1975), durations; Bolt (1973),
-/// bracketed duration; Rathje, Abrahamson & Bray, J. Geotech. Geoenv. Eng. 124 (1998), mean period
+/// Source: [Arias1970], I = pi/(2g) integral a^2 dt; [TrifunacBrady1975], durations; [Bolt1973], bracketed
+/// duration; [Rathje1998], mean period
 Measures measures_of(const Channel& channel, const MeasureOptions& options = {});
 
 /// Its peak velocity alone [m/s].

@@ -26,7 +26,7 @@ struct MatchReport {
 /// A motion with the seed's phases whose response spectrum follows the target, and whose velocity and displacement
 /// end at zero. First the Fourier amplitudes are scaled by target / spectrum, again and again; then wavelets
 /// cos(w (t - t0)) exp(-((t - t0) / g)^2), placed where each oscillator peaks, take away what is left.
-/// Source: Gasparini and Vanmarcke 1976; Lilhanand and Tseng 1988; Al Atik and Abrahamson 2010, eq. 14 to 16.
+/// Source: [GaspariniVanmarcke1976]; [LilhanandTseng1988]; [AlAtikAbrahamson2010], eq. 14 to 16.
 /// @param seed acceleration, at least as long as four of the longest periods, sampled at a quarter of the shortest
 /// or finer
 /// @throws InputError when it is not, or the target does not cover the periods

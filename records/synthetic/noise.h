@@ -28,11 +28,10 @@ struct SyntheticMotion {
 /// that a seed gives the same record on every machine.
 /// @returns samples (duration / time_step + 1) [m/s2]
 /// @throws InputError with every parameter that is out of range
-/// Source: Kanai, Bull. Earthq. Res. Inst. 35 (1957); Tajimi, Proc. 2nd WCEE (1960); Clough & Penzien, Dynamics of
-/// Structures (1975), eq. 28-27
+/// Source: [Kanai1957], [Tajimi1960], [CloughPenzien1975], eq. 28-27
 std::vector<double> synthetic_acceleration(const SyntheticMotion& parameters);
 
-/// Steele, Lea & Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014: splitmix64.
+/// splitmix64. Source: [SteeleLeaFlood2014]
 class SplitMix64
 {
  public:

@@ -18,7 +18,7 @@ struct SineWave {
 };
 
 /// The same under an envelope that grows linearly over `ramp`, stays, and falls linearly over `ramp`.
-/// Source: Tsesarsky and others, the input of the shaking table.
+/// Source: [Tsesarsky2002], the input of the shaking table.
 struct RampedSine {
     double amplitude = 0, frequency = 0, phase = 0;
     double ramp = 0;      // s, at most half the duration
@@ -34,7 +34,7 @@ struct Sweep {
 };
 
 /// a(t) = amplitude (1 - 2 b) exp(-b), b = (pi frequency (t - delay))^2, until 2 delay: velocity and displacement
-/// end where they began. Source: Ricker 1953.
+/// end where they began. Source: [Ricker1953].
 struct Ricker {
     double amplitude = 0;
     double frequency = 0;  // Hz, where its Fourier spectrum peaks
@@ -42,7 +42,7 @@ struct Ricker {
 };
 
 /// One cycle of acceleration, amplitude sin(2 pi t / period): the ground moves forward and stays there (type A of
-/// Makris and Chang 2000); or amplitude cos(2 pi t / period): forward and back (their type B).
+/// [MakrisChang2000]); or amplitude cos(2 pi t / period): forward and back (their type B).
 struct OneCycle {
     enum class Shape { sine, cosine };
     double amplitude = 0;

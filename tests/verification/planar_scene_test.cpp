@@ -81,7 +81,7 @@ TEST(PlanarScene, incline_gives_the_same_answer_with_six_and_three_unknowns_and_
 }
 
 // Four hinges form at 0.3736 g by virtual work over all sets of four hinges of this arch.
-// Source: Oppenheim 1992 (0.37 g).
+// Source: [Oppenheim1992] (0.37 g).
 TEST(PlanarScene, arch_stands_below_its_limit_and_falls_above_it)
 {
     const std::vector<std::string> still = {"output=null", "foundation.motion=null"};
