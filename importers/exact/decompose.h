@@ -10,6 +10,7 @@
 namespace voussoir
 {
 
+/// How far to cut.
 struct DecomposeOptions {
     double planarity = 1e-5;     // share of the diagonal by which a face may bulge inward and still count as flat
     int most_exact_edges = 48;   // stones with more reentrant edges are approximated
@@ -17,12 +18,13 @@ struct DecomposeOptions {
     double volume_error = 0.01;  // share of the volume that is allowed to approximating parts
 };
 
+/// What became of a solid.
 struct Decomposition {
     // Their faces that lie in a cut are marked as glued. Empty when `reason` says why.
     std::vector<ConvexPolyhedron> parts;
-    int reentrant_edges = 0;
+    int reentrant_edges = 0;  // of the solid
     double volume_error = 0;  // share of the volume by which the parts together exceed the stone; 0 when exact
-    std::string reason;
+    std::string reason;       // why it was not cut; empty when it was
 };
 
 /// Cuts a solid by planes through its reentrant edges until every piece is convex. Each plane is chosen to leave

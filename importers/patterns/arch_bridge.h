@@ -13,7 +13,7 @@ namespace voussoir
 struct ArchBridge {
     double span = 45;                // m, between the intrados springings
     double rise = 5.5;               // m, of the intrados circle at the crown above the springings
-    int voussoirs = 93;              //
+    int voussoirs = 93;              // number
     double springing_thickness = 2;  // m, along the end joints
     double crown_thickness = 1.5;    // m, at the crown
     double width = 12;               // m, of arch and abutments

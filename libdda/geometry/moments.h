@@ -9,6 +9,7 @@
 namespace voussoir
 {
 
+/// Volume, centroid and second moment of a shape, of density one.
 struct Moments {
     double volume = 0;                                   // m3
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  // m

@@ -9,6 +9,7 @@
 namespace voussoir
 {
 
+/// Intensities and durations of an acceleration.
 struct Measures {
     double peak_acceleration = 0;                 // m/s2, PGA
     double peak_velocity = 0;                     // m/s, PGV, within the record
@@ -24,6 +25,7 @@ struct Measures {
     double residual_displacement = 0;  // m at the end
 };
 
+/// What measures depend on.
 struct MeasureOptions {
     double bracket_threshold = 0.05 * standard_gravity;  // m/s2
 };

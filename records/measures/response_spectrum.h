@@ -20,7 +20,7 @@ struct ResponseSpectrum {
 
 /// Pseudo-acceleration over all orientations of two horizontal components, 0 to 179 deg in steps of 1 deg.
 struct RotatedSpectrum {
-    double damping = 0.05;
+    double damping = 0.05;              // ratio
     std::vector<double> periods;        // s
     std::vector<double> rotd50;         // m/s2, median over the orientations
     std::vector<double> rotd100;        // m/s2, the largest
