@@ -22,19 +22,23 @@ std::string to_sentence(const Fault& fault);
 class InputError : public std::runtime_error
 {
  public:
+    /// @param all_faults at least one
     explicit InputError(std::vector<Fault> all_faults);
+    /// One fault.
     InputError(std::string place, std::string found, std::string expected)
         : InputError(std::vector<Fault>{{std::move(place), std::move(found), std::move(expected)}})
     {
     }
-    std::vector<Fault> faults;
+    std::vector<Fault> faults;  // in the order in which they were found
 };
 
+/// Says what was not so, and where, and ends the program.
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
 
 }  // namespace voussoir
 
-// Our own mistakes; on in every build but release.
+/// @def DDA_ASSERT
+/// Our own mistakes; on in every build but release.
 #ifdef NDEBUG
 #define DDA_ASSERT(condition) static_cast<void>(0)
 #else

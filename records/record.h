@@ -12,15 +12,21 @@
 namespace voussoir
 {
 
-enum class Quantity { acceleration, velocity, displacement };
+/// What a channel measures.
+enum class Quantity {
+    acceleration,  // m/s2
+    velocity,      // m/s
+    displacement,  // m
+};
 
 /// Of a sample: UTC.
 using Instant = std::chrono::sys_time<std::chrono::microseconds>;
 
+/// One component of a record.
 struct Channel {
-    std::string component;  // as the file names it; empty if it does not
-    Quantity quantity = Quantity::acceleration;
-    double time_step = 0;         // s; 0 when the samples are unevenly spaced
+    std::string component;                       // as the file names it; empty if it does not
+    Quantity quantity = Quantity::acceleration;  // what it measures
+    double time_step = 0;                        // s; 0 when the samples are unevenly spaced
     std::vector<double> samples;  // m/s2, m/s or m: as stored times the unit, nothing removed; in the file's own
                                   // numbers when the unit is not known
     std::vector<double> times;    // s, of the samples, when they are unevenly spaced; else empty
@@ -31,10 +37,11 @@ struct Channel {
     std::optional<Instant> start;  // of the first sample; nothing: the file does not say it
 };
 
+/// What a file holds.
 struct Record {
-    std::string file;
-    std::string format;  // "PEER AT2", "two-column text", ...
-    std::vector<Channel> channels;
+    std::string file;                      // its name
+    std::string format;                    // "PEER AT2", "two-column text", ...
+    std::vector<Channel> channels;         // in the order of the file
     std::string station = {}, event = {};  // as the file names them; empty if it does not
     std::vector<std::string> remarks =
         {};  // what the reader had to decide and the user should know, a sentence each
@@ -57,6 +64,7 @@ Record read_record(const std::filesystem::path& file, const ReadOptions& options
 /// The same from memory. @param name for messages; @param bytes whole content, gzipped or not
 Record parse_record(const std::string& name, std::string bytes, const ReadOptions& options);
 
+/// Whether the unit of its samples is known.
 inline bool has_unit(const Channel& channel)
 {
     return !channel.unit_in_file.empty();

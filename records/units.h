@@ -11,10 +11,11 @@
 namespace voussoir
 {
 
+/// A unit of a channel.
 struct Unit {
-    std::string name;  // as we print it: "g", "cm/s2"
-    Quantity quantity;
-    double factor;  // SI value of one unit
+    std::string name;   // as we print it: "g", "cm/s2"
+    Quantity quantity;  // that it measures
+    double factor;      // SI value of one unit
 };
 
 /// A unit by any of its usual spellings ("G", "cm/sec/sec", "cm/s^2", "gal"); nothing when unknown.
@@ -23,6 +24,7 @@ std::optional<Unit> find_unit(std::string_view text);
 /// "g, m/s2, ...", for messages.
 std::string known_units();
 
+/// "acceleration" and so on.
 const char* to_text(Quantity quantity);
 
 }  // namespace voussoir

@@ -12,7 +12,7 @@ namespace voussoir
 using Rgb = Eigen::Vector3f;  // 0 to 1 each
 
 /// Viridis, perceptually uniform, readable without colour vision and in grey print. @param share 0 to 1, clamped
-/// Source: S. van der Walt and N. Smith, matplotlib 2015; sixth-degree polynomials fitted by M. Zucker.
+/// Source: [VanDerWaltSmith2015]; sixth-degree polynomials: [ZuckerColormaps].
 Rgb viridis(float share);
 
 /// A scale from `lowest` to `highest` with round ticks inside, in a unit that suits the size of the numbers.

@@ -13,7 +13,7 @@ namespace voussoir
 /// Depth by which two convex shapes overlap [m]: the shortest shift that parts them; <= 0 if they do not.
 /// Exact, by the separating axes: face normals of both and cross products of their edges.
 /// @param offset of b relative to a [m]
-/// Source: Gottschalk, Lin and Manocha 1996.
+/// Source: [Gottschalk1996].
 double overlap_depth(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const Eigen::Vector3d& offset);
 
 /// The same of two outlines, by the normals of their sides.

@@ -37,7 +37,7 @@ std::vector<Corners> hiding_triangles(const std::vector<PictureShape>& shapes, c
     return triangles;
 }
 
-/// Does a ray that starts a little in front of `from` meet the triangle? Source: Moeller and Trumbore 1997.
+/// Does a ray that starts a little in front of `from` meet the triangle? Source: [MoellerTrumbore1997].
 bool hides(const Corners& t, const Vector3d& from, const Vector3d& direction, double clear)
 {
     const Vector3d e1 = t.b - t.a, e2 = t.c - t.a, p = direction.cross(e2);

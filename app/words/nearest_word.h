@@ -9,7 +9,7 @@ namespace voussoir
 {
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn one word into the other.
-/// Source: Damerau 1964 (optimal string alignment).
+/// Source: [Damerau1964] (optimal string alignment).
 int edit_distance(std::string_view a, std::string_view b);
 
 /// The known word nearest to `word`, or an empty string if none is near enough to be meant. Letter case is

@@ -22,15 +22,16 @@ constexpr double short_edge = 1e-3;      // length over largest diameter: less i
 constexpr double size_ratio = 1e3;       // of the volumes of two stones: more is extreme
 constexpr double touching_share = 0.25;  // of the facing area: less is an edge that touches, not a face
 constexpr double sliver_share = 0.01;    // of the smaller face: less is a corner that touches
-constexpr int many_parts = 20;
+constexpr int many_parts = 20;           // of one concave stone: more make a run slow
 }  // namespace assembly_tolerance
 
+/// A stone as the assembly sees it.
 struct AssemblyStone {
-    std::string name;
+    std::string name;                     // unique
     std::vector<ConvexPolyhedron> parts;  // m; all in one frame
     double volume = 0;                    // m3, of the stone as drawn
     double volume_error = 0;              // share of it by which approximating parts differ; 0: exact
-    bool foundation = false;
+    bool foundation = false;              // held by the ground
 };
 
 /// How two stones touch.
@@ -43,8 +44,8 @@ enum class Touch {
 
 /// All contacts of one pair of stones, a < b.
 struct StoneContact {
-    int a = 0, b = 0;
-    Touch touch = Touch::face;
+    int a = 0, b = 0;                                    // stones
+    Touch touch = Touch::face;                           // of the largest patch
     int patches = 0;                                     // pairs of parts that touch
     double area = 0;                                     // m2, nearer than the contact tolerance
     double facing_area = 0;                              // m2, of the contact polygons
@@ -57,7 +58,7 @@ struct StoneContact {
 
 /// Two facing faces that were meant to touch and do not, a < b.
 struct StoneGap {
-    int a = 0, b = 0;
+    int a = 0, b = 0;                                    // stones
     double width = 0;                                    // m, mean over the area
     double widest = 0;                                   // m
     double area = 0;                                     // m2, that faces the other stone
@@ -72,14 +73,14 @@ struct GapGroup {
 
 /// Two stones that share space, a < b.
 struct StoneOverlap {
-    int a = 0, b = 0;
+    int a = 0, b = 0;   // stones
     double volume = 0;  // m3
     double depth = 0;   // m, the shortest shift that parts them, of the deepest pair of parts; 0: not known
 };
 
 /// A stone that is very thin or has a very short edge.
 struct SliverStone {
-    int stone = 0;
+    int stone = 0;                                      // which
     double width = 0, diameter = 0, shortest_edge = 0;  // m
     bool thin = false;                                  // else only its edge is short
     std::vector<std::vector<Eigen::Vector3d>> marks;    // what a picture marks: polygons, or an edge of two points
@@ -87,15 +88,16 @@ struct SliverStone {
 
 /// One kind of finding in words.
 struct AssemblyFinding {
-    std::string kind;  // "gaps", "overlaps", "floating", ...
-    std::string what;  // what was found
-    std::string advice;
-    std::vector<int> stones;
-    bool harmless = false;  // worth knowing, nothing to mend
+    std::string kind;         // "gaps", "overlaps", "floating", ...
+    std::string what;         // what was found
+    std::string advice;       // what to do
+    std::vector<int> stones;  // that it is about
+    bool harmless = false;    // worth knowing, nothing to mend
 };
 
+/// Stones as a structure: what touches, what gapes, what stands on what.
 struct Assembly {
-    std::vector<AssemblyStone> stones;
+    std::vector<AssemblyStone> stones;         // all of them
     std::vector<StoneContact> contacts;        // ascending in (a, b)
     std::vector<StoneGap> gaps;                // ascending in (a, b)
     std::vector<GapGroup> gap_groups;          // ascending widths
@@ -105,12 +107,12 @@ struct Assembly {
     bool ground_given = false;                 // the ground is the case's foundations
     std::vector<int> floating;                 // touch no other stone
     std::vector<int> unsupported;              // no path of contacts leads from them to the ground
-    std::vector<SliverStone> slivers;
-    int largest = -1, smallest = -1;                   // stones, foundations that were given apart
-    double size_ratio = 1;                             // of their volumes
-    double typical_size = 0;                           // m, median of the stones' sizes
+    std::vector<SliverStone> slivers;          // ascending
+    int largest = -1, smallest = -1;           // stones, foundations that were given apart
+    double size_ratio = 1;                     // of their volumes
+    double typical_size = 0;                   // m, median of the stones' sizes
     Eigen::Vector3d extent = Eigen::Vector3d::Zero();  // m, of the bounding box
-    std::vector<AssemblyFinding> findings;
+    std::vector<AssemblyFinding> findings;             // in words
 };
 
 /// What the words need to know about where the stones came from.

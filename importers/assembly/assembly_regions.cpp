@@ -11,7 +11,7 @@ namespace
 using Eigen::Vector3d;
 using Polygon = std::vector<Vector3d>;
 
-/// What of a polygon lies below a plane. Source: Sutherland and Hodgman 1974.
+/// What of a polygon lies below a plane. Source: [SutherlandHodgman1974].
 Polygon cut(const Polygon& polygon, const Vector3d& normal, double offset)
 {
     Polygon kept;

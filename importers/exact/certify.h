@@ -13,6 +13,7 @@
 namespace voussoir
 {
 
+/// What is still accepted.
 struct CertifyOptions {
     // vertices closer than weld_tolerance x bounding diagonal become one
     double weld_tolerance = 1e-6;
@@ -27,8 +28,8 @@ struct CertifyOptions {
 
 /// What is proven about one stone.
 struct Certificate {
-    std::string name;
-    bool closed = false, convex = false;
+    std::string name;                     // of the stone
+    bool closed = false, convex = false;  // proven
     std::string reason;                   // why it was refused; empty when accepted
     std::vector<std::string> repairs;     // every repair, in words, with numbers
     std::vector<ConvexPolyhedron> parts;  // one, or the glued parts of a concave stone; empty when refused

@@ -29,7 +29,7 @@ enum class TouchingEdges {
 /// through the inside of its stone to its own neighbour.
 std::vector<int> shell_of_faces(const PolygonSurface& surface, TouchingEdges touching = TouchingEdges::connect);
 
-/// How often a closed surface winds round a point: 1 inside, 0 outside. Source: Van Oosterom and Strackee 1983.
+/// How often a closed surface winds round a point: 1 inside, 0 outside. Source: [VanOosteromStrackee1983].
 double winding_number(const PolygonSurface& surface, const Eigen::Vector3d& point);
 
 }  // namespace voussoir

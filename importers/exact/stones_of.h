@@ -9,9 +9,10 @@
 namespace voussoir
 {
 
+/// The stones of one surface.
 struct SeparatedStones {
     std::vector<PolygonSurface> stones;  // named NAME, or NAME.1, NAME.2 ... in the order of their first faces
-    std::vector<std::string> repairs;
+    std::vector<std::string> repairs;    // what was done, in words
 };
 
 /// The shells of a surface (shell_of_faces), each with vertices of its own.

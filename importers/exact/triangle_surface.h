@@ -7,16 +7,17 @@
 namespace voussoir
 {
 
+/// Triangles by vertex indices.
 struct TriangleSurface {
-    std::vector<Eigen::Vector3d> vertices;
+    std::vector<Eigen::Vector3d> vertices;   // m
     std::vector<Eigen::Vector3i> triangles;  // counter-clockwise from outside
 };
 
 /// Twice the area times the unit normal.
 Eigen::Vector3d normal_of(const TriangleSurface& surface, const Eigen::Vector3i& triangle);
 
-double volume_of(const TriangleSurface& surface);
-double area_of(const TriangleSurface& surface);
+double volume_of(const TriangleSurface& surface);  ///< Negative of a surface that is inside out [m3].
+double area_of(const TriangleSurface& surface);    ///< Of all triangles [m2].
 
 /// Of the bounding box.
 double diagonal_of(const std::vector<Eigen::Vector3d>& vertices);

@@ -15,10 +15,10 @@ namespace voussoir
 
 /// One stone of a mesh file with its certificate.
 struct Stone {
-    std::string name;
-    bool closed = false, convex = false;
-    std::string reason;                // why it was refused; empty when accepted
-    std::vector<std::string> repairs;  // every repair that was made, in words
+    std::string name;                     // as the file names it
+    bool closed = false, convex = false;  // proven
+    std::string reason;                   // why it was refused; empty when accepted
+    std::vector<std::string> repairs;     // every repair that was made, in words
     // In metres, z up, model coordinates (origin subtracted); empty when refused.
     std::vector<ConvexPolyhedron> parts;
     Moments moments;          // of the stone as drawn, m; volume 0: it encloses none
@@ -26,31 +26,32 @@ struct Stone {
     std::vector<MarkedFeature> features;  // what is wrong where; empty when nothing is
     // The surface as it was judged, for pictures; sent for stones with features only.
     std::vector<Eigen::Vector3d> vertices;
-    std::vector<std::vector<int>> faces;
+    std::vector<std::vector<int>> faces;  // its vertex loops
 };
 
 /// What a mesh file gave.
 struct ImportedMesh {
-    std::string file;
-    bool accepted = false;
-    std::string reason;  // why the file was refused; empty when accepted
-    double metres_per_unit = 1;
+    std::string file;                   // its name
+    bool accepted = false;              // every stone of it
+    std::string reason;                 // why the file was refused; empty when accepted
+    double metres_per_unit = 1;         // of its coordinates
     std::string unit_from = "assumed";  // or "file", "option"
-    std::vector<std::string> repairs;
-    std::vector<Stone> stones;
+    std::vector<std::string> repairs;   // of the file, in words
+    std::vector<Stone> stones;          // in the order of the file
 };
 
 /// Two stones that overlap by more than the tolerance.
 struct Overlap {
-    std::string stone_a, stone_b;
-    double volume = 0;    // m3
-    double fraction = 0;  // of the smaller stone's volume
+    std::string stone_a, stone_b;  // names
+    double volume = 0;             // m3
+    double fraction = 0;           // of the smaller stone's volume
 };
 
+/// What the helper answers.
 struct Geometry {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, subtracted from all coordinates
-    std::vector<ImportedMesh> meshes;
-    std::vector<Overlap> overlaps;
+    std::vector<ImportedMesh> meshes;                  // one per request
+    std::vector<Overlap> overlaps;                     // between stones of all of them
 };
 
 /// What becomes one stone. `detect` takes objects, or groups where there are none, and takes a surface that
@@ -60,19 +61,21 @@ enum class StoneLevel { detect, file, object, group, node, component };
 /// The names above, in their order.
 extern const std::vector<std::string> stone_level_names;
 
+/// A mesh file to be read and certified.
 struct MeshRequest {
-    std::filesystem::path file;
+    std::filesystem::path file;  // to be read
     double metres_per_unit = 0;  // 0: as the file says, metres if it does not
     char up = 0;                 // axis of the file that points up, 'x', 'y' or 'z'; 0: as the file says, else z
-    StoneLevel stones = StoneLevel::detect;
+    StoneLevel stones = StoneLevel::detect;  // what becomes one stone
     double planarity = 1e-5;     // share of a stone's diagonal by which a face may bulge and count as flat
     double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
     double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
 };
 
+/// What the helper may take.
 struct GeometryLimits {
-    double seconds = 30;
-    std::size_t bytes = std::size_t{2} << 30;
+    double seconds = 30;                       // of wall time
+    std::size_t bytes = std::size_t{2} << 30;  // of memory
 };
 
 /// Starts the helper program `voussoir-geometry` (beside the running program), hands it the request, reads its

@@ -11,10 +11,10 @@ namespace voussoir
 
 /// What is wrong, and where. Coordinates in the unit and axes of whoever holds it.
 struct MarkedFeature {
-    std::string label;  // a few words: "hole", "faces cross"
-    std::vector<Eigen::Vector3d> points;
-    std::vector<std::array<Eigen::Vector3d, 2>> lines;
-    std::vector<std::vector<Eigen::Vector3d>> polygons;
+    std::string label;                                   // a few words: "hole", "faces cross"
+    std::vector<Eigen::Vector3d> points;                 // single places
+    std::vector<std::array<Eigen::Vector3d, 2>> lines;   // from and to
+    std::vector<std::vector<Eigen::Vector3d>> polygons;  // loops
 };
 
 }  // namespace voussoir

@@ -11,7 +11,7 @@ namespace voussoir
 
 /// One named surface, one stone to be. Faces are loops of vertex indices in the order of the file.
 struct PolygonSurface {
-    std::string name;
+    std::string name;                       // of the stone
     std::vector<Eigen::Vector3d> vertices;  // in the unit and axes of whoever holds it
     std::vector<std::vector<int>> faces;    // every index names a vertex; nothing else is known
 };

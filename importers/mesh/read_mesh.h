@@ -18,7 +18,7 @@ enum class StonesBy {
 };
 
 struct ReadOptions {
-    StonesBy stones = StonesBy::detect;
+    StonesBy stones = StonesBy::detect;  // what becomes one stone
 };
 
 /// Reads OBJ, STL, PLY, OFF, glTF and GLB, COLLADA, 3MF, AMF, 3DS, DXF, COMPAS JSON and IFC; what a file is is

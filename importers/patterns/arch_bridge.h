@@ -9,11 +9,11 @@ namespace voussoir
 {
 
 /// Mosca's bridge over the Doria Riparia, Turin, 1827, is the default: span, voussoirs and thicknesses as printed
-/// in Ma et al.; the paper is two-dimensional, and 12 m of width is of the order of the real roadway.
+/// in [Ma1996]; the paper is two-dimensional, and 12 m of width is of the order of the real roadway.
 struct ArchBridge {
     double span = 45;                // m, between the intrados springings
     double rise = 5.5;               // m, of the intrados circle at the crown above the springings
-    int voussoirs = 93;              //
+    int voussoirs = 93;              // number
     double springing_thickness = 2;  // m, along the end joints
     double crown_thickness = 1.5;    // m, at the crown
     double width = 12;               // m, of arch and abutments

@@ -9,7 +9,7 @@ namespace
 {
 
 /// Evenly spread numbers, the same on every machine (the distributions of the standard library are not).
-/// Source: Steele, Lea and Flood 2014 (splitmix64).
+/// Source: [SteeleLeaFlood2014] (splitmix64).
 class Generator
 {
  public:

@@ -17,8 +17,8 @@ namespace voussoir
 struct Opening {
     double at = 0;      // along the wall, to the near jamb
     double sill = 0;    // 0: a door
-    double width = 0;   //
-    double height = 0;  //
+    double width = 0;   // along the wall
+    double height = 0;  // above the sill
 };
 
 /// The one block over an opening; an opening up to the wall's top has none.
@@ -41,10 +41,10 @@ struct MasonryBase {
 /// drawn in, but for its two faces: across the wall it may stand out by up to `joint`, except on a side where
 /// another block stands (the other wall at a corner, another leaf). The base and the lintels keep size and place.
 struct Imperfection {
-    std::uint64_t seed = 1;
-    double size = 0;      // -, blocks are shorter and thinner by 0 to this share, in the middle of their space
-    double joint = 0;     // m, then moved by -joint to +joint along the wall and across it
-    double friction = 0;  // -, friction factor from 1 - friction to 1 + friction; the base keeps 1
+    std::uint64_t seed = 1;  // of the generator
+    double size = 0;         // -, blocks are shorter and thinner by 0 to this share, in the middle of their space
+    double joint = 0;        // m, then moved by -joint to +joint along the wall and across it
+    double friction = 0;     // -, friction factor from 1 - friction to 1 + friction; the base keeps 1
 };
 
 /// Where the pattern's own axes lie: turned about z, then moved.
@@ -55,7 +55,7 @@ struct Placement {
 
 /// One block of a pattern, in place.
 struct MasonryBlock {
-    std::string name;
+    std::string name;  // unique in its pattern
     std::array<Eigen::Vector3d, 8>
         corners;                 // m; number i: upper along the pattern's x, y, z where bit 0, 1, 2 is set
     double friction_factor = 1;  // -, on the coefficient of friction of its joints

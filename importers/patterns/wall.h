@@ -11,17 +11,17 @@ namespace voussoir
 
 /// A wall of blocks that reach through it, or of several leaves. All lengths in m.
 struct Wall {
-    std::string name = "wall";
-    double length = 4, height = 3, thickness = 0.4;
-    double block_length = 0.6, block_height = 0.3;
-    int leaves = 1;        // side by side through the thickness, their joints half a block off
-    int header_every = 0;  // every so manyth course reaches through all leaves; 0: none
-    std::vector<Opening> openings;
-    Lintel lintel{0.3, 0.3};  // over every opening that does not reach the top
-    MasonryBase base;         // none
-    Imperfection imperfection;
-    Placement placement;
-    bool flat = false;  // a slice of a planar scene: nothing stands out of its faces
+    std::string name = "wall";                       // beginning of the block names
+    double length = 4, height = 3, thickness = 0.4;  // m
+    double block_length = 0.6, block_height = 0.3;   // m
+    int leaves = 1;                 // side by side through the thickness, their joints half a block off
+    int header_every = 0;           // every so manyth course reaches through all leaves; 0: none
+    std::vector<Opening> openings;  // doors and windows
+    Lintel lintel{0.3, 0.3};        // over every opening that does not reach the top
+    MasonryBase base;               // none
+    Imperfection imperfection;      // none by default
+    Placement placement;            // at the origin by default
+    bool flat = false;              // a slice of a planar scene: nothing stands out of its faces
 };
 
 /// The blocks from the foot up, each course from its beginning: NAME_base, NAME_c01_b01, ..., NAME_lintel_1, ...;

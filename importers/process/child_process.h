@@ -7,6 +7,7 @@
 namespace voussoir
 {
 
+/// How a child process ended.
 struct ChildAnswer {
     std::string output;   // what the child wrote to its standard output
     std::string failure;  // why it gave no answer, in words; empty when it ended with exit code 0

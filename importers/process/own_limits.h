@@ -8,6 +8,7 @@
 namespace voussoir
 {
 
+/// Whether the program runs under AddressSanitizer.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool address_sanitizer = true;  // reserves terabytes of addresses for itself
 #else

@@ -14,6 +14,7 @@ namespace voussoir
 /// Where everything stood at the start of the run, by which falling is judged.
 struct CollapseWatch {
     CollapseWatch() = default;
+    /// @param start state at the start of the run
     CollapseWatch(const Model& model, const State& start);
 
     std::vector<Eigen::Vector3d> start;                // m, centroids

@@ -29,7 +29,7 @@ std::optional<std::string> overlap_warning(const Model& model, const RunReport& 
 /// stage before it left the ground moving, or a motion does not start from rest. @param state at its start
 std::optional<std::string> ground_jump_warning(const Model& model, const Stage& stage, const State& state);
 
-/// Why a step that was cut to the end did not converge, and what to do. @param cuts of it
+/// Why a step that was cut to the end did not converge, and what to do. @param step its report
 std::string explain(const Model& model, const Stage& stage, const State& state, const StepReport& step);
 
 }  // namespace voussoir

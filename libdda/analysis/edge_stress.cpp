@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 namespace
 {
 
-constexpr double least_bearing = 0.1;     // of the bed's extent: EN 1996-1-1, annex C (4), for e > 0.45 t
+constexpr double least_bearing = 0.1;     // of its extent: [EN1996-1-1-2005], annex C (4), for e > 0.45 t
 constexpr double same_direction = 0.985;  // cosine of 10 degrees
 constexpr double same_plane = 0.01;       // of the smaller block's size
 

@@ -10,14 +10,14 @@ namespace voussoir
 
 /// A corner of a joint: two material points that faced each other when the joint was looked at.
 struct JointCorner {
-    MaterialPoint on_a, on_b;
+    MaterialPoint on_a, on_b;                          // that faced each other
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, outward from block b, turning with it
 };
 
 /// All patches between two blocks.
 struct WatchedJoint {
-    int block_a = 0, block_b = 0;  // a < b
-    std::vector<JointCorner> corners;
+    int block_a = 0, block_b = 0;      // a < b
+    std::vector<JointCorner> corners;  // of all patches
 };
 
 /// The joints of a state, by its contacts, in ascending order of the pair. A patch of edge on edge counts.

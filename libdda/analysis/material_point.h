@@ -9,8 +9,9 @@
 namespace voussoir
 {
 
+/// A point of a block.
 struct MaterialPoint {
-    int block = 0;
+    int block = 0;                                    // index into Model::blocks
     Eigen::Vector3d lever = Eigen::Vector3d::Zero();  // m, reference place relative to the block's centroid
 };
 

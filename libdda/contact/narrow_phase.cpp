@@ -79,7 +79,7 @@ Vector3d cut_edge(const Vector3d& inside, const Vector3d& outside, double d_insi
     return inside + (level - d_inside) / (d_outside - d_inside) * (outside - inside) - level * normal;
 }
 
-/// One pass of Sutherland and Hodgman: keeps what lies below the plane (normal, offset); new edges get `label`.
+/// One pass of [SutherlandHodgman1974]: keeps what lies below the plane (normal, offset); new edges get `label`.
 void clip(std::vector<ClipPoint>& polygon, const Vector3d& normal, double offset, double tolerance,
           std::uint32_t label, std::vector<ClipPoint>& scratch)
 {

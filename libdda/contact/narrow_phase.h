@@ -14,8 +14,8 @@ namespace voussoir
 /// last step's face and a preference of faces over edge pairs. A face axis clips the incident face against the
 /// side planes of the reference face; the tributary area of a corner is half the area of its two triangles with
 /// the polygon's area centroid, so that areas and first moments of areas are exact. Polygons below 1e-7 L^2 are
-/// skipped (ghost contacts of diagonal neighbours). Source: numerics note 2.5 (clipping: Sutherland and Hodgman
-/// 1974).
+/// skipped (ghost contacts of diagonal neighbours). Source: docs/numerics.md 2.5; clipping:
+/// [SutherlandHodgman1974].
 /// @param margin [m] parts further apart than this do not touch
 std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const PlacedPart& second, double margin,
                                               const std::optional<LastContact>& last);

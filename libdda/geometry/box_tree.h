@@ -18,6 +18,7 @@ class BoxTree
 
     /// Boxes behind `box` in the list that meet it, if only in a point; ascending.
     std::vector<int> neighbours_behind(int box) const;
+    /// A box of the list.
     const Eigen::AlignedBox3d& operator[](int box) const { return boxes_[box]; }
 
  private:

@@ -32,7 +32,7 @@ ConvexPolygon outline_of(const ConvexPolyhedron& prism, double& depth, const std
                          double tolerance = 1e-6);
 
 /// Moments of outlines of one thickness about their common centroid, in space: y is 0 and does not enter.
-/// Source: Shi 1988 (simplex integration), triangles from a vertex of each outline.
+/// Source: [Shi1988] (simplex integration), triangles from a vertex of each outline.
 Moments moments_of(const std::vector<ConvexPolygon>& outlines, double thickness);
 
 }  // namespace voussoir

@@ -11,6 +11,7 @@ namespace voussoir
 /// A closed convex polyhedron with planar polygonal faces. Made only by make_convex_polyhedron, so that whoever
 /// holds one may rely on it being closed, outward-oriented and convex.
 struct ConvexPolyhedron {
+    /// An edge and its two faces.
     struct Edge {
         int from, to;     // vertices, in the direction the left face runs
         int left, right;  // the two faces that share the edge
@@ -20,6 +21,7 @@ struct ConvexPolyhedron {
     std::vector<Edge> edges;                // each once
     // Per face: it lies against another part of the same stone and never touches anything. Empty: no face does.
     std::vector<bool> glued;
+    /// Whether a face lies against another part of the same stone.
     bool is_glued(int face) const { return !glued.empty() && glued[face]; }
     /// An edge of the cut between two parts; no edge of the stone.
     bool is_glued(const Edge& edge) const { return is_glued(edge.left) || is_glued(edge.right); }

@@ -9,6 +9,7 @@
 namespace voussoir
 {
 
+/// Volume, centroid and second moment of a shape, of density one.
 struct Moments {
     double volume = 0;                                   // m3
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  // m
@@ -17,7 +18,7 @@ struct Moments {
 
 /// Exact for polyhedra: each outward triangle (p,q,r) seen from a vertex of the shape contributes the moments of
 /// its tetrahedron. A vertex is subtracted first, so that large coordinates cancel nothing.
-/// Source: Shi 1988 (simplex integration); numerics note 2.2.
+/// Source: [Shi1988] (simplex integration); docs/numerics.md 2.2.
 Moments moments_of(const ConvexPolyhedron& shape);
 
 /// Sums of parts about their common centroid (the glued block).

@@ -9,8 +9,10 @@
 namespace voussoir
 {
 
+/// A vector of the scene's dimension.
 template <int D>
 using VectorIn = Eigen::Matrix<double, D, 1>;
+/// A square matrix of the scene's dimension.
 template <int D>
 using MatrixIn = Eigen::Matrix<double, D, D>;
 
@@ -21,6 +23,7 @@ constexpr int axis_in_space(int k)
     return D == 3 ? k : 2 * k;
 }
 
+/// The components that the scene has.
 template <int D>
 VectorIn<D> from_space(const Eigen::Vector3d& v)
 {
@@ -30,6 +33,7 @@ VectorIn<D> from_space(const Eigen::Vector3d& v)
         return {v.x(), v.z()};
 }
 
+/// The same of a matrix.
 template <int D>
 MatrixIn<D> from_space(const Eigen::Matrix3d& m)
 {
@@ -39,17 +43,19 @@ MatrixIn<D> from_space(const Eigen::Matrix3d& m)
     return own;
 }
 
+/// The vector in space: of a spatial scene it is that already.
 inline Eigen::Vector3d to_space(const Eigen::Vector3d& v)
 {
     return v;
 }
 
+/// Of a planar scene; y is 0.
 inline Eigen::Vector3d to_space(const Eigen::Vector2d& v)
 {
     return {v.x(), 0, v.y()};
 }
 
-/// @param out_of_plane the yy component: 1 for a map, 0 for its rate
+/// A matrix of a planar scene in space. @param out_of_plane the yy component: 1 for a map, 0 for its rate
 inline Eigen::Matrix3d to_space(const Eigen::Matrix2d& m, double out_of_plane)
 {
     Eigen::Matrix3d space = Eigen::Matrix3d::Zero();

@@ -15,7 +15,7 @@ namespace
 {
 
 /// A running sum whose rounding errors are carried along and added at the end, so that tens of thousands of
-/// samples lose no more than one. Source: Neumaier, ZAMM 54 (1974), "Kahan-Babuska".
+/// samples lose no more than one. Source: [Neumaier1974], "Kahan-Babuska".
 struct CompensatedSum {
     double sum = 0, correction = 0;
 

@@ -38,6 +38,7 @@ class GroundMotion
     double residual_velocity() const;      // m/s at and after the end
     double residual_displacement() const;  // m at the end
     double peak_acceleration() const;      // m/s2, largest |a| of the samples (of the wave for a sine)
+    /// Where it comes from, in words.
     const std::string& source() const { return source_; }
 
     /// The same motion times `factor`.

@@ -14,8 +14,9 @@
 namespace voussoir
 {
 
+/// What blocks are made of: linear elastic, of one density.
 struct BlockMaterial {
-    std::string name;
+    std::string name;                 // as in the case file
     double density = 0;               // kg/m3
     double young = 0;                 // Pa; a rigid scene uses it for the default contact stiffness only
     double poisson = 0;               // -
@@ -24,13 +25,14 @@ struct BlockMaterial {
 
 /// How stiff a contact is, in the two spellings that are used.
 struct ContactStiffness {
+    /// The spellings.
     enum class Kind {
         from_modulus,  // documented rule: factor x series modulus / mean block depth, N/m per m2
         per_area,      // as joints are measured, Pa/m
         per_point,     // Shi's g0, N/m per contact point, spread over a face contact as value x corners / area
     };
-    Kind kind = Kind::from_modulus;
-    double value = 0;   // Pa/m, or N/m; unused for from_modulus
+    Kind kind = Kind::from_modulus;  // which of them
+    double value = 0;                // Pa/m, or N/m; unused for from_modulus
     double factor = 1;  // -, times what the spelling gives: how studies vary the stiffness of every spelling
 };
 
@@ -40,22 +42,24 @@ struct FrictionAtSpeed {
     double angle = 0;  // rad
 };
 
+/// How two groups of blocks touch.
 struct JointMaterial {
-    std::string name;
+    std::string name;                                // as in the case file
     double friction_angle = 0;                       // rad; of a joint at rest when there is a table
     std::vector<FrictionAtSpeed> friction_at_speed;  // ascending speeds; empty: the same at every speed
-    double cohesion = 0;          // Pa; only joints that are closed at the start of the run have it
-    double tensile_strength = 0;  // Pa; a dry joint has neither
-    ContactStiffness stiffness;
+    double cohesion = 0;                     // Pa; only joints that are closed at the start of the run have it
+    double tensile_strength = 0;             // Pa; a dry joint has neither
+    ContactStiffness stiffness;              // normal
     double shear_to_normal_stiffness = 0.5;  // -; Shi's 1/h2
     double dashpot = 0;  // s, stiffness-proportional contact damping (eta of N = -k(g + eta dg/dt))
 
+    /// Whether joints of it may be bonded.
     bool has_strength() const { return cohesion > 0 || tensile_strength > 0; }
 };
 
 /// A block: one or more glued convex parts with one set of unknowns.
 struct Block {
-    std::string name;
+    std::string name;                     // unique in a model
     int group = 0;                        // index into Model::groups
     int material = 0;                     // index into Model::materials
     std::vector<ConvexPolyhedron> parts;  // spatial scenes; vertices relative to the block's centroid, m
@@ -69,9 +73,10 @@ struct Block {
 
 /// A block that follows the ground. Each component is held (it follows the motion given for it, or stays) or free.
 struct Foundation {
-    int block = 0;
-    std::array<bool, 3> translation_held{true, true, true};
-    bool rotation_held = true;  // a foundation block is rigid whatever the scene
+    int block = 0;                                           // index into Model::blocks
+    std::array<bool, 3> translation_held{true, true, true};  // along x, y, z
+    bool rotation_held = true;                               // a foundation block is rigid whatever the scene
+    /// Whether the block has no unknowns.
     bool fully_held() const
     {
         return translation_held[0] && translation_held[1] && translation_held[2] && rotation_held;
@@ -83,17 +88,18 @@ enum class PlaneCondition { strain, stress };
 
 /// Constant during a run.
 struct Model {
-    Kinematics kinematics = Kinematics::spatial_deformable;
-    double thickness = 1;                              // m, planar scenes only
-    PlaneCondition plane = PlaneCondition::strain;     // planar deformable scenes only
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, subtracted from the user's coordinates on input
-    std::vector<std::string> groups;
-    std::vector<BlockMaterial> materials;
-    std::vector<JointMaterial> joints;
-    std::vector<int> joint_of_groups;  // (groups x groups) row major: index into joints
-    std::vector<Block> blocks;
-    std::vector<Foundation> foundations;
+    Kinematics kinematics = Kinematics::spatial_deformable;  // of every block
+    double thickness = 1;                                    // m, planar scenes only
+    PlaneCondition plane = PlaneCondition::strain;           // planar deformable scenes only
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();        // m, subtracted from the user's coordinates on input
+    std::vector<std::string> groups;                         // names
+    std::vector<BlockMaterial> materials;                    // that blocks refer to
+    std::vector<JointMaterial> joints;                       // that pairs of groups refer to
+    std::vector<int> joint_of_groups;                        // (groups x groups) row major: index into joints
+    std::vector<Block> blocks;                               // in the order of the state
+    std::vector<Foundation> foundations;                     // one per held block
 
+    /// Mass of a block, what is attached included [kg].
     double mass(int block) const
     {
         return materials[blocks[block].material].density * blocks[block].moments.volume +
@@ -105,10 +111,12 @@ struct Model {
         return materials[blocks[block].material].density * blocks[block].moments.second +
                blocks[block].attached_second;
     }
+    /// Factor of two blocks on the friction coefficient of their joint.
     double friction_factor(int block_a, int block_b) const
     {
         return 0.5 * (blocks[block_a].friction_factor + blocks[block_b].friction_factor);
     }
+    /// The joint material of the groups of two blocks.
     const JointMaterial& joint_between(int block_a, int block_b) const
     {
         const std::size_t row = blocks[block_a].group, column = blocks[block_b].group;

@@ -13,10 +13,10 @@ namespace voussoir
 /// Energies [J]. Work terms and losses accumulate from the start of the run; every term comes from its own forces
 /// and displacements, none as the difference of the others.
 struct EnergyLedger {
-    double kinetic = 0;  // now, of blocks that have unknowns
-    double strain = 0;   // now
-    double contact = 0;  // now, in normal and shear springs
-    double gravity_work = 0;
+    double kinetic = 0;               // now, of blocks that have unknowns
+    double strain = 0;                // now
+    double contact = 0;               // now, in normal and shear springs
+    double gravity_work = 0;          // done by gravity
     double foundation_work = 0;       // done by prescribed motion on the structure
     double boundary_work = 0;         // by viscous boundaries
     double load_work = 0;             // by body accelerations
@@ -28,22 +28,26 @@ struct EnergyLedger {
     double algorithmic = 0;           // loss of the integrator, from its own identity
     double algorithmic_rotation = 0;  // of the finite rotation and shape update
     double redetection = 0;           // spring energy that changed when contacts were found anew
-    double start_kinetic = 0, start_strain = 0, start_contact = 0;
+    double start_kinetic = 0, start_strain = 0, start_contact = 0;  // at the start of the run
     // Largest kinetic + strain + contact so far: the scale when all has come to rest again.
     double peak_stored = 0;
     double peak_taken = 0;  // largest redetection so far
     double peak_given = 0;  // largest fall of redetection from there: what contacts took before is no credit
 
+    /// Work done on the blocks [J].
     double input() const { return gravity_work + foundation_work + boundary_work + load_work; }
+    /// All losses [J].
     double dissipated() const
     {
         return friction + damping_kinetic + damping_static + damping_contact + fracture + algorithmic +
                algorithmic_rotation + redetection;
     }
+    /// What kinetic, strain and contact energy have grown by since the start [J].
     double stored_change() const
     {
         return kinetic - start_kinetic + strain - start_strain + contact - start_contact;
     }
+    /// What the terms leave unexplained [J].
     double residual() const { return input() - dissipated() - stored_change(); }
     /// Brings the three peaks up to what the other terms are now.
     void note_peaks();
@@ -53,14 +57,20 @@ struct EnergyLedger {
     double relative_residual() const;
 };
 
-/// EnergyLedger::relative_residual of which a run warns, and at which it stops: energy has appeared or been lost.
-constexpr double residual_worth_a_warning = 0.01, residual_worth_stopping = 0.1;
+/// EnergyLedger::relative_residual of which a run warns: energy has appeared or been lost.
+constexpr double residual_worth_a_warning = 0.01;
+/// That at which it stops.
+constexpr double residual_worth_stopping = 0.1;
 
-enum class StepOutcome { converged, gave_up };
+/// How a step ended; when it gave up the state is untouched.
+enum class StepOutcome {
+    converged,  // accepted
+    gave_up,    // no step as long as min_time_step converges
+};
 
 /// What kept the last attempt at a step from converging.
 enum class Trouble {
-    none,
+    none,                 // all went well
     inverted_block,       // the iterate turned a block inside out
     singular_system,      // the linear system could not be solved
     inaccurate_solution,  // its solution does not lead downhill: rounding ate it
@@ -68,35 +78,52 @@ enum class Trouble {
 };
 
 /// `open_close` is the whole iteration; `linear_solve` and the matrix part of `assembly` lie inside it.
-enum class Part { contact_search, assembly, open_close, linear_solve, update, output, count };
+enum class Part {
+    contact_search,  // finding contacts
+    assembly,        // blocks, contacts, matrix
+    open_close,      // the iteration
+    linear_solve,    // solving for directions
+    update,          // blocks, contacts, energies
+    output,          // writing results
+    count,           // how many parts there are
+};
+/// The name of a part, as in results.
 std::string_view name_of(Part part);
 
+/// What one step did.
 struct StepReport {
-    StepOutcome outcome = StepOutcome::converged;
-    double time_step = 0;  // s, of the accepted step
-    int open_close_iterations = 0;
-    int cuts = 0;
-    bool divided = false;  // ended where a sliding joint turned round
-    int factorisations = 0;
-    int linear_iterations = 0;
-    std::int64_t factor_entries = 0;
-    Trouble trouble = Trouble::none;     // of the last attempt that failed
-    double unbalanced = 0;               // largest block residual / block load at acceptance
-    int worst_block = -1;                // the block of `unbalanced`, or the one that inverted
-    double max_penetration = 0;          // m, of the contact points at the end of the step
-    double max_displacement = 0;         // m, of a block centroid in this step
-    double inertia_ratio = 0;            // static: largest unbalanced force / load of a block
-    bool contact_state_changed = false;  // of a point that carries more than the unbalanced tolerance
-    int closed_points = 0;
-    std::array<double, static_cast<int>(Part::count)> seconds{};
+    StepOutcome outcome = StepOutcome::converged;  // how it ended
+    double time_step = 0;                          // s, of the accepted step
+    int open_close_iterations = 0;                 // of all attempts
+    int cuts = 0;                                  // attempts that failed
+    bool divided = false;                          // ended where a sliding joint turned round
+    int factorisations = 0;                        // of the linear systems
+    int linear_iterations = 0;                     // of conjugate gradients
+    std::int64_t factor_entries = 0;               // of the last factorisation
+    Trouble trouble = Trouble::none;               // of the last attempt that failed
+    double unbalanced = 0;                         // largest block residual / block load at acceptance
+    int worst_block = -1;                          // the block of `unbalanced`, or the one that inverted
+    double max_penetration = 0;                    // m, of the contact points at the end of the step
+    double max_displacement = 0;                   // m, of a block centroid in this step
+    double inertia_ratio = 0;                      // static: largest unbalanced force / load of a block
+    bool contact_state_changed = false;            // of a point that carries more than the unbalanced tolerance
+    int closed_points = 0;                         // contact points that are not open
+    std::array<double, static_cast<int>(Part::count)> seconds{};  // wall time by part
 };
 
-enum class Outcome { completed, collapsed, gave_up, interrupted };
+/// How a run ended.
+enum class Outcome {
+    completed,    // all stages
+    collapsed,    // blocks have fallen; a result like another
+    gave_up,      // the numerics; the state is that of the last good step
+    interrupted,  // from outside; it can be resumed
+};
+/// The name of an outcome, as in results.
 std::string_view name_of(Outcome outcome);
 
 /// A block that has lost all support and fallen by more than its own size, or left the domain.
 struct FallenBlock {
-    int block = 0;
+    int block = 0;      // index into Model::blocks
     double time = 0;    // s since the run's start
     bool left = false;  // the domain, by now
 };
@@ -111,28 +138,29 @@ struct CrushedJoint {
 
 /// Two blocks within one another, at a corner of their contact.
 struct DeepestOverlap {
-    double share = 0, depth = 0;  // -, of the thinner block's least width; m
-    double forgiven = 0;          // m of the depth, without stress: of a contact found late or on another face
-    double time = 0;              // s since the run's start
-    int block_a = -1, block_b = -1;
+    double share = 0, depth = 0;     // -, of the thinner block's least width; m
+    double forgiven = 0;             // m of the depth, without stress: of a contact found late or on another face
+    double time = 0;                 // s since the run's start
+    int block_a = -1, block_b = -1;  // indices into Model::blocks
 };
 
+/// What a run did.
 struct RunReport {
-    Outcome outcome = Outcome::completed;
-    std::string message;  // why, and the remedy, when not completed
-    std::int64_t steps = 0, step_cuts = 0, unconverged_steps = 0;
-    std::int64_t divided_steps = 0;  // that ended where a sliding joint turned round
-    std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;
-    std::int64_t factor_entries = 0;  // of the last factorisation
-    double simulated_time = 0;        // s, dynamic stages only
-    double max_penetration = 0;       // m, as note_overlap counts it
-    DeepestOverlap deepest;           // by its share
-    double static_unbalanced = 0;     // of the last static stage
-    EnergyLedger energy;
-    std::vector<FallenBlock> fallen;    // in the order in which they fell
-    std::vector<CrushedJoint> crushed;  // in the order in which they were first crushed
-    std::array<double, static_cast<int>(Part::count)> seconds{};
-    std::vector<std::string> warnings;
+    Outcome outcome = Outcome::completed;                          // how it ended
+    std::string message;                                           // why, and the remedy, when not completed
+    std::int64_t steps = 0, step_cuts = 0, unconverged_steps = 0;  // counts
+    std::int64_t divided_steps = 0;                                // that ended where a sliding joint turned round
+    std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;  // counts
+    std::int64_t factor_entries = 0;                              // of the last factorisation
+    double simulated_time = 0;                                    // s, dynamic stages only
+    double max_penetration = 0;                                   // m, as note_overlap counts it
+    DeepestOverlap deepest;                                       // by its share
+    double static_unbalanced = 0;                                 // of the last static stage
+    EnergyLedger energy;                                          // at the end
+    std::vector<FallenBlock> fallen;                              // in the order in which they fell
+    std::vector<CrushedJoint> crushed;                            // in the order in which they were first crushed
+    std::array<double, static_cast<int>(Part::count)> seconds{};  // wall time by part
+    std::vector<std::string> warnings;                            // a sentence each
 };
 
 }  // namespace voussoir

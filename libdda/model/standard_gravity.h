@@ -4,7 +4,7 @@
 namespace voussoir
 {
 
-/// Standard gravity, exact. Source: 3rd CGPM (1901), ISO 80000-3. [m/s2]
+/// Standard gravity, exact. Source: [CGPM1901], [ISO80000-3-2019]. [m/s2]
 inline constexpr double standard_gravity = 9.80665;
 
 }  // namespace voussoir

@@ -12,14 +12,19 @@
 namespace voussoir
 {
 
-enum class ContactStatus : std::uint8_t { open, locked, sliding };
+/// What a contact point does.
+enum class ContactStatus : std::uint8_t {
+    open,     // carries nothing
+    locked,   // its shear is below the friction bound, or it is bonded
+    sliding,  // at the friction bound
+};
 
 /// One corner of a contact polygon, one end of a contact segment (planar), or the one point of an edge-edge
 /// contact. Forces act on block a of the patch.
 template <int D>
 struct ContactPointIn {
     std::uint32_t feature = 0;  // which vertex, or which edge crosses which side: survives sliding
-    ContactStatus status = ContactStatus::open;
+    ContactStatus status = ContactStatus::open;      // at the end of the step
     double gap = 0;                                  // m, > 0 open; from rest_gap on
     double rest_gap = 0;                             // m, without stress: of a bonded joint, or a forgiven overlap
     double area = 0;                                 // m2, tributary
@@ -33,27 +38,28 @@ struct ContactPointIn {
 /// The contact of two convex parts: block b owns the reference face, block a is incident.
 template <int D>
 struct ContactPatchIn {
-    int block_a = 0, block_b = 0;
-    int part_a = 0, part_b = 0;
+    int block_a = 0, block_b = 0;                // indices into Model::blocks
+    int part_a = 0, part_b = 0;                  // of the blocks
     std::uint32_t feature_a = 0, feature_b = 0;  // incident face and reference face, or the two edges
-    bool edge_edge = false;
-    bool intact = false;                       // still has cohesion and tensile strength
-    double stiffness = 0;                      // Pa/m, normal
-    VectorIn<D> normal = VectorIn<D>::Zero();  // unit, outward from b, at the start of the step
-    int first_point = 0, point_count = 0;      // in the points of its set
+    bool edge_edge = false;                      // else a face is clipped
+    bool intact = false;                         // still has cohesion and tensile strength
+    double stiffness = 0;                        // Pa/m, normal
+    VectorIn<D> normal = VectorIn<D>::Zero();    // unit, outward from b, at the start of the step
+    int first_point = 0, point_count = 0;        // in the points of its set
 };
 
 /// Patches ascend in (part of a or b with the lower index, other part).
 template <int D>
 struct ContactSetIn {
-    std::vector<ContactPatchIn<D>> patches;
-    std::vector<ContactPointIn<D>> points;
+    std::vector<ContactPatchIn<D>> patches;  // ascending
+    std::vector<ContactPointIn<D>> points;   // patch by patch
 };
 
-using ContactPoint = ContactPointIn<3>;
-using ContactPatch = ContactPatchIn<3>;
-using ContactSet = ContactSetIn<3>;
+using ContactPoint = ContactPointIn<3>;  ///< In space.
+using ContactPatch = ContactPatchIn<3>;  ///< In space.
+using ContactSet = ContactSetIn<3>;      ///< In space.
 
+/// All that changes in a run.
 struct State {
     double time = 0;                  // s since the run's start
     std::int64_t step = 0;            // accepted steps since the run's start
@@ -77,6 +83,7 @@ ContactSetIn<D>& contacts_in(State& state)
     else
         return state.planar_contacts;
 }
+/// The same, not to be changed.
 template <int D>
 const ContactSetIn<D>& contacts_in(const State& state)
 {
@@ -86,10 +93,10 @@ const ContactSetIn<D>& contacts_in(const State& state)
 /// Where a block is: x = centroid + map X, X the reference lever. The map is a rotation in rigid scenes.
 template <int D>
 struct PoseIn {
-    VectorIn<D> centroid;
-    MatrixIn<D> map;
+    VectorIn<D> centroid;  // m
+    MatrixIn<D> map;       // -
 };
-using Pose = PoseIn<3>;
+using Pose = PoseIn<3>;  ///< In space.
 
 /// Of a scene of D dimensions.
 template <int D>
@@ -97,6 +104,7 @@ PoseIn<D> pose_in(Kinematics kinematics, const State& state, int block);
 
 // In space, whatever the dimension of the scene:
 
+/// Where a block is.
 Pose pose_of(Kinematics kinematics, const State& state, int block);
 
 /// Velocity of a block's centroid [m/s].

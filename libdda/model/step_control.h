@@ -14,29 +14,36 @@ namespace voussoir
 /// force.
 enum class Integrator { newmark, energy_decaying };
 
+/// How the state of contacts is found.
 enum class OpenClose {
     newton,     // Newton iteration on the step's potential with a line search; cannot chatter
     published,  // Shi's: states and friction loads from the previous pass, a few passes, else cut the step
 };
 
-enum class LinearSolverKind { automatic, cholmod, conjugate_gradients };
+/// Who solves the linear systems.
+enum class LinearSolverKind {
+    automatic,            // conjugate gradients, and CHOLMOD where they do not converge
+    cholmod,              // sparse Cholesky factors
+    conjugate_gradients,  // preconditioned by block-incomplete Cholesky
+};
 
+/// Time step, integrator, tolerances.
 struct StepControl {
-    double time_step = 1e-3;      // s, nominal; cut steps return to this grid
-    double min_time_step = 1e-9;  // s; below it the run gives up
-    Integrator integrator = Integrator::newmark;
-    double dissipation = 0.1;  // 0..1, of energy_decaying
-    OpenClose open_close = OpenClose::newton;
+    double time_step = 1e-3;                      // s, nominal; cut steps return to this grid
+    double min_time_step = 1e-9;                  // s; below it the run gives up
+    Integrator integrator = Integrator::newmark;  // of the step
+    double dissipation = 0.1;                     // 0..1, of energy_decaying
+    OpenClose open_close = OpenClose::newton;     // the published one is for comparison
     // Steps end where a sliding joint turns round, and the rest of the step follows, in scenes of at most this
     // many blocks with unknowns. In a large structure some joint turns in nearly every step, and none of them
     // decides.
     int divide_up_to_blocks = 10;
     int max_open_close = 40;        // Newton iterations (published: 6) before the step is cut
     double force_tolerance = 1e-5;  // unbalanced force of a block / (its weight + its contact forces)
-    LinearSolverKind linear_solver = LinearSolverKind::automatic;
+    LinearSolverKind linear_solver = LinearSolverKind::automatic;  // who solves
     double linear_tolerance =
-        1e-3;  // relative residual of conjugate gradients; the force residual is exact anyway
-    int threads = 1;
+        1e-3;         // relative residual of conjugate gradients; the force residual is exact anyway
+    int threads = 1;  // answers do not depend on it
 };
 
 }  // namespace voussoir

@@ -101,7 +101,7 @@ typename K::Matrix read_velocities(const State& state, int block, BlockStep<K>& 
 }
 
 /// Predicts the free flight of a block: q + h v, with the rotation done exactly and the momentum kept exactly.
-/// Source: numerics note 2.6 (rotated predictor), here with an implicit midpoint spin.
+/// Source: docs/numerics.md 2.6.
 template <class K>
 void predict(const State& state, int block, double h, BlockStep<K>& step)
 {
@@ -137,7 +137,7 @@ void predict(const State& state, int block, double h, BlockStep<K>& step)
 
 /// V (1 + theta)/2 [lambda B:L B:L' + 2 mu sym(A^T L A):sym(A^T L' A)], B = A A^T: for components ij, kl
 /// lambda B_ij B_kl + mu (B_ik B_jl + B_il B_jk). The geometric part is left out: it is smaller by stress /
-/// modulus, and the residual is exact.
+/// modulus, and the residual is exact. Source: docs/numerics.md 2.3.
 template <int D>
 void add_elastic_stiffness(const Elasticity& e, const MatrixIn<D>& map, double blend,
                            typename DeformableIn<D>::Square& k)

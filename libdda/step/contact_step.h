@@ -1,4 +1,5 @@
 // Contact forces within one step: normal and shear springs with Coulomb friction, and their energies.
+// Source: docs/numerics.md 2.4.
 #pragma once
 
 #include <Eigen/Core>

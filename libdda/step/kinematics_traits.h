@@ -4,7 +4,7 @@
 // block's unknowns. Shi's twelve are translation u, rotation r and strain e (planar: u, v, r, ex, ey, gxy); here
 // the last nine (four) are the displacement gradient L = skew(r) + e, the same numbers in another basis, in which
 // points are linear in the unknowns, masses are simple and a rigid rotation makes no false strain. A rigid block
-// has u and r alone.
+// has u and r alone. Source: docs/numerics.md 2.1.
 #pragma once
 
 #include <Eigen/Core>

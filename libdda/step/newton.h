@@ -1,7 +1,7 @@
 // The open-close iteration as Newton's method: with the friction bound frozen at mu N of the current iterate the
 // step minimises a convex function, and every Newton step goes down it. The bound follows N from one iterate to
 // the next; where that overshoots and the iterates would take turns (wedges under high friction), the line search
-// follows the exact bound instead, which shortens the step until they meet. Source: numerics note, section 3.
+// follows the exact bound instead, which shortens the step until they meet. Source: docs/numerics.md 3.
 #pragma once
 
 #include "libdda/step/step_system.h"

@@ -1,6 +1,6 @@
 // The open-close iteration as published: springs are added and removed, friction of sliding points is a load of
 // the pass before, and when six passes do not settle the step is cut. Kept for comparison with the papers' tables.
-// Source: Shi 1988, chapter 4; an emulation on our contact polygons, not Shi's code.
+// Source: [Shi1988], chapter 4; an emulation on our contact polygons, not Shi's code.
 #pragma once
 
 #include "libdda/step/step_system.h"

@@ -2,7 +2,7 @@
 //
 // Between reversals friction is constant and the Newmark step exact; a reversal inside a step keeps the friction
 // of one direction for all of it and costs up to mu g h of velocity, whatever the integrator. Ending a step there
-// makes the whole second order. Source: numerics note 11.3.
+// makes the whole second order. Source: docs/numerics.md 5.
 #pragma once
 
 #include <optional>

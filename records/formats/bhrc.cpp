@@ -10,7 +10,7 @@
 //
 // Real number 7: samples a second.
 //
-// Source: the files' own headers.
+// Written from the headers of such files; no description of the format was at hand.
 
 #include <cmath>
 #include <utility>

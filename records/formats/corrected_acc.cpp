@@ -1,7 +1,7 @@
 // ".cor.acc": ten header lines "key : value" and "Accelaration time series in m/s/s", then samples in a Fortran
 // format 5E14.7, whose numbers touch.
 //
-// Source: the L'Aquila 2009 files of the European strong-motion collections, read from their own headers.
+// Written from the headers of the files of L'Aquila, 2009, in the European strong-motion collections.
 
 #include <algorithm>
 #include <cmath>

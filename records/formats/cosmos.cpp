@@ -14,7 +14,7 @@
 // count [1e-6 V], 42 sensitivity of the sensor [V/g], 47 gain, 62 time step [ms], 34 that of the raw record [s],
 // 64 peak.
 //
-// Source: COSMOS Strong Motion Data Format, version 1.20 (2001), with its tables.
+// Source: [Cosmos2001], with its tables.
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 //   13400 Accelerogram points at 200 pts/sec in units of g.       Format: (8f9.6)
 //   3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)      <- also VELOC, DISPL
 //
-// Source: Shakal & Huang, OSMS 85-03, California Division of Mines and Geology (1985), and the files' own headers.
+// Source: [ShakalHuang1985], and the files' own headers.
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 //   #Data: 4F10.3
 //        0.000     0.000     0.000     0.000
 //
-// Source: files of the CWB's free-field network read from their own headers.
+// Written from the headers of files of the CWB's free-field network; no description of the format was at hand.
 
 #include <algorithm>
 #include <cmath>

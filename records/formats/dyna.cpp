@@ -7,8 +7,8 @@
 //   USER5:
 //   0.000000                                   one sample a line
 //
-// Source: files of esm-db.eu and itaca.mi.ingv.it read from their own headers; for the older formats the key
-// lists that INGV's own readers publish (obspy.io.dyna).
+// Written from the headers of files of esm-db.eu and itaca.mi.ingv.it; the keys of the older formats:
+// Source: [ObspyDyna].
 
 #include <algorithm>
 #include <cmath>

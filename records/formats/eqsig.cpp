@@ -1,6 +1,6 @@
 // The text of eqsig (Python): a label, "npts dt", then one sample a line, by convention in m/s2.
 //
-// Source: eqsig's load_signal and save_signal, as documented.
+// Source: [EqsigManual].
 
 #include <cmath>
 

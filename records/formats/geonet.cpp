@@ -9,8 +9,7 @@
 //
 // Whole numbers 34 to 36: samples of acceleration, velocity and displacement. Real number 26: time step [s].
 //
-// Source: W. J. Cousins, "GNS accelerogram data files", 2008, and https://www.geonet.org.nz/data/supplementary/
-// strong_motion_file_formats
+// Source: [Cousins2008].
 
 #include <algorithm>
 #include <cmath>

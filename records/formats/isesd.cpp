@@ -13,7 +13,7 @@
 //
 // Velocity and displacement are the acceleration's integrals: only the acceleration is taken where there is one.
 //
-// Source: Ambraseys et al., Dissemination of European Strong-Motion Data (2000, 2004), "Datafile format".
+// Source: [Ambraseys2004].
 
 #include <algorithm>
 #include <cmath>

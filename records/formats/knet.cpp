@@ -9,7 +9,7 @@
 // The offset of the counts stays: the mean is removed in processing, not here. Record Time is that of the trigger
 // plus 15 s, the delay of the recorder: the first sample is 15 s earlier.
 //
-// Source: NIED, strong-motion seismograph networks, "K-NET ASCII format".
+// Source: [KnetFormat].
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // miniSEED 2 through libmseed: any number of channels, each in many records, in any order; every encoding libmseed
 // knows. Samples are counts, without a unit unless the user gives one or a response.
 //
-// Source: FDSN, SEED Reference Manual 2.4; libmseed 2.19.
+// Source: [Seed2012]; decoded by libmseed 2.19.
 
 #include <libmseed.h>
 

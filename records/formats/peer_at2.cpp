@@ -7,8 +7,8 @@
 //
 // Further lines may stand above (spectrally matched records have seven header lines) or below the count.
 //
-// Source: PEER NGA-West2 flat files and the older PEER Strong Motion Database, read from their own headers and
-// from "Sample data files" of peer.berkeley.edu/smcat.
+// Written from the headers of PEER NGA-West2 flat files and of the older PEER Strong Motion Database.
+// Source: [PeerSamples].
 
 #include <algorithm>
 #include <optional>

@@ -3,7 +3,7 @@
 // Its header says whether the samples are an acceleration, but not in which unit, and is often wrong even there:
 // samples are without a unit unless the user gives one or a response.
 //
-// Source: SAC Users Manual, "SAC data file format".
+// Source: [SacManual].
 
 #include <chrono>
 #include <cmath>

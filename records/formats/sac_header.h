@@ -19,7 +19,7 @@ struct SacHeader {
     double delta = 0;            // s, with all the digits the file has
 };
 
-/// Places in the header. Source: SAC Users Manual, "SAC data file format".
+/// Places in the header. Source: [SacManual].
 namespace sac
 {
 enum Real : std::size_t { begin = 5, azimuth = 57, inclination = 58 };

@@ -9,8 +9,7 @@
 // Whole numbers: 13 and 14 angle of the component from upwards and azimuth [deg], 16 comment lines, 17 number of
 // values. Real number 2: samples a second; where it is not known, the samples are (time, value) pairs.
 //
-// Source: "SMC-format data files", USGS National Strong-Motion Project,
-// https://escweb.wr.usgs.gov/nsmp-data/smcfmt.html
+// Source: [SmcFormat].
 
 #include <array>
 #include <utility>

@@ -7,7 +7,7 @@
 //   NUM. TOTAL DE MUESTRAS, C1-C6          : /2455/2455/2455      files hold one more: told, not refused
 //   UNIDADES DE LOS DATOS                  : Gal (cm/s/s)
 //
-// Source: files of the Mexican strong-motion data base (version 2.0) read from their own headers.
+// Written from the headers of files of the Mexican strong-motion data base (version 2.0).
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 //   NO. OF POINTS =   7340      DURATION =  31.026 SEC                      50
 //   UNITS ARE SEC AND G/10                                                  22
 //
-// Source: Trifunac & Lee, report CE 73-03, University of Southern California (1973), and the files' own headers.
+// Source: [TrifunacLee1973], and the files' own headers.
 
 #include <utility>
 

@@ -26,7 +26,7 @@ using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyPlan>;
 
 fftw_complex* as_fftw(std::complex<double>* values)
 {
-    return reinterpret_cast<fftw_complex*>(values);  // the layouts are the same: FFTW manual, 4.1.1
+    return reinterpret_cast<fftw_complex*>(values);  // the layouts are the same: [FftwManual], 4.1.1
 }
 
 }  // namespace

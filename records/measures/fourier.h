@@ -9,6 +9,7 @@
 namespace voussoir
 {
 
+/// Fourier amplitudes of an acceleration.
 struct FourierSpectrum {
     std::vector<double> frequencies;  // Hz, from 0 to half the sampling rate
     std::vector<double> amplitudes;   // m/s of an acceleration: |integral of a(t) exp(-2 pi i f t) dt|

@@ -9,6 +9,7 @@
 namespace voussoir
 {
 
+/// Intensities and durations of an acceleration.
 struct Measures {
     double peak_acceleration = 0;                 // m/s2, PGA
     double peak_velocity = 0;                     // m/s, PGV, within the record
@@ -24,6 +25,7 @@ struct Measures {
     double residual_displacement = 0;  // m at the end
 };
 
+/// What measures depend on.
 struct MeasureOptions {
     double bracket_threshold = 0.05 * standard_gravity;  // m/s2
 };
@@ -32,8 +34,8 @@ struct MeasureOptions {
 /// exact, peaks of velocity and displacement those of the quadratics and cubics between the samples, and nothing
 /// is removed. Uneven samples are measured as resampled_evenly gives them.
 /// @throws InputError when the channel is not an acceleration with a unit
-/// Source: Arias (1970), I = pi/(2g) integral a^2 dt; Trifunac & Brady, BSSA 65 (1975), durations; Bolt (1973),
-/// bracketed duration; Rathje, Abrahamson & Bray, J. Geotech. Geoenv. Eng. 124 (1998), mean period
+/// Source: [Arias1970], I = pi/(2g) integral a^2 dt; [TrifunacBrady1975], durations; [Bolt1973], bracketed
+/// duration; [Rathje1998], mean period
 Measures measures_of(const Channel& channel, const MeasureOptions& options = {});
 
 /// Its peak velocity alone [m/s].

@@ -32,7 +32,7 @@ struct Stretch {
 };
 
 /// The state after the time of `over`: u = u0 (S' + 2 z w S) + v0 S - a I1 - j I2.
-/// Source: Nigam & Jennings, Bull. Seism. Soc. Am. 59 (1969), eq. 2-7, in other letters
+/// Source: [NigamJennings1969], eq. 2-7, in other letters
 OscillatorState advanced(const Oscillator& oscillator, const Influence& over, const OscillatorState& start,
                          double acceleration, double jerk);
 

@@ -20,7 +20,7 @@ struct ResponseSpectrum {
 
 /// Pseudo-acceleration over all orientations of two horizontal components, 0 to 179 deg in steps of 1 deg.
 struct RotatedSpectrum {
-    double damping = 0.05;
+    double damping = 0.05;              // ratio
     std::vector<double> periods;        // s
     std::vector<double> rotd50;         // m/s2, median over the orientations
     std::vector<double> rotd100;        // m/s2, the largest
@@ -33,13 +33,13 @@ struct RotatedSpectrum {
 /// 1e-12, over the record and four periods of free vibration after it.
 /// @param periods [s], > 0, each at least a thousandth of the time step; @param damping ratio, >= 0
 /// @throws InputError when the channel is not an acceleration with a unit, or a period or the damping out of range
-/// Source: Nigam & Jennings, Bull. Seism. Soc. Am. 59 (1969) 909-922
+/// Source: [NigamJennings1969]
 ResponseSpectrum response_spectrum(const Channel& channel, const std::vector<double>& periods,
                                    double damping = 0.05);
 
 /// RotD50 and RotD100 of two components at right angles, of equal time step and count.
 /// @throws InputError as response_spectrum, or when the two do not go together
-/// Source: Boore, Bull. Seism. Soc. Am. 100 (2010) 1830-1835
+/// Source: [Boore2010]
 RotatedSpectrum rotd(const Channel& first, const Channel& second, const std::vector<double>& periods,
                      double damping = 0.05);
 

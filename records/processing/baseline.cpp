@@ -21,7 +21,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b)
 
 /// The polynomial that fits the samples best, at the samples: a sum of polynomials that are orthogonal on these
 /// very points (the discrete Legendre or Gram polynomials), so that no system of equations is solved.
-/// Source: Forsythe, J. SIAM 5 (1957) 74-88
+/// Source: [Forsythe1957]
 std::vector<double> fitted_polynomial(const std::vector<double>& samples, int order)
 {
     const std::size_t count = samples.size();

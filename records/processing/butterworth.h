@@ -16,7 +16,7 @@ struct FilterSection {
 /// The sections of a filter. Its gain squared at f is 1 / (1 + q^(2 order)), with W = tan(pi f time_step) and, for
 /// corners L and H warped alike, q = W / H (low pass), L / W (high pass), (W^2 - L H) / (W (H - L)) (band pass).
 /// @param filter corners > 0 and below half the sampling rate; @param time_step [s]
-/// Source: Oppenheim & Schafer, Discrete-Time Signal Processing, 7.1 (bilinear transform) and app. B
+/// Source: [OppenheimSchafer1989], 7.1 (bilinear transform) and app. B
 std::vector<FilterSection> butterworth_sections(const Butterworth& filter, double time_step);
 
 /// The samples through one section after the other, from rest.

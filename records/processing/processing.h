@@ -51,7 +51,7 @@ struct Butterworth {
     int order = 4;                           // 1 to 10
     std::optional<double> low_corner = {};   // Hz
     std::optional<double> high_corner = {};  // Hz
-    bool zero_phase = true;
+    bool zero_phase = true;                  // else causal
 };
 
 /// Another time step. Coarser: band-limited by a Fourier transform, zero phase, passing all below 0.8 of half the
@@ -63,7 +63,7 @@ struct Resample {
 
 /// Multiplies all channels by one factor.
 struct Scale {
-    double factor = 1;
+    double factor = 1;  // -
 };
 
 /// Multiplies all channels by the one factor that brings the peak of `component` (empty: the largest of all
@@ -71,15 +71,15 @@ struct Scale {
 struct ScaleToPeak {
     Quantity peak = Quantity::acceleration;  // or velocity
     double value = 1;                        // m/s2 or m/s, > 0
-    std::string component = {};
+    std::string component = {};              // as the record names it
 };
 
 /// As ScaleToPeak, to a value of the pseudo-acceleration spectrum.
 struct ScaleToSpectrum {
-    double period = 1;  // s
-    double value = 1;   // m/s2, > 0
-    double damping = 0.05;
-    std::string component = {};
+    double period = 1;           // s
+    double value = 1;            // m/s2, > 0
+    double damping = 0.05;       // ratio
+    std::string component = {};  // as the record names it
 };
 
 /// Turns the two horizontal channels of known azimuth (at any angle of at least 10 deg to each other) to the
@@ -104,17 +104,20 @@ struct Differentiate {
 
 /// Matches every channel, each by itself, to a target spectrum: see match_spectrum.
 struct Match {
-    TargetSpectrum target = {};
-    MatchSettings settings = {};
+    TargetSpectrum target = {};   // of all channels
+    MatchSettings settings = {};  // periods and tolerance
 };
 
+/// Any of the steps.
 using ProcessingStep =
     std::variant<TimeWindow, AriasWindow, RemoveMean, RemoveBaseline, Taper, Butterworth, Resample, Scale,
                  ScaleToPeak, ScaleToSpectrum, Rotate, CorrectEnd, Integrate, Differentiate, Match>;
+/// Steps in their order.
 using Processing = std::vector<ProcessingStep>;
 
+/// What came out.
 struct ProcessedRecord {
-    std::vector<Channel> channels;
+    std::vector<Channel> channels;       // as processed
     std::vector<std::string> sentences;  // what was done: at least one per step, in order
     double start = 0;                    // s, when the first sample now was, from the first that all channels have
 };

@@ -105,7 +105,7 @@ void scale_amplitudes(Matching& matching)
 }
 
 /// A wavelet that oscillator `i` answers with its largest response at its own peak. Its phase makes up for the lag
-/// of the response behind the ground (Al Atik and Abrahamson 2010, eq. 15 and 16).
+/// of the response behind the ground ([AlAtikAbrahamson2010], eq. 15 and 16).
 struct Wavelet {
     double frequency, centre, width;  // rad/s, s, s
     double at(double time) const

@@ -11,6 +11,7 @@
 namespace voussoir
 {
 
+/// What the noise shall be like.
 struct SyntheticMotion {
     double duration = 10;              // s
     double time_step = 0.005;          // s
@@ -19,7 +20,7 @@ struct SyntheticMotion {
     double ground_damping = 0.4;       // ratio; smaller is more nearly one frequency
     double high_pass_frequency = 0.3;  // Hz, below which the motion falls off as f^2
     double fade = 0.2;                 // s, the first and last stretch, in which it grows from and falls to zero
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;            // of the generator
 };
 
 /// White noise under an envelope, through the Kanai-Tajimi soil filter and the Clough-Penzien high-pass, faded at
@@ -28,18 +29,18 @@ struct SyntheticMotion {
 /// that a seed gives the same record on every machine.
 /// @returns samples (duration / time_step + 1) [m/s2]
 /// @throws InputError with every parameter that is out of range
-/// Source: Kanai, Bull. Earthq. Res. Inst. 35 (1957); Tajimi, Proc. 2nd WCEE (1960); Clough & Penzien, Dynamics of
-/// Structures (1975), eq. 28-27
+/// Source: [Kanai1957], [Tajimi1960], [CloughPenzien1975], eq. 28-27
 std::vector<double> synthetic_acceleration(const SyntheticMotion& parameters);
 
-/// Steele, Lea & Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014: splitmix64.
+/// splitmix64. Source: [SteeleLeaFlood2014]
 class SplitMix64
 {
  public:
+    /// Equal seeds give equal numbers.
     explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next();
-    double uniform();  // in [0, 1), 53 bits
-    double normal();   // mean 0, variance 1, within 6: the sum of twelve uniforms, so that no logarithm is needed
+    std::uint64_t next();  // 64 bits
+    double uniform();      // in [0, 1), 53 bits
+    double normal();  // mean 0, variance 1, within 6: the sum of twelve uniforms, so that no logarithm is needed
 
  private:
     std::uint64_t state_;

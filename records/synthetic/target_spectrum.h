@@ -16,7 +16,8 @@ struct TargetSpectrum {
     double shortest = 0, longest = 4;  // s, periods for which it is given
 };
 
-/// The elastic spectra of EN 1998-1:2004: 3.2.2.2 with tables 3.2 and 3.3, vertical 3.2.2.3 with table 3.4.
+/// The elastic spectra of Eurocode 8. Source: [EN1998-1-2004], 3.2.2.2 with tables 3.2 and 3.3, vertical 3.2.2.3
+/// with table 3.4.
 struct Eurocode8 {
     int type = 1;             // 1: large distant earthquakes; 2: magnitude up to 5.5
     char ground = 'A';        // A to E

@@ -81,7 +81,7 @@ TEST(PlanarScene, InclineGivesTheSameAnswerWithSixAndThreeUnknownsAndLessMemory)
 }
 
 // Four hinges form at 0.3736 g by virtual work over all sets of four hinges of this arch.
-// Source: Oppenheim 1992 (0.37 g).
+// Source: [Oppenheim1992] (0.37 g).
 TEST(PlanarScene, ArchStandsBelowItsLimitAndFallsAboveIt)
 {
     const std::vector<std::string> still = {"output=null", "foundation.motion=null"};

@@ -22,7 +22,7 @@ struct ThrustRange {
 /// All thrusts H at heights z with a thrust line inside every joint. With m = H z the conditions "the moment about
 /// the intrados is not negative, about the extrados not positive",
 ///   m - H z_P - W (x_P - x_W) >= 0 at P = intrados, <= 0 at P = extrados,
-/// are linear in (H, m): the extremes are vertices of their polygon. Source: Heyman 1982, The masonry arch, ch. 2.
+/// are linear in (H, m): the extremes are vertices of their polygon. Source: [Heyman1982], ch. 2.
 inline ThrustRange thrust_range(const std::vector<HalfArchJoint>& joints)
 {
     struct Constraint {

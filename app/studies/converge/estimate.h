@@ -37,7 +37,7 @@ struct Estimate {
 /// @param samples (runs) of equal shape, coarse to fine; at least one
 /// @param steps (runs) falling: time steps, or inverse stiffness factors
 /// @param resolution [unit of the samples] a sample is known to half of it: smaller differences say nothing
-/// Source: Richardson 1911; Roache 1994 (grid convergence index).
+/// Source: [Richardson1911]; [Roache1994] (grid convergence index).
 Estimate estimate(const std::vector<Sample>& samples, const std::vector<double>& steps, double resolution = 0);
 
 }  // namespace voussoir

@@ -19,8 +19,8 @@ using Eigen::Vector3d;
 
 constexpr double lean = 0.1, height = 3, width = 1, thickness = 0.2;  // rad, m
 
-/// A pier let go while it leans by 0.1 rad on one edge. Housner's restitution at each landing, or any other, must
-/// not give it more swing than it had.
+/// A pier let go while it leans by 0.1 rad on one edge. The restitution of [Housner1963] at each landing, or any
+/// other, must not give it more swing than it had.
 CellRun run_landing(double stiffness, double time_step)
 {
     Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(1.5, stiffness));

@@ -32,7 +32,7 @@ struct VerifyResult {
 struct Benchmark {
     std::string name;         // as typed: incline-gravity-3d
     std::string title;        // A block on an incline, from rest
-    std::string source;       // yagoda-biran-hatzor, section 3.1.1.2 (a)
+    std::string source;       // yagoda-biran-hatzor, section 3.1.1.2 (a); short names: docs/bibliography.md
     std::string quantity;     // largest distance from the closed form / largest displacement
     std::string choices;      // what the paper leaves out, what we took, and how the run shows it does not matter
     std::string paper_error;  // as printed: "below 1 % after 0.2 s"; empty when the paper gives none

@@ -14,31 +14,32 @@ std::vector<Benchmark> incline_benchmarks();        // gravity, start velocity, 
 std::vector<Benchmark> two_direction_benchmarks();  // dip and strike at once
 std::vector<Benchmark> wedge_benchmarks();          // on two planes at once
 std::vector<Benchmark> foundation_benchmarks();     // on a base that moves in one, two, three directions
-std::vector<Benchmark> three_sines_benchmarks();    // of Tsesarsky
-std::vector<Benchmark> shaking_table_benchmarks();  // Wartman's tests in Tsesarsky
-std::vector<Benchmark> two_blocks_benchmarks();     // of Ma
-std::vector<Benchmark> other_incline_benchmarks();  // of Li and Khan
+std::vector<Benchmark> three_sines_benchmarks();    // [Tsesarsky2002]
+std::vector<Benchmark> shaking_table_benchmarks();  // [Wartman1999] in [Tsesarsky2002]
+std::vector<Benchmark> two_blocks_benchmarks();     // [Ma1996]
+std::vector<Benchmark> other_incline_benchmarks();  // [Li2017], [KhanSoftContact]
 
-/// A block dropped from 3 m: what a bounce costs; and the settled penetration. Source: li.
+/// A block dropped from 3 m: what a bounce costs; and the settled penetration. Source: [Li2017].
 std::vector<Benchmark> impact_benchmarks();
 
-/// A rocking block: overturning threshold, motion before and after the first impact. Source:
-/// yagoda-biran-hatzor 3.3.
+/// A rocking block: overturning threshold, motion before and after the first impact.
+/// Source: [YagodaBiranHatzor2017], 3.3.
 std::vector<Benchmark> rocking_benchmarks();
 
-/// First motion of a block on an incline. Source: yagoda-biran-hatzor 3.2. @param seed of the points of the chart
+/// First motion of a block on an incline. Source: [YagodaBiranHatzor2017], 3.2.
+/// @param seed of the points of the chart
 std::vector<Benchmark> mode_chart_benchmarks(std::uint64_t seed);
 
-/// Shear waves through stacked layers and the response of 15 layers. Source: yagoda-biran-hatzor 3.5.
+/// Shear waves through stacked layers and the response of 15 layers. Source: [YagodaBiranHatzor2017], 3.5.
 std::vector<Benchmark> wave_benchmarks();
 
-/// A slender tower of 100 courses. Source: ma.
+/// A slender tower of 100 courses. Source: [Ma1996].
 std::vector<Benchmark> tower_benchmarks();
 
-/// Mosca's bridge. Source: ma.
+/// Mosca's bridge. Source: [Ma1996].
 std::vector<Benchmark> bridge_benchmarks();
 
-/// A mass under a constant force with damping per step and per second. Source: yagoda-biran-hatzor 4.2.2.
+/// A mass under a constant force with damping per step and per second. Source: [YagodaBiranHatzor2017], 4.2.2.
 std::vector<Benchmark> kinetic_damping_benchmarks();
 
 }  // namespace voussoir

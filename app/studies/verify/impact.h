@@ -8,7 +8,7 @@
 namespace voussoir
 {
 
-/// A cube of 2 m above a held plate, poisson 0.15, frictionless. Source: li, "Block rebound model".
+/// A cube of 2 m above a held plate, poisson 0.15, frictionless. Source: [Li2017], "Block rebound model".
 struct LiBlock {
     double density = 2000;       // kg/m3
     double young = 3e8;          // Pa

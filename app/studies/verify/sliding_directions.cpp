@@ -22,8 +22,7 @@ struct TwoDirections {
     Sine dip, strike;        // horizontal
 };
 
-/// The vector analysis of Bakun-Mazor et al. 2009: resultant of the loads in the plane against friction along the
-/// slip.
+/// The vector analysis of [BakunMazor2009]: resultant of the loads in the plane against friction along the slip.
 SlidingProblem vector_analysis(const TwoDirections& scene)
 {
     const double angle = scene.angle * degree;

@@ -56,7 +56,7 @@ struct Interface {
 };
 
 /// What the paper prints of it, nothing of it fitted: 12.7 degrees in the tilt test, 16 degrees "most likely" at
-/// 2.54 cm/s, 20 % more per decade of speed (Kim et al. 1999), 19 degrees as the largest that was back-calculated.
+/// 2.54 cm/s, 20 % more per decade of speed ([Kim1999]), 19 degrees as the largest that was back-calculated.
 /// Through the first two, twenty percent a decade gives 12.7 degrees at 0.21 cm/s and 19.0 degrees at 25.4 cm/s.
 Interface rate_dependent_interface()
 {

@@ -81,7 +81,7 @@ TEST(ColorScale, EveryLabelTimesItsUnitIsItsTick)
     }
 }
 
-/// Lightness L* of a colour given in sRGB. Source: CIE 1976, IEC 61966-2-1.
+/// Lightness L* of a colour given in sRGB. Source: [CIE15-2004], [IEC61966-2-1-1999].
 double lightness(const Rgb& color)
 {
     double luminance = 0;

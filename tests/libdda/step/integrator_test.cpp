@@ -70,7 +70,7 @@ struct Drop {
     double start = 0;         // J
 };
 
-/// A stiff block falls 3 m onto a held plane. Source of the case: numerics note 5.2.
+/// A stiff block falls 3 m onto a held plane. Source: docs/numerics.md 4.
 Drop drop(Integrator integrator, double stiffness_per_corner, double h)
 {
     JointMaterial joint = dry(31);

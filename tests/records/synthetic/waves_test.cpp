@@ -100,7 +100,7 @@ TEST(Waves, BadFiguresAreRefused)
     EXPECT_THROW(sampled(Sweep{1, 0, 3, 5, true}, 1e-3), InputError);
 }
 
-// EN 1998-1:2004, table 3.2: ground C, type 1: S = 1.15, TB = 0.20, TC = 0.6, TD = 2.0 s.
+// [EN1998-1-2004], table 3.2: ground C, type 1: S = 1.15, TB = 0.20, TC = 0.6, TD = 2.0 s.
 TEST(TargetSpectrum, Eurocode8AtItsCorners)
 {
     const double ag = 2.5;

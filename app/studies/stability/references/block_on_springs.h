@@ -35,10 +35,10 @@ struct SpringBlockPoint {
 
 /// Equations of motion with finite rotation. Under each lower edge: a normal spring that only pushes, N = k
 /// <-gap>, and a shear spring of elongation s that follows the edge and is cut back to |k_t s| = friction x N
-/// where it would exceed it (elastic-frictional, as in Mindlin's and Goodman's joints); s is forgotten when the
-/// edge lifts. Starts at rest: standing on its compressed springs, or leaning on one edge, whose normal spring is
-/// compressed by start_sink and whose shear spring is free. Velocity Verlet at a twentieth of the time unit
-/// 1/omega of the stiffest spring, and never more than 1e-5 s.
+/// where it would exceed it (elastic-frictional, as in [Mindlin1949] and [GoodmanTaylorBrekke1968]); s is
+/// forgotten when the edge lifts. Starts at rest: standing on its compressed springs, or leaning on one edge,
+/// whose normal spring is compressed by start_sink and whose shear spring is free. Velocity Verlet at a twentieth
+/// of the time unit 1/omega of the stiffest spring, and never more than 1e-5 s.
 /// @param times ascending, the first > 0 [s]. @returns one point each
 std::vector<SpringBlockPoint> block_on_springs(const SpringBlock& block, const std::vector<double>& times);
 

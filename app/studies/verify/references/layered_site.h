@@ -18,7 +18,7 @@ struct SiteLayer {
 /// Surface motion / base motion at a frequency: transfer matrices of displacement and shear stress from the free
 /// surface down, with all stiffnesses times 1 + 2 i xi(f). @param frequency [Hz]
 /// @param relaxation 2 xi / omega [s]; h / 2 for Newmark (1/2, 1), whose damping ratio is omega h / 4
-/// Source: Kramer 1996, 7.2.1 (layers); the damping of the integrator: docs/method.md
+/// Source: [Kramer1996], 7.2.1 (layers); the damping of the integrator: docs/method.md
 std::complex<double> amplification(const std::vector<SiteLayer>& layers, double frequency, double relaxation);
 
 struct Peak {

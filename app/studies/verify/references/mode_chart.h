@@ -19,12 +19,12 @@ struct ChartPoint {
 /// The block turns about its lower edge: theta'' = (3 g' / 4R) sin(psi - delta), R half the diagonal. Its centroid
 /// accelerates by R theta'' (cos delta downslope, sin delta away from the plane), so the edge must carry
 /// T = m g' [sin psi - 3/4 cos delta sin(psi - delta)], N = m g' [cos psi + 3/4 sin delta sin(psi - delta)],
-/// and tan phi = T / N. Yeung's dynamic boundary (1991). @returns [rad]
+/// and tan phi = T / N. Source: [Yeung1991], the dynamic boundary. @returns [rad]
 double dynamic_friction_angle(double psi, double delta);
 
 /// Mode of the first motion from rest. Stable: psi < delta and psi < phi. Sliding: psi > phi and phi < delta (the
 /// friction passes inside the base). Toppling: psi > delta and phi above the dynamic boundary. Else both.
-/// Source: Ashby 1971, Bray and Goodman 1981, Yeung 1991, Yagoda-Biran and Hatzor 2013 (psi for alpha)
+/// Source: [Ashby1971], [BrayGoodman1981], [Yeung1991], [YagodaBiranHatzor2013] (psi for alpha)
 Mode mode_of(const ChartPoint& point);
 
 /// Whether changing any one of the three angles by up to `angle` [rad] changes the mode.

@@ -21,13 +21,13 @@ struct RockingBlock {
 double slenderness(const RockingBlock& block);
 
 /// Angular velocity after an impact / before it, 1 - 1.5 sin^2 alpha: angular momentum about the new edge is kept.
-/// Source: Housner 1963
+/// Source: [Housner1963]
 double housner_restitution(const RockingBlock& block);
 
 /// Angle at the given times [rad], positive towards +x when the ground accelerates towards -x.
 /// theta'' = -p^2 {sin(alpha sgn theta - theta) + (a/g) cos(alpha sgn theta - theta)}, p^2 = 3 g / (4 R); uplift
 /// when |a| passes g tan alpha, impacts at located zeros of theta. @param times ascending, the first >= 0 [s]
-/// Source: Makris and Roussos 2000 (linear: Yim et al. 1980)
+/// Source: [MakrisRoussos2000] (linear: [Yim1980])
 std::vector<double> rocking_angles(const RockingBlock& block, const std::vector<double>& times);
 
 /// Time of the first impact after uplift; none when the block overturns. [s]

@@ -10,8 +10,8 @@ namespace voussoir
 {
 
 /// A rigid block on a plane, seen from the plane: w' = driving - friction x pressing x w/|w| while it slips; it
-/// sticks while |driving| <= friction x pressing. Newmark's block, the papers' vector analysis and their equation
-/// 8 are this with different loads.
+/// sticks while |driving| <= friction x pressing. Newmark's block [Newmark1965], the vector analysis of
+/// [BakunMazor2009] and equation 8 of [YagodaBiranHatzor2017] are this with different loads.
 struct SlidingProblem {
     std::function<Eigen::Vector2d(double)> driving;  // of time [s]: acceleration in the plane [m/s2]
     std::function<double(double)> pressing;          // of time [s]: acceleration onto the plane [m/s2], > 0
@@ -35,11 +35,11 @@ std::vector<SlidingPoint> slide(const SlidingProblem& problem, const std::vector
 double incline_displacement(double gravity, double angle, double friction_angle, double velocity, double time);
 
 /// Friction coefficient of a plane that resists like two planes which dip by `left` and `right` [rad] across their
-/// line of intersection. Source: equilibrium of the wedge across the line; Goodman and Shi 1985.
+/// line of intersection. Source: [GoodmanShi1985]; it is the equilibrium of the wedge across the line.
 double wedge_friction(double left, double right, double friction_angle);
 
 /// Displacement of a block under a sum of sines a_i sin(w_i t) [m/s2, rad/s] that never reverses:
-/// sum a_i / w_i^2 (w_i t - sin w_i t). Source: Tsesarsky, equation 7 with theta = 0.
+/// sum a_i / w_i^2 (w_i t - sin w_i t). Source: [Tsesarsky2002], equation 7 with theta = 0.
 double sum_of_sines_displacement(const std::vector<Eigen::Vector2d>& amplitude_and_omega, double time);
 
 }  // namespace voussoir

@@ -22,7 +22,7 @@ struct OdePoint {
 /// component. Ends at `end`, or earlier where `event` falls from positive to zero, located to the last bits by
 /// repeating the last step with a shorter length.
 /// @returns whether the event ended it
-/// Source: Dormand and Prince 1980
+/// Source: [DormandPrince1980]
 bool integrate(const Derivative& f, double end, double tolerance, const Event& event, OdePoint& point);
 
 }  // namespace voussoir::reference

@@ -32,7 +32,7 @@ TEST(SmoothOde, FindsTheZerosOfACosine)
     EXPECT_NEAR(point.y[0], std::cos(10.0), 1e-10);
 }
 
-// Both thresholds of the note, which were found by another program.
+// Both thresholds as another program found them: docs/numerics.md 4.
 TEST(Rocking, ThresholdsOfTheFullAndTheLinearEquation)
 {
     RockingBlock block{0.2, 0.6, 9.81, 0, 1, false};
