@@ -49,7 +49,7 @@ TESTS_OF = {"libdda/solve/": ("tests/libdda",), "libdda/": ("tests/libdda",),
             "app/render/": ("tests/app",), "app/verify/": ("tests/app_verify",), "app/": ("tests/app", "tests/verification")}
 
 # The system's own headers beside those of the C++ standard (which have no slash and no ".h").
-POSIX = re.compile(r"(sys/.*|unistd|fcntl|getopt|spawn|poll|signal|pthread|dlfcn|fenv|ftw|termios|time)\.h$")
+POSIX = re.compile(r"(sys/.*|unistd|fcntl|getopt|spawn|poll|signal|pthread|dlfcn|fenv|ftw|termios|time|gnu/libc-version)\.h$")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 OPENMP_PRAGMA = re.compile(r"^\s*#\s*pragma\s+omp\b")
