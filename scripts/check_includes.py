@@ -43,6 +43,7 @@ FOLDER_RULES = {
     "importers/helper/": ENGINE_MODEL + ("libdda/contact/", "importers/process/", "importers/mesh/", "importers/exact/"),
     "importers/assembly/": ENGINE_MODEL + ("libdda/contact/", "importers/mesh/", "importers/helper/"),
 
+    "app/golden/": ENGINE + ("libdda/compilation.h",),
     "app/words/": ENGINE + ("libdda/text/",),
     "app/case/": ENGINE_MODEL,
     "app/reader/": ENGINE + ("libdda/text/", "importers/", "records/", "app/words/", "app/case/"),
@@ -101,7 +102,7 @@ TESTS_OF = {"libdda/solve/": ("tests/libdda/solve/",), "libdda/": ("tests/libdda
             "app/render/": ("tests/app/render/",), "app/": ("tests/app/", "tests/verification/")}
 
 # The system's own headers beside those of the C++ standard (which have no slash and no ".h").
-POSIX = re.compile(r"(sys/.*|unistd|fcntl|spawn|poll|signal|pthread|dlfcn|fenv|ftw|termios|time)\.h$")
+POSIX = re.compile(r"(sys/.*|unistd|fcntl|spawn|poll|signal|pthread|dlfcn|fenv|ftw|termios|time|gnu/libc-version)\.h$")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 OPENMP_PRAGMA = re.compile(r"^\s*#\s*pragma\s+omp\b")

@@ -1,0 +1,48 @@
+// voussoir-golden: prints, as JSON, the hashes of what the golden scenes end in and what they depend on beside the
+// engine. scripts/golden_hashes compares them with those on record.
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+
+#include "app/golden/hashes.h"
+
+namespace
+{
+
+using namespace voussoir;
+using Json = nlohmann::ordered_json;
+
+std::string digits(std::uint64_t hash)
+{
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    return text;
+}
+
+void print_hashes()
+{
+    const std::vector<golden::SceneHashes> hashes = golden::hashes();
+    Json json;
+    for (const auto& [name, value] : golden::machine()) json["machine"][name] = value;
+    json["behaviour"] = golden::behaviour(hashes);
+    for (const golden::SceneHashes& each : hashes)
+        json["hashes"][each.name] = {{"state", digits(each.state)}, {"report", digits(each.report)}};
+    std::printf("%s\n", json.dump(1).c_str());
+}
+
+}  // namespace
+
+int main(int argument_count, char**)
+{
+    if (argument_count > 1) {
+        std::fprintf(stderr, "voussoir-golden: takes no arguments\n");
+        return 2;
+    }
+    try {
+        print_hashes();
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "voussoir-golden: %s\n", error.what());
+        return 1;
+    }
+}
