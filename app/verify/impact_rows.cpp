@@ -167,7 +167,8 @@ VerifyResult run_exact(const VerifySetting& setting)
     if (!result.failure.empty()) return result;
     result.error = std::abs(bounces.heights[1] - exact.height) / block.height;
     result.note = fmt::format(
-        "apex {:.4f} m, exact {:.4f} m (the rest remains as vibration); depth of the corners {:.4f} m, exact {:.4f} "
+        "apex {:.4f} m, exact {:.4f} m (the rest remains as vibration); depth of the corners {:.4f} m, exact "
+        "{:.4f} "
         "m; "
         "of the centroid {:.4f} m, exact {:.4f} m",
         bounces.heights[1], exact.height, bounces.corner_depth, exact.penetration, bounces.centroid_depth,

@@ -161,7 +161,8 @@ VerifyResult run_chart(const VerifySetting& setting, ChartKind kind, int count, 
     result.error = static_cast<double>(wrong) / count;
     result.paper_measure = wrong;
     result.note = fmt::format(
-        "{} of {} points disagree (seed {}); largest motion where none is expected {:.0e}, smallest where motion is expected {:.0e}, largest difference {:.0e} (of force / mass){}",
+        "{} of {} points disagree (seed {}); largest motion where none is expected {:.0e}, smallest where motion "
+        "is expected {:.0e}, largest difference {:.0e} (of force / mass){}",
         wrong, count, seed, spread.largest_of_none, spread.smallest_of_some, spread.largest_difference, where);
     return result;
 }
