@@ -44,7 +44,7 @@ void read_motion_control(YamlCursor& stage, StepControl& control)
 {
     if (control.open_close == OpenClose::published) {
         for (const char* key : {"integrator", "dissipation", "divide_up_to_blocks"})
-            stage.forbid(key, "the published iteration uses the integrator newmark and undivided steps");
+            stage.forbid(key, "the published iteration has the integrator newmark and undivided steps");
         return;
     }
     read_integrator(stage, control);

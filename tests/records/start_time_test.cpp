@@ -122,7 +122,7 @@ TEST(StartTime, ThatNobodyKnowsIsToldWhenItMatters)
     for (const Channel& other : {known, longer}) {
         const ProcessedRecord record = process({other, unknown}, {});
         ASSERT_EQ(record.sentences.size(), 1);
-        expect_in(record.sentences[0], "\"y\" do not say when they begin");
+        expect_in(record.sentences[0], "\"y\" have no start time");
         EXPECT_EQ(record.channels[0].samples, other.samples);
     }
 }

@@ -77,7 +77,7 @@ TEST_F(JointRecords, LeaveYOutOfAPlanarSceneWithAWarning)
     EXPECT_NEAR(motion_along(2, the_case).motion->acceleration(0.03), 2, 1e-12);
     const bool is_told =
         std::any_of(the_case.warnings.begin(), the_case.warnings.end(), [](const std::string& warning) {
-            return warning.find("foundation.motion: the motion along y is left out") != std::string::npos;
+            return warning.find("foundation.motion: the motion along y is ignored") != std::string::npos;
         });
     EXPECT_TRUE(is_told);
     EXPECT_EQ(

@@ -92,7 +92,7 @@ TEST(Resume, TimesAddUpAndTheEndedRunSaysSo)
 
     const Ended resumed = voussoir(folder, resume);
     ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
-    EXPECT_NE(resumed.output.find("goes on from stage '"), std::string::npos) << resumed.output;
+    EXPECT_NE(resumed.output.find("continues from stage '"), std::string::npos) << resumed.output;
     const auto summary = nlohmann::json::parse(contents(results / "summary.json"));
     EXPECT_GT(summary["wall_time_s"].get<double>(), before);
     EXPECT_GT(summary["cpu_time_s"].get<double>(), 0);
