@@ -20,7 +20,7 @@ READS = ("libdda/errors.h", "libdda/text/")  # what takes files apart
 ENGINE = ("libdda/errors.h", "libdda/geometry/", "libdda/model/", "libdda/contact/", "libdda/step/", "libdda/analysis/",
           "libdda/run/")
 FOLDER_RULES = {
-    "libdda/": (),
+    "libdda/": ("libdda/geometry/", "libdda/model/", "libdda/contact/", "libdda/step/", "libdda/analysis/", "libdda/run/"),
     "libdda/text/": ("libdda/errors.h",),
     "libdda/geometry/": ("libdda/errors.h",),
     "libdda/model/": ("libdda/errors.h", "libdda/geometry/"),
@@ -30,12 +30,14 @@ FOLDER_RULES = {
     "libdda/analysis/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/"),
     "libdda/run/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/", "libdda/analysis/"),
 
-    "records/": READS + ("libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "records/formats/", "records/synthetic/"),
+    "records/": READS + ("libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "records/formats/", "records/measures/",
+                            "records/processing/", "records/synthetic/"),
     "records/formats/": READS + ("records/*",),
     "records/measures/": READS + ("records/*",),
     "records/synthetic/": READS + ("records/*", "records/measures/"),
     "records/processing/": READS + ("records/*", "records/measures/", "records/synthetic/"),
 
+    "importers/": ("importers/exact/", "importers/mesh/", "importers/patterns/"),
     "importers/process/": ("libdda/errors.h",),
     "importers/mesh/": READS + ("libdda/geometry/",),
     "importers/exact/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/"),

@@ -194,7 +194,9 @@ std::filesystem::path helper_folder()
     const char* folder = std::getenv("VOUSSOIR_BIN_DIR");
     if (folder != nullptr && *folder != '\0') return folder;
     std::error_code error;
-    return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    const std::filesystem::path beside = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    const std::filesystem::path installed = beside / VOUSSOIR_HELPERS;
+    return std::filesystem::is_directory(installed, error) ? installed.lexically_normal() : beside;
 }
 
 }  // namespace voussoir

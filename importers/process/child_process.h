@@ -20,7 +20,8 @@ struct ChildAnswer {
 ChildAnswer ask_child(const std::filesystem::path& program, const std::string& input, double seconds,
                       std::size_t max_output);
 
-/// The folder of the running program, where its helpers are; environment VOUSSOIR_BIN_DIR overrides it.
+/// Where the helpers are: in libexec/voussoir of an installed `voussoir`, else beside the running program; the
+/// environment's VOUSSOIR_BIN_DIR overrides both.
 std::filesystem::path helper_folder();
 
 }  // namespace voussoir

@@ -9,16 +9,37 @@ add_library(voussoir_flags INTERFACE)
 target_compile_options(voussoir_flags INTERFACE -Wall -Wextra -Werror -ffp-contract=off
                        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 target_include_directories(voussoir_flags INTERFACE ${CMAKE_SOURCE_DIR})
-# Dense 12 x 12 kernels gain half their time from 256-bit vectors. All targets share the flag: it changes alignments.
-option(VOUSSOIR_AVX2 "Use AVX2 and FMA instructions when this machine has them" ON)
-if(VOUSSOIR_AVX2)
-  include(CheckCXXSourceRuns)
-  check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }"
-                        VOUSSOIR_HAVE_AVX2)
-  if(VOUSSOIR_HAVE_AVX2)
-    target_compile_options(voussoir_flags INTERFACE -march=x86-64-v3)
-  endif()
+# One alignment whatever the instruction set. Left to itself Eigen aligns its fixed-size types, and asks memory for them,
+# by the widest vectors it may use: an Eigen::Matrix2d would differ between a program for every machine and one with AVX.
+# 32 is what x86-64-v3 has by itself. 16 would not do: there Eigen takes memory from malloc where it may use SSE alone and
+# from its own allocator elsewhere (and under AddressSanitizer), so that what one made the other could not free. The first
+# definition is an upper bound of the second, which by itself stays at 16 without AVX: both are needed.
+set(voussoir_alignment EIGEN_MAX_ALIGN_BYTES=32 EIGEN_MAX_STATIC_ALIGN_BYTES=32)
+target_compile_definitions(voussoir_flags INTERFACE ${voussoir_alignment})
+
+# The dense 12 x 12 kernels gain from 256-bit vectors (docs/embedding.md). A build that stays on its machine has one
+# instruction set for everything; a package is for every machine, and has the engine a second time for x86-64-v3
+# (libdda/CMakeLists.txt), between which the loader chooses.
+option(VOUSSOIR_PACKAGE "Build what is installed: shared libraries, programs for every machine, the engine twice" OFF)
+set(VOUSSOIR_ARCH auto CACHE STRING "Instruction set of a build that is not installed: auto (this machine's), baseline, v3")
+set_property(CACHE VOUSSOIR_ARCH PROPERTY STRINGS auto baseline v3)
+set(voussoir_v3 -march=x86-64-v3)
+if(NOT VOUSSOIR_ARCH MATCHES "^(auto|baseline|v3)$")
+  message(FATAL_ERROR "VOUSSOIR_ARCH = ${VOUSSOIR_ARCH}, must be auto, baseline or v3")
 endif()
+include(CheckCXXSourceRuns)
+check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }"
+                      VOUSSOIR_HAVE_V3)
+set(voussoir_instruction_set native)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  set(voussoir_instruction_set x86-64)
+endif()
+if(NOT VOUSSOIR_PACKAGE AND (VOUSSOIR_ARCH STREQUAL v3 OR (VOUSSOIR_ARCH STREQUAL auto AND VOUSSOIR_HAVE_V3)))
+  set(voussoir_instruction_set x86-64-v3)
+  target_compile_options(voussoir_flags INTERFACE ${voussoir_v3})
+endif()
+include(VoussoirPackage)
+
 if(VOUSSOIR_SANITIZE)
   # Instrumented, g++ 12 takes std::regex and std::function for uninitialised (GCC bug 105562); the sanitizers tell.
   target_compile_options(voussoir_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
@@ -53,7 +74,8 @@ function(voussoir_precompile target)
   if(NOT VOUSSOIR_PCH)
     return()
   endif()
-  if(target MATCHES "^voussoir_(dda|exact)$")
+  get_target_property(type ${target} TYPE)
+  if(target MATCHES "^voussoir_(dda|exact)$" OR type STREQUAL SHARED_LIBRARY)
     target_precompile_headers(${target} PRIVATE ${voussoir_precompiled_headers})
   else()
     target_precompile_headers(${target} REUSE_FROM voussoir_precompiled)
@@ -61,19 +83,32 @@ function(voussoir_precompile target)
   endif()
 endfunction()
 
-# voussoir_library(NAME sources...): a static library with the project's flags and the alias voussoir::NAME.
+# voussoir_library(NAME sources...): a static library with the project's flags and the alias voussoir::NAME; in a package
+# those that are installed are shared.
 function(voussoir_library name)
-  add_library(voussoir_${name} STATIC ${ARGN})
+  set(type STATIC)
+  if(VOUSSOIR_PACKAGE AND name IN_LIST voussoir_installed_libraries)
+    set(type SHARED)
+  endif()
+  add_library(voussoir_${name} ${type} ${ARGN})
   add_library(voussoir::${name} ALIAS voussoir_${name})
-  target_link_libraries(voussoir_${name} PUBLIC voussoir_flags)
+  # Of who embeds an installed library no warning and no flag is asked.
+  target_link_libraries(voussoir_${name} PUBLIC $<BUILD_INTERFACE:voussoir_flags>)
+  if(type STREQUAL SHARED)
+    voussoir_shared(voussoir_${name})
+  endif()
   voussoir_precompile(voussoir_${name})
 endfunction()
 
 # voussoir_program(NAME sources...): an executable in bin/. The target `programs` builds all of them and no test.
+# A package has `voussoir` where programs are, and all others, which it starts or which make data, in libexec/voussoir.
 add_custom_target(programs)
 function(voussoir_program name)
   add_executable(${name} ${ARGN})
   add_dependencies(programs ${name})
   target_link_libraries(${name} PRIVATE voussoir_flags)
   voussoir_precompile(${name})
+  if(VOUSSOIR_PACKAGE)
+    voussoir_install_program(${name})
+  endif()
 endfunction()
