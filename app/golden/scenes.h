@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libdda/model/model.h"
+#include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
 namespace voussoir::golden
