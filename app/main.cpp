@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.h"
 #include "app/geometry/geometry.h"
+#include "app/version/version.h"
 #include "libdda/errors.h"
 
 namespace
@@ -45,6 +46,10 @@ void add_run(CLI::App& app, std::function<int()>& chosen)
         ->type_name("DIR");
     command->add_flag("--resume", arguments->resume,
                       "Go on with the run of this case that was interrupted or killed in the folder");
+    command
+        ->add_flag("--other-engine", arguments->other_engine,
+                   "With --resume: go on though another build of the program began the run; the results say so")
+        ->needs("--resume");
     add_overrides(*command, arguments->overrides);
     command
         ->add_option("--threads", arguments->threads,
@@ -308,7 +313,7 @@ int run_program(int argument_count, char** arguments)
     CLI::App app{
         "What an earthquake does to stone structures, block by block (3D discontinuous deformation analysis)",
         "voussoir"};
-    app.set_version_flag("--version", std::string("voussoir ") + VOUSSOIR_VERSION);
+    app.set_version_flag("--version", "voussoir " + in_words(engine_version()));
     app.require_subcommand(1);
     app.footer("Exit codes: 0 done, 1 failure, 2 bad input, 3 the numerics gave up, 4 interrupted.");
     std::function<int()> chosen;
