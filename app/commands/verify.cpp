@@ -7,6 +7,7 @@
 #include "app/case/nearest_word.h"
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
+#include "app/golden/hashes.h"
 #include "app/plots/plots.h"
 #include "app/results/atomic_file.h"
 #include "app/verify/page.h"
@@ -14,6 +15,7 @@
 #include "app/verify/runner.h"
 #include "app/verify/table.h"
 #include "app/verify/verify_json.h"
+#include "app/version/version.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -70,7 +72,8 @@ void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcom
     std::erase_if(figures, [](const Figure& figure) { return figure.diagrams.empty(); });
     std::vector<std::string> plots;
     if (!figures.empty() && can_draw_figures()) plots = draw_figures(figures, folder / "verification");
-    write_atomically(folder / "verification.md", verification_page(outcomes, command_line(arguments), plots));
+    write_atomically(folder / "verification.md", verification_page(outcomes, command_line(arguments), plots) +
+                                                     engine_paragraph(golden::behaviour(golden::hashes())));
 }
 
 }  // namespace
