@@ -7,6 +7,7 @@
 #include <new>
 
 #include "app/commands/commands.h"
+#include "app/version/version.h"
 #include "importers/helper/geometry.h"
 #include "libdda/errors.h"
 
@@ -44,6 +45,10 @@ void add_run(CLI::App& app, std::function<int()>& chosen)
         ->type_name("DIR");
     command->add_flag("--resume", arguments->resume,
                       "Continue the interrupted or killed run of this case in the folder");
+    command
+        ->add_flag("--other-engine", arguments->other_engine,
+                   "With --resume: continue a run that another build of the program began; the results say so")
+        ->needs("--resume");
     add_overrides(*command, arguments->overrides);
     command
         ->add_option("--threads", arguments->threads,
@@ -314,7 +319,7 @@ int run_program(int argument_count, char** arguments)
 {
     CLI::App app{"Seismic analysis of stone structures, block by block (3D discontinuous deformation analysis)",
                  "voussoir"};
-    app.set_version_flag("--version", std::string("voussoir ") + VOUSSOIR_VERSION);
+    app.set_version_flag("--version", "voussoir " + in_words(engine_version()));
     app.require_subcommand(1);
     app.footer("Exit codes: 0 done, 1 failure, 2 bad input, 3 the analysis failed to converge, 4 interrupted.");
     std::function<int()> chosen;

@@ -19,13 +19,17 @@ std::string compiler()
 #endif
 }
 
+std::string eigen()
+{
+    return std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+           std::to_string(EIGEN_MINOR_VERSION);
+}
+
 }  // namespace
 
 Compilation compilation()
 {
-    return {instruction_set(), compiler(),
-            std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                std::to_string(EIGEN_MINOR_VERSION)};
+    return {std::string(instruction_set()), compiler(), eigen()};
 }
 
 }  // namespace voussoir

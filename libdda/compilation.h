@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace voussoir
 {
@@ -10,9 +9,10 @@ namespace voussoir
 /// What the last bits of an answer depend on beside the sources: the same input gives the same bits only where all
 /// of this is the same.
 struct Compilation {
-    std::string_view instruction_set;  // "x86-64", "x86-64-v3", ...
-    std::string compiler;              // "g++ 12.2.0"
-    std::string eigen;                 // "3.4.0"
+    std::string instruction_set;  // see instruction_set()
+    std::string compiler;         // "g++ 12.2.0"
+    std::string eigen;            // "3.4.0"
+    bool operator==(const Compilation&) const = default;
 };
 
 Compilation compilation();

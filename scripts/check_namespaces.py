@@ -49,6 +49,7 @@ NAMESPACES = {
     "app/studies/stability/references/": "voussoir::app::studies::stability::references",
     "app/studies/verify/": "voussoir::app::studies::verify",
     "app/studies/verify/references/": "voussoir::app::studies::verify::references",
+    "app/version/": "voussoir::app::version",
     "app/words/": "voussoir::app::words",
 }
 MODULES = ("libdda", "importers", "records", "app")

@@ -23,7 +23,7 @@ CRITERIA = (f"every run is completed without failure or collapse, at a step h of
             f"{100 * MAX_RESIDUAL:g} %, damping below {MAX_DAMPING:g} of the energy put in, the integrator's loss neither "
             f"negative nor the whole of it; in ensembles joints open by more than {MIN_OPENING} mm; medians of {MEMBERS} members at "
             f"h and h / 2 differ by less than their spread or 10 %; 5 s in one run within {LONGEST_SHORT_RUN / 60:g} min, all "
-            f"within {LONGEST_STUDY / 3600:g} h; all with one engine and the present case")
+            f"within {LONGEST_STUDY / 3600:g} h; all with one engine, the present one by its golden hashes, and the present case")
 
 
 def number(value, unknown=math.inf):
@@ -96,11 +96,11 @@ def run_in_words_of_ensembles(figures):
             "damping_fraction": fraction(damped), "warnings": figures["warnings"]}
 
 
-def faults(found, expected):
+def faults(found, expected, behaviours):
     """What the figures do not keep, one sentence each.
 
     found: figures by part; expected: by part "command", "case" (a checksum), "judged", "members", "duration" and, by the
-    clock, "longest" [s].
+    clock, "longest" [s]; behaviours: of the engine on record, by its golden hashes on each machine.
     """
     for part, asked in expected.items():
         if part not in found:
@@ -122,9 +122,13 @@ def faults(found, expected):
                 yield f"{part}: the time step is {stage['time_step_s']} s"
         if not figures["study"]["wall_time_s"] < asked["longest"]:
             yield f"{part} took {figures['study']['wall_time_s']} s"
-    engines = sorted({figures["study"].get("engine", "unknown") for figures in found.values()})
+    engines = sorted({figures["study"].get("behaviour", "unknown") for figures in found.values()})
     if len(engines) > 1:
         yield f"the parts are of different engines, {', '.join(engines)}: run all with one"
+    stale = [engine for engine in engines if engine not in behaviours]
+    if stale:
+        yield (f"the engine does something else since: its behaviour was {', '.join(stale)} and is "
+               f"{' or '.join(sorted(behaviours))}; run all parts again")
     total = sum(figures["study"]["wall_time_s"] for figures in found.values())
     if not total < LONGEST_STUDY:
         yield f"all parts together took {total / 60:.0f} minutes"
@@ -139,18 +143,18 @@ def sound_figures():
     energy = {f"{name}_J": 0.0 for name in ("gravity_work", "boundary_work", "load_work", "algorithmic_rotation", "redetection",
                                             "damping_kinetic", "damping_static", "damping_contact")}
     energy.update({"foundation_work_J": 100.0, "algorithmic_J": 9.0, "residual": 1e-5})
-    found = {"many": {"study": {"command": "many", "case": "0a", "engine": "e1", "wall_time_s": 1800},
+    found = {"many": {"study": {"command": "many", "case": "0a", "behaviour": "e1", "wall_time_s": 1800},
                       "members": ["1", "2", "3", "4", "5"],
                       "settings": [{"time_step_s": 1e-3}, {"time_step_s": 5e-4}, {"time_step_s": 1e-3}],
                       "runs": runs, "measures": measures},
-             "one": {"study": {"command": "one", "case": "0b", "engine": "e1", "wall_time_s": 40},
+             "one": {"study": {"command": "one", "case": "0b", "behaviour": "e1", "wall_time_s": 40},
                      "outcome": "completed", "message": "",
                      "unconverged_steps": 0, "simulated_time_s": 5.0, "energy": energy, "warnings": [],
                      "integrator": [{"type": "dynamic", "time_step_s": 1e-3}]}}
     expected = {"many": {"command": "many", "case": "0a", "judged": True, "members": 5, "duration": 20},
                 "one": {"command": "one", "case": "0b", "judged": True, "members": 1, "duration": 5,
                         "longest": LONGEST_SHORT_RUN}}
-    return found, expected
+    return found, expected, {"e1", "e1 elsewhere"}
 
 
 # How a figure is broken, and what must be said of it.
@@ -158,7 +162,8 @@ DAMAGES = (
     (lambda f: f.pop("many"), "was not run"),
     (lambda f: f["many"]["study"].update(command="other"), "another command"),
     (lambda f: f["many"]["study"].update(case="0c"), "many: its case has changed"),
-    (lambda f: f["one"]["study"].update(engine="e2"), "different engines, e1, e2"),
+    (lambda f: f["one"]["study"].update(behaviour="e2"), "different engines, e1, e2"),
+    (lambda f: [part["study"].update(behaviour="e2") for part in f.values()], "was e2 and is e1 or e1 elsewhere"),
     (lambda f: f["many"]["study"].update(wall_time_s=7200), "took 121 minutes"),
     (lambda f: f["many"]["runs"].pop(), "14 runs"),
     (lambda f: f["many"]["settings"][0].update(time_step_s=9e-4), "time step"),
@@ -178,21 +183,21 @@ DAMAGES = (
     (lambda f: f["one"]["energy"].update(damping_kinetic_J=1.0), "in dampers"),
     (lambda f: f["one"]["energy"].update(residual=0.5), "cannot account"),
     (lambda f: f["one"]["energy"].update(foundation_work_J=0.0), "lost None of its energy in dampers"),
-    (lambda f: f["one"]["study"].pop("engine"), "different engines, e1, unknown"),
+    (lambda f: f["one"]["study"].pop("behaviour"), "different engines, e1, unknown"),
     (lambda f: f["one"]["study"].update(wall_time_s=301), "took 301 s"),
     (lambda f: f["one"]["integrator"][0].update(time_step_s=1e-4), "time step is 0.0001"),
 )
 
 
 def self_test():
-    found, expected = sound_figures()
-    wrong = [f"sound figures: {sentence}" for sentence in faults(found, expected)]
+    found, expected, behaviours = sound_figures()
+    wrong = [f"sound figures: {sentence}" for sentence in faults(found, expected, behaviours)]
     found["many"]["runs"][12].update(failure="a sensitivity")  # is not judged
-    wrong += [f"the sensitivity is judged: {sentence}" for sentence in faults(found, expected)]
+    wrong += [f"the sensitivity is judged: {sentence}" for sentence in faults(found, expected, behaviours)]
     for damage, words in DAMAGES:
-        found, expected = copy.deepcopy(sound_figures())
+        found, expected, behaviours = copy.deepcopy(sound_figures())
         damage(found)
-        told = list(faults(found, expected))
+        told = list(faults(found, expected, behaviours))
         if not any(words in sentence for sentence in told):
             wrong.append(f"'{words}' is not said: {told}")
     for sentence in wrong:

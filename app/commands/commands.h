@@ -18,7 +18,8 @@ struct RunArguments {
     std::filesystem::path folder;  // empty: results/<case name>
     std::vector<std::string> overrides;
     int threads = 1;
-    bool resume = false;  // go on with the run that was interrupted in the folder
+    bool resume = false;        // go on with the run that was interrupted in the folder
+    bool other_engine = false;  // even if another build of the program began it
     bool quiet = false;
 };
 

@@ -20,6 +20,22 @@ bool is_there(const fs::path& path)
     return fs::exists(path, none);
 }
 
+[[noreturn]] void refuse_other_engine(const fs::path& folder, const EngineVersion& before,
+                                      const EngineVersion& now)
+{
+    throw InputError(folder.string(),
+                     "begun by another engine (" + in_words(before) + "; this is " + in_words(now) + ")",
+                     "resume with that one, take this one by --other-engine, or start anew without --resume");
+}
+
+std::string mixed_engines(const EngineVersion& before, const EngineVersion& now, double time)
+{
+    return fmt::format(
+        "two engines made this run: {}, up to t = {:g} s; {} from there on, by --other-engine: "
+        "neither alone gives the same bits",
+        in_words(before), time, in_words(now));
+}
+
 }  // namespace
 
 void refuse_without_restart(const fs::path& folder)
@@ -28,15 +44,23 @@ void refuse_without_restart(const fs::path& folder)
     throw InputError(folder.string(), "nothing to resume", "start the run without --resume");
 }
 
-Restart restart_of(const Case& the_case, const fs::path& folder)
+Restart restart_of(const Case& the_case, const fs::path& folder, bool other_engine)
 {
     refuse_without_restart(folder);
     Restart restart = load_restart(restart_file_in(folder));
-    const std::string changed = differences(restart.computed_from, fingerprint_of(the_case));
+    const Fingerprint now = fingerprint_of(the_case);
+    const EngineVersion& before = restart.computed_from.engine;
+    const bool is_other = before != now.engine;
+    // What another engine makes of the same files may differ, which is no change of the files.
+    if (is_other && !other_engine && same_input(restart.computed_from, now))
+        refuse_other_engine(folder, before, now.engine);
+    const std::string changed = differences(restart.computed_from, now);
     if (!changed.empty())
         throw InputError(folder.string(), "not the run of this case; changed since: " + changed,
                          "resume with the original input, or start again without --resume");
     check_fits(restart, the_case, restart_file_in(folder));
+    if (is_other)
+        restart.position.report.warnings.push_back(mixed_engines(before, now.engine, restart.state.time));
     return restart;
 }
 

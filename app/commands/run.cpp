@@ -205,7 +205,7 @@ int run_command(const RunArguments& arguments)
     const RunLock lock(folder);
     std::optional<Restart> restart;
     if (arguments.resume)
-        restart = restart_of(the_case, folder);
+        restart = restart_of(the_case, folder, arguments.other_engine);
     else
         tell_what_is_replaced(folder, arguments.quiet);
     if (restart && restart->ended) {

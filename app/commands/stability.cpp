@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
+#include "app/golden/hashes.h"
 #include "app/plots/plots.h"
 #include "app/reader/case_file.h"
 #include "app/results/atomic_file.h"
@@ -14,6 +15,7 @@
 #include "app/studies/stability/page.h"
 #include "app/studies/stability/runner.h"
 #include "app/studies/stability/sound_range.h"
+#include "app/version/version.h"
 #include "app/words/figures_in_words.h"
 #include "app/words/nearest_word.h"
 #include "libdda/errors.h"
@@ -76,15 +78,16 @@ void print_line(const CellResult& result)
 /// DIR/stability.md, DIR/stability/stability.json, and pictures in DIR/stability if the program that draws them
 /// was built.
 void write_page(const StabilityArguments& arguments, const std::vector<StabilityScene>& scenes,
-                const std::vector<CellResult>& results)
+                const std::vector<CellResult>& results, const std::string& behaviour)
 {
     const fs::path folder = *arguments.folder, pictures = folder / "stability";
     make_output_folder(folder);
     make_output_folder(pictures);
     std::vector<std::string> drawn;
     if (can_draw_figures()) drawn = draw_figures(stability_figures(scenes, results), pictures);
-    write_atomically(pictures / "stability.json", stability_json(results) + "\n");
-    write_atomically(folder / "stability.md", stability_page(scenes, results, command_line(arguments), drawn));
+    write_atomically(pictures / "stability.json", stability_json(results, engine_json(behaviour)) + "\n");
+    write_atomically(folder / "stability.md", stability_page(scenes, results, command_line(arguments), drawn) +
+                                                  engine_paragraph(behaviour));
 }
 
 }  // namespace
@@ -123,8 +126,11 @@ int stability_command(const StabilityArguments& arguments)
         }
     }
     if (!to_stdout) fmt::print("{} of {} cells failed\n", failed, results.size());
-    if (arguments.json) write_json_text(*arguments.json, stability_json(results));
-    if (arguments.folder) write_page(arguments, scenes, results);
+    if (arguments.json || arguments.folder) {
+        const std::string behaviour = golden::behaviour(golden::hashes());
+        if (arguments.json) write_json_text(*arguments.json, stability_json(results, engine_json(behaviour)));
+        if (arguments.folder) write_page(arguments, scenes, results, behaviour);
+    }
     return failed == 0 && !too_little ? exit_done : exit_failure;
 }
 

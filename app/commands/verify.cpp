@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
+#include "app/golden/hashes.h"
 #include "app/plots/plots.h"
 #include "app/results/atomic_file.h"
 #include "app/studies/verify/page.h"
@@ -13,6 +14,7 @@
 #include "app/studies/verify/runner.h"
 #include "app/studies/verify/table.h"
 #include "app/studies/verify/verify_json.h"
+#include "app/version/version.h"
 #include "app/words/nearest_word.h"
 #include "libdda/errors.h"
 
@@ -70,7 +72,8 @@ void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcom
     std::erase_if(figures, [](const Figure& figure) { return figure.diagrams.empty(); });
     std::vector<std::string> plots;
     if (!figures.empty() && can_draw_figures()) plots = draw_figures(figures, folder / "verification");
-    write_atomically(folder / "verification.md", verification_page(outcomes, command_line(arguments), plots));
+    write_atomically(folder / "verification.md", verification_page(outcomes, command_line(arguments), plots) +
+                                                     engine_paragraph(golden::behaviour(golden::hashes())));
 }
 
 }  // namespace

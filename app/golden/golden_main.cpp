@@ -1,10 +1,11 @@
-// voussoir-golden: prints, as JSON, the hashes of what the golden scenes end in and what they depend on beside the
-// engine. scripts/golden_hashes compares them with those on record.
+// voussoir-golden: prints, as JSON, the engine, the hashes of what the golden scenes end in and what else they
+// depend on. scripts/golden_hashes compares them with those on record.
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
 
 #include "app/golden/hashes.h"
+#include "app/version/version.h"
 
 namespace
 {
@@ -23,6 +24,7 @@ void print_hashes()
 {
     const std::vector<golden::SceneHashes> hashes = golden::hashes();
     Json json;
+    json["engine"] = Json::parse(engine_json());
     for (const auto& [name, value] : golden::machine()) json["machine"][name] = value;
     json["behaviour"] = golden::behaviour(hashes);
     for (const golden::SceneHashes& each : hashes)

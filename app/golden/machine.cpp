@@ -42,7 +42,7 @@ std::string libm()
 std::vector<std::pair<std::string, std::string>> machine()
 {
     const Compilation engine = compilation();
-    return {{"instruction_set", std::string(engine.instruction_set)},
+    return {{"instruction_set", engine.instruction_set},
             {"compiler", engine.compiler},
             {"eigen", engine.eigen},
             {"libm", libm()},

@@ -76,8 +76,13 @@ Fingerprint fingerprint_of(const Case& the_case)
 {
     Packer overrides;
     overrides.list(the_case.overrides);
-    return {VOUSSOIR_VERSION, fnv1a(the_case.text), fnv1a(overrides.bytes), hash_of_blocks(the_case.model),
+    return {engine_version(), fnv1a(the_case.text), fnv1a(overrides.bytes), hash_of_blocks(the_case.model),
             hash_of_motions(the_case.stages)};
+}
+
+bool same_input(const Fingerprint& before, const Fingerprint& now)
+{
+    return before.text == now.text && before.overrides == now.overrides;
 }
 
 std::string differences(const Fingerprint& before, const Fingerprint& now)
@@ -86,7 +91,6 @@ std::string differences(const Fingerprint& before, const Fingerprint& now)
     const auto compare = [&](bool differs, const std::string& what) {
         if (differs) changed += (changed.empty() ? "" : ", ") + what;
     };
-    compare(before.version != now.version, "the program (it was version " + before.version + ")");
     compare(before.text != now.text, "the case file");
     compare(before.overrides != now.overrides, "--set");
     if (!changed.empty()) return changed;  // what follows from it

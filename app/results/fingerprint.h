@@ -5,13 +5,14 @@
 #include <string>
 
 #include "app/case/case.h"
+#include "app/version/version.h"
 
 namespace voussoir
 {
 
 /// Hashes of all that decides a run.
 struct Fingerprint {
-    std::string version;          // of the program
+    EngineVersion engine;
     std::uint64_t text = 0;       // of the case file
     std::uint64_t overrides = 0;  // of --set
     std::uint64_t blocks = 0;     // of the shapes, masses and names that came of patterns and mesh files
@@ -20,7 +21,10 @@ struct Fingerprint {
 
 Fingerprint fingerprint_of(const Case& the_case);
 
-/// What differs, in words: "the case file, a record"; empty if nothing does.
+/// The same case file and --set: whatever else differs is not of the user's typing.
+bool same_input(const Fingerprint& before, const Fingerprint& now);
+
+/// What differs beside the engine, in words: "the case file, a record"; empty if nothing does.
 std::string differences(const Fingerprint& before, const Fingerprint& now);
 
 }  // namespace voussoir

@@ -5,6 +5,7 @@
 #include "app/results/results_writer.h"
 #include "app/results/scene_vectors.h"
 #include "app/results/settings.h"
+#include "app/version/version.h"
 
 namespace voussoir
 {
@@ -21,10 +22,24 @@ void write_scene(const Model& model, Hdf5File& file)
     if (is_deformable(model.kinematics)) file.attribute("/", "plane", std::string(name_of(model.plane)));
 }
 
+void write_engine(const EngineVersion& engine, Hdf5File& file)
+{
+    file.attribute("/", "voussoir_version", engine.version);
+    file.attribute("/", "engine_commit", engine.commit);
+    const char* const dirty = engine.dirty == Dirty::unknown ? "unknown"
+                              : engine.dirty == Dirty::yes   ? "yes"
+                                                             : "no";
+    file.attribute("/", "engine_dirty", std::string(dirty));
+    file.attribute("/", "engine_sources", engine.sources);
+    const Compilation& compiled = engine.compilation;
+    file.attribute("/", "engine_compilation",
+                   compiled.instruction_set + ", " + compiled.compiler + ", Eigen " + compiled.eigen);
+}
+
 void write_case(const Case& the_case, Hdf5File& file)
 {
     file.attribute("/", "format", std::string("voussoir results 1"));
-    file.attribute("/", "voussoir_version", std::string(VOUSSOIR_VERSION));
+    write_engine(engine_version(), file);
     file.attribute("/", "title", the_case.title);
     write_scene(the_case.model, file);
     file.make_group("/case");

@@ -11,7 +11,7 @@ namespace voussoir
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 8\n";  // its digit rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 9\n";  // its digit rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -63,7 +63,9 @@ template <typename Archive, typename SomeRestart>
 void restart_fields(Archive& archive, SomeRestart& restart)
 {
     auto& from = restart.computed_from;
-    archive.fields(from.version, from.text, from.overrides, from.blocks, from.motions);
+    auto& [version, commit, dirty, sources, compiled] = from.engine;
+    archive.fields(version, commit, dirty, sources, compiled.instruction_set, compiled.compiler, compiled.eigen);
+    archive.fields(from.text, from.overrides, from.blocks, from.motions);
     archive.fields(restart.ended, restart.history_rows, restart.wall_time, restart.cpu_time);
     position_fields(archive, restart.position);
     state_fields(archive, restart.state);

@@ -5,6 +5,7 @@
 #include "app/results/energy_terms.h"
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
+#include "app/version/version.h"
 #include "libdda/analysis/crushing.h"
 
 namespace voussoir
@@ -111,7 +112,8 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
     Json json;
     json["case"] = the_case.file.string();
     json["title"] = the_case.title;
-    json["voussoir_version"] = VOUSSOIR_VERSION;
+    json["voussoir_version"] = engine_version().version;
+    json["engine"] = Json::parse(engine_json());
     json["outcome"] = name_of(report.outcome);
     json["message"] = report.message;
     json["kinematics"] = name_of(model.kinematics);

@@ -4,6 +4,7 @@
 #include "app/results/settings.h"
 #include "app/studies/converge/report.h"
 #include "app/studies/converge/verdict.h"
+#include "app/version/version.h"
 
 namespace voussoir
 {
@@ -86,7 +87,8 @@ std::string converge_json(const ConvergeStudy& study)
     const Json json = {{"case", study.case_file},           {"title", study.title},
                        {"overrides", study.overrides},      {"collapse", study.collapse_rule},
                        {"threads", study.threads},          {"notes", study.notes},
-                       {"overall", overall_verdict(study)}, {"quantities", quantities}};
+                       {"overall", overall_verdict(study)}, {"engine", Json::parse(engine_json())},
+                       {"quantities", quantities}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

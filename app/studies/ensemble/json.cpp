@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studies/ensemble/report.h"
+#include "app/version/version.h"
 
 namespace voussoir
 {
@@ -76,6 +77,7 @@ std::string ensemble_json(const EnsembleStudy& study)
     for (const MeasureStudy& each : study.measures) measures.push_back(to_json(each));
     const Json json = {{"case", study.case_file},
                        {"title", study.title},
+                       {"engine", Json::parse(engine_json())},
                        {"overrides", study.overrides},
                        {"warnings", study.warnings},
                        {"varied", study.variation.key},

@@ -102,11 +102,11 @@ CellRun cell_run_from_json(const std::string& text)
     return run;
 }
 
-std::string stability_json(const std::vector<CellResult>& results)
+std::string stability_json(const std::vector<CellResult>& results, const std::string& engine)
 {
     json cells = json::array();
     for (const CellResult& result : results) cells.push_back(to_json(result));
-    return text_of({{"cells", cells}}, 2);
+    return text_of({{"cells", cells}, {"engine", json::parse(engine)}}, 2);
 }
 
 }  // namespace voussoir

@@ -28,7 +28,8 @@ std::string to_json(const CellRun& run);
 CellRun cell_run_from_json(const std::string& text);
 
 /// {cells: [{name, scene, parameters: {name: value with unit}, time_step_s, outcome, reference, error, tolerance,
-/// diagnosis, steps, step_cuts, iterations, cpu_time_s, ...}]}; error is null when the cell has none.
-std::string stability_json(const std::vector<CellResult>& results);
+/// diagnosis, steps, step_cuts, iterations, cpu_time_s, ...}], engine}; error is null when the cell has none.
+/// @param engine JSON text of engine_json
+std::string stability_json(const std::vector<CellResult>& results, const std::string& engine);
 
 }  // namespace voussoir

@@ -42,7 +42,8 @@ Case small_case(Kinematics kinematics)
 Restart sound_restart(const Case& the_case)
 {
     Restart restart;
-    restart.computed_from = {"0.1", 1, 2, 3, 4};
+    restart.computed_from = {
+        {"0.1", "8951b6b97059", Dirty::yes, "0123456789ab", {"x86-64", "g++ 1", "3"}}, 1, 2, 3, 4};
     restart.state = synthetic::swaying(the_case, 0.5);
     restart.state.grid = 250;
     restart.state.stage_time = 250 * the_case.stages[1].control.time_step;

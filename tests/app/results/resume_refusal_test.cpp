@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <thread>
 
 #include "app/results/restart_file.h"
@@ -101,7 +102,45 @@ TEST(ResumeRefusal, WhateverHasChanged)
     write_files(folder);
     expect_refusal(folder, run_of(folder, {"--resume", "--set", "joints.dry.friction=26 deg"}),
                    "changed since: --set");
-    EXPECT_EQ(differences({"0.1", 1, 2, 3, 4}, {"0.2", 1, 2, 3, 4}), "the program (it was version 0.1)");
+}
+
+/// The restart file says that another engine wrote it.
+void make_of_other_engine(const TemporaryFolder& folder, const std::function<void(EngineVersion&)>& change)
+{
+    const fs::path file = restart_file_in(folder / "results");
+    Restart restart = load_restart(file);
+    change(restart.computed_from.engine);
+    save_restart(restart, file);
+}
+
+// Whatever of it is another: version, commit, changes to the commit, the sources or how they were compiled.
+TEST(ResumeRefusal, AnotherEngine)
+{
+    const TemporaryFolder folder;
+    write_files(folder);
+    kill_and_wait(running(folder));
+    const std::string good = contents(restart_file_in(folder / "results"));
+    for (const std::function<void(EngineVersion&)>& change : std::vector<std::function<void(EngineVersion&)>>{
+             [](EngineVersion& engine) { engine.version = "0.1.0"; },
+             [](EngineVersion& engine) { engine.commit = "8951b6b97059"; },
+             [](EngineVersion& engine) { engine.dirty = engine.dirty == Dirty::yes ? Dirty::no : Dirty::yes; },
+             [](EngineVersion& engine) { engine.sources = "eb0b81037a65"; },
+             [](EngineVersion& engine) { engine.compilation.instruction_set = "x86-65"; },
+             [](EngineVersion& engine) { engine.compilation.compiler = "g++ 1"; }}) {
+        folder.write("results/restart.bin", good);
+        make_of_other_engine(folder, change);
+        EngineVersion before = engine_version();
+        change(before);
+        expect_refusal(
+            folder, run_of(folder, {"--resume"}),
+            "begun by another engine (" + in_words(before) + "; this is " + in_words(engine_version()) + ")");
+    }
+    // What another engine would make of other files nobody knows: that they have changed comes first.
+    folder.write("case.yaml", of_files + "# a remark\n");
+    expect_refusal(folder, run_of(folder, {"--resume", "--other-engine"}), "changed since: the case file");
+    expect_refusal(folder, run_of(folder, {"--resume"}), "changed since: the case file");
+    EXPECT_EQ(voussoir(folder, run_of(folder, {"--other-engine"})).exit_code, 2)
+        << "it says nothing without --resume";
 }
 
 TEST(ResumeRefusal, WhereThereIsNothing)

@@ -72,6 +72,42 @@ TEST(Resume, AFrameStoppedAfterEveryThirteenSteps)
     stop_again_and_again(killed_runs::shaken_frame, 13);
 }
 
+// The engine is the same after all, so the numbers are those of the run that was never stopped.
+TEST(Resume, AnotherEngineGoesOnIfAskedAndTheResultsSayWhich)
+{
+    const TemporaryFolder folder;
+    const killed_runs::Reference reference = killed_runs::run_through(folder.path(), killed_runs::shaken_tower);
+    const fs::path results = folder / "results";
+    const Case the_case = read_case(reference.case_file, {});
+    ASSERT_EQ(run_steps(the_case, results, 40, nullptr), Outcome::interrupted);
+    Restart restart = load_restart(restart_file_in(results));
+    restart.computed_from.engine.commit = "8951b6b97059";
+    restart.computed_from.engine.dirty = Dirty::no;
+    const std::string before = in_words(restart.computed_from.engine);
+    save_restart(restart, restart_file_in(results));
+    std::vector<std::string> arguments = {"run",     reference.case_file.string(), "-q", "-o", results.string(),
+                                          "--resume"};
+    EXPECT_EQ(voussoir(folder, arguments).exit_code, 2);
+    arguments.emplace_back("--other-engine");
+    const Ended ended = voussoir(folder, arguments);
+    ASSERT_EQ(ended.exit_code, 0) << ended.errors;
+    EXPECT_EQ(contents(results / "histories.csv"), contents(reference.folder / "histories.csv"));
+
+    const auto warnings_in = [](const fs::path& folder_of_run) {
+        const nlohmann::json summary = nlohmann::json::parse(contents(folder_of_run / "summary.json"));
+        EXPECT_EQ(summary["engine"], nlohmann::json::parse(engine_json()));
+        return summary["warnings"].dump();
+    };
+    EXPECT_EQ(warnings_in(reference.folder).find("two engines"), std::string::npos);
+    EXPECT_NE(warnings_in(results).find("two engines made this run: " + before + ", up to t = "),
+              std::string::npos)
+        << warnings_in(results);
+    // From here on the run is this engine's, and the warning stays with it however often it is stopped again.
+    const Restart last = load_restart(restart_file_in(results));
+    EXPECT_EQ(last.computed_from.engine, engine_version());
+    EXPECT_FALSE(last.position.report.warnings.empty());
+}
+
 TEST(Resume, TimesAddUpAndTheEndedRunSaysSo)
 {
     const TemporaryFolder folder;

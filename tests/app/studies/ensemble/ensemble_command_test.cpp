@@ -49,6 +49,7 @@ TEST_F(EnsembleCommand, WritesTableJsonPageAndPicture)
     const nlohmann::json json = nlohmann::json::parse(contents(folder_ / "made.json"));
     EXPECT_TRUE(json["agrees"]);
     EXPECT_EQ(json["runs"].size(), 9u);
+    EXPECT_TRUE(json["engine"].contains("commit"));
     EXPECT_EQ(json["settings"][1]["time_step_s"], 1e-3);
     EXPECT_EQ(json["measures"][0]["values"].size(), 3u);
     const std::string page = contents(folder_ / "made/ensemble.md");

@@ -74,7 +74,14 @@ TEST_F(StabilityCommand, WritesPageFiguresAndMaps)
     const std::string page = contents("map/stability.md");
     EXPECT_NE(page.find("`voussoir stability sliding/k=1e+06/h=0.005 column/E=1e+11 -o map`"), std::string::npos);
     EXPECT_NE(page.find("\n## sliding\n"), std::string::npos);
-    EXPECT_EQ(nlohmann::json::parse(contents("map/stability/stability.json")).at("cells").size(), 2u);
+    const nlohmann::json figures = nlohmann::json::parse(contents("map/stability/stability.json"));
+    EXPECT_EQ(figures.at("cells").size(), 2u);
+    const nlohmann::json& engine = figures.at("engine");
+    for (const char* key : {"version", "commit", "dirty", "sources", "instruction_set"})
+        EXPECT_TRUE(engine.contains(key)) << key;
+    const std::string behaviour = engine.at("behaviour");
+    EXPECT_EQ(behaviour.size(), 12u);
+    EXPECT_NE(page.find("; behaviour " + behaviour + ". "), std::string::npos);
     if (!fs::exists(fs::path(VOUSSOIR_PROGRAM).parent_path() / "voussoir-plot"))
         GTEST_SKIP() << "built without Cairo";
     EXPECT_GT(fs::file_size(folder_ / "map/stability/sliding.png"), 5000u);
