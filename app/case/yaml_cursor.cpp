@@ -6,7 +6,9 @@
 #include <charconv>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
+#include "app/case/asked_keys.h"
 #include "app/case/nearest_word.h"
 
 namespace voussoir
@@ -152,6 +154,7 @@ Eigen::Vector2d YamlCursor::as_plane_vector(const Dimension& dimension) const
 std::optional<YamlCursor> YamlCursor::find(const std::string& key)
 {
     asked_.push_back(key);
+    if (asked_keys != nullptr) asked_keys->keys[path_].insert(key);
     if (!is_map()) return std::nullopt;
     const auto at = std::find(node_->keys.begin(), node_->keys.end(), key);
     if (at == node_->keys.end()) return std::nullopt;
@@ -167,7 +170,9 @@ std::optional<YamlCursor> YamlCursor::require(const std::string& key, std::strin
 
 void YamlCursor::forbid(const std::string& key, const std::string& why)
 {
+    AskedKeys* const notes = std::exchange(asked_keys, nullptr);
     if (const std::optional<YamlCursor> value = find(key)) value->fault("has no meaning here", why);
+    asked_keys = notes;
     asked_.pop_back();  // not a word to suggest
     forbidden_.push_back(key);
 }
@@ -248,6 +253,7 @@ int YamlCursor::find_word(const std::string& key, const std::vector<std::string>
 {
     const std::optional<YamlCursor> value = find(key);
     if (!value) return -2;
+    if (asked_keys != nullptr) asked_keys->words[value->path_].insert(names.begin(), names.end());
     if (value->is_scalar()) {
         const auto at = std::find(names.begin(), names.end(), value->node_->text);
         if (at != names.end()) return static_cast<int>(at - names.begin());
