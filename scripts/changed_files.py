@@ -2,15 +2,18 @@
 """Names the C++ files that differ from another state of the repository, one a line.
 
     scripts/changed_files.py [--sources] [--at-most N] [BASE]
+    scripts/changed_files.py --lines [BASE]
     scripts/changed_files.py --self-test
 
 BASE is a commit; without one it is where this branch left origin/main, or the commit before the last one if it never
 left. What is not committed yet counts as changed. With --sources a header stands for a source that includes it: its
 own if it has one. With --at-most N no more than N are named, spread evenly over the list; how many are left out is
-said on standard error. Without any history every file counts as changed.
+said on standard error. Without any history every file counts as changed. With --lines the lines that differ are
+named instead, as clang-tidy takes them (--line-filter).
 """
 
 import argparse
+import json
 import os
 import re
 import subprocess
@@ -52,6 +55,23 @@ def changed_since(base):
         sys.exit(2)
     changed = [line.split("\t")[-1] for line in differing if not line.startswith("R100")]
     return cpp_files(changed + git("ls-files", "--others", "--exclude-standard"))
+
+
+def changed_lines(base, files):
+    """For each file the first and last lines of what differs in it; all of a file that is new."""
+    lines = {path: [] for path in files}
+    if base is not None:
+        path = None
+        for line in git("diff", "--unified=0", "--find-renames", "--relative", base, "--") or ():
+            hunk = re.match(r"@@ -\S+ \+(\d+)(?:,(\d+))? @@", line)
+            if line.startswith("+++ "):
+                path = line[6:].rstrip("\t")
+            elif hunk and path in lines and hunk.group(2) != "0":
+                first = int(hunk.group(1))
+                lines[path].append([first, first + int(hunk.group(2) or 1) - 1])
+    tracked = set(git("ls-files")) if base is not None else set()
+    return [{"name": path, "lines": ranges} if path in tracked else {"name": path}
+            for path, ranges in lines.items() if ranges or path not in tracked]
 
 
 def includers():
@@ -113,6 +133,9 @@ def self_test():
         Path("app/new.cpp").write_text("\n", encoding="utf-8")
         git("mv", "app/same.h", "app/moved.h")
         changed = changed_since("HEAD")
+        assert changed_lines("HEAD", changed) == [
+            {"name": "app/new.cpp"}, {"name": "libdda/far.h", "lines": [[1, 1]]},
+            {"name": "libdda/own.h", "lines": [[1, 1]]}], changed_lines("HEAD", changed)
         assert changed == ["app/new.cpp", "libdda/far.h", "libdda/own.h"], changed
         assert as_sources(changed) == ["app/new.cpp", "app/user.cpp", "libdda/own.cpp"], as_sources(changed)
         assert spread(list("abcdef"), 3) == ["a", "c", "e"]
@@ -124,12 +147,17 @@ def main():
     parser.add_argument("--sources", action="store_true")
     parser.add_argument("--at-most", type=int, metavar="N")
     parser.add_argument("base", nargs="?", metavar="BASE")
+    parser.add_argument("--lines", action="store_true")
     parser.add_argument("--self-test", action="store_true")
     arguments = parser.parse_args()
     if arguments.self_test:
         self_test()
         return
-    files = changed_since(arguments.base or default_base())
+    base = arguments.base or default_base()
+    files = changed_since(base)
+    if arguments.lines:
+        print(json.dumps(changed_lines(base, files)))
+        return
     if arguments.sources:
         # The fuzz targets are built by another preset.
         files = [path for path in as_sources(files) if not path.startswith("tests/fuzz/")]

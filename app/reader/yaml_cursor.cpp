@@ -6,7 +6,9 @@
 #include <charconv>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
+#include "app/reader/asked_keys.h"
 #include "app/words/nearest_word.h"
 
 namespace voussoir
@@ -151,6 +153,7 @@ Eigen::Vector2d YamlCursor::as_plane_vector(const Dimension& dimension) const
 std::optional<YamlCursor> YamlCursor::find(const std::string& key)
 {
     asked_.push_back(key);
+    if (asked_keys != nullptr) asked_keys->keys[path_].insert(key);
     const std::optional<YamlCursor> value = at(key);
     const std::optional<YamlCursor> former = find_former(key, value.has_value());
     return value ? value : former;
@@ -158,6 +161,7 @@ std::optional<YamlCursor> YamlCursor::find(const std::string& key)
 
 std::optional<YamlCursor> YamlCursor::at(const std::string& key) const
 {
+    if (!is_map()) return std::nullopt;
     const auto place = std::find(node_->keys.begin(), node_->keys.end(), key);
     if (place == node_->keys.end()) return std::nullopt;
     return child(node_->items[place - node_->keys.begin()], key);
@@ -189,7 +193,9 @@ std::optional<YamlCursor> YamlCursor::require(const std::string& key, std::strin
 
 void YamlCursor::forbid(const std::string& key, const std::string& why)
 {
+    AskedKeys* const notes = std::exchange(asked_keys, nullptr);
     if (const std::optional<YamlCursor> value = find(key)) value->fault("has no meaning here", why);
+    asked_keys = notes;
     asked_.pop_back();  // not a word to suggest
     forbidden_.push_back(key);
 }
@@ -270,6 +276,7 @@ int YamlCursor::find_word(const std::string& key, const std::vector<std::string>
 {
     const std::optional<YamlCursor> value = find(key);
     if (!value) return -2;
+    if (asked_keys != nullptr) asked_keys->words[value->path_].insert(names.begin(), names.end());
     if (value->is_scalar()) {
         const auto at = std::find(names.begin(), names.end(), value->node_->text);
         if (at != names.end()) return static_cast<int>(at - names.begin());
