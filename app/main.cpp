@@ -18,8 +18,7 @@ using namespace voussoir;
 /// A repeatable option that takes one value each time, so that what follows it is not swallowed.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides)
 {
-    command
-        .add_option("--set", overrides, "Change a value: --set stages[1].time_step=\"1 ms\"; null takes it away")
+    command.add_option("--set", overrides, "Change a value: --set stages[1].time_step=\"1 ms\"; null removes it")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
 }
@@ -28,7 +27,7 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides)
 void add_certificate(CLI::App& command, std::optional<std::filesystem::path>& json,
                      std::optional<std::filesystem::path>& folder)
 {
-    command.add_option("--json", json, "Write the certificate to a file (- is standard output)")
+    command.add_option("--json", json, "Write the certificate as JSON to a file (- is standard output)")
         ->type_name("FILE");
     command
         .add_option("-o,--output", folder,
@@ -44,11 +43,12 @@ void add_run(CLI::App& app, std::function<int()>& chosen)
     command->add_option("-o,--output", arguments->folder, "Folder for the results (results/<case name>)")
         ->type_name("DIR");
     command->add_flag("--resume", arguments->resume,
-                      "Go on with the run of this case that was interrupted or killed in the folder");
+                      "Continue the interrupted or killed run of this case in the folder");
     add_overrides(*command, arguments->overrides);
     command
         ->add_option("--threads", arguments->threads,
-                     "Threads; the results do not depend on it. More than one pays where nothing else runs")
+                     "Number of threads; the results do not depend on it. More than one is worthwhile on an "
+                     "otherwise idle machine")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
@@ -58,7 +58,8 @@ void add_run(CLI::App& app, std::function<int()>& chosen)
 void add_check(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = app.add_subcommand("check", "Read and certify a case, list what is there; run nothing");
+    CLI::App* command =
+        app.add_subcommand("check", "Read and check a case and list the model, without running it");
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
     add_overrides(*command, arguments->overrides);
     add_certificate(*command, arguments->json, arguments->folder);
@@ -68,29 +69,31 @@ void add_check(CLI::App& app, std::function<int()>& chosen)
 void add_import(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<ImportArguments>();
-    CLI::App* command =
-        app.add_subcommand("import", "Certify mesh files: stones, contacts, gaps, overlaps, advice");
+    CLI::App* command = app.add_subcommand("import", "Check mesh files: stones, contacts, gaps, overlaps, advice");
     command->add_option("mesh", arguments->files, "Mesh files")->required()->type_name("MESH");
-    command->add_option("--unit", arguments->unit, "Unit of the files: m, cm, mm, ft, in (as they say, else m)")
+    command
+        ->add_option("--unit", arguments->unit,
+                     "Unit of the files: m, cm, mm, ft, in (as stated in the files, otherwise m)")
         ->type_name("UNIT");
-    command->add_option("--up", arguments->up, "Axis of the files that points up (as they say, else z)")
+    command->add_option("--up", arguments->up, "Vertical axis of the files (as stated in the files, otherwise z)")
         ->transform(CLI::IsMember({"x", "y", "z"}));
-    command->add_option("--stones", arguments->stones, "What becomes one stone")
+    command->add_option("--stones", arguments->stones, "What is taken as one stone")
         ->check(CLI::IsMember(stone_level_names))
         ->capture_default_str();
     command
-        ->add_option("--planarity", arguments->planarity,
-                     "Share of a stone's diagonal by which a face may bulge and count as flat")
+        ->add_option(
+            "--planarity", arguments->planarity,
+            "Deviation from a plane up to which a face is taken as flat, as a fraction of the stone's diagonal")
         ->check(CLI::Range(1e-9, 0.01))
         ->capture_default_str();
     command
         ->add_option("--volume-error", arguments->volume_error,
-                     "Share of its volume by which the parts of a concave stone may exceed it")
+                     "Fraction of its volume by which the parts of a concave stone may exceed it")
         ->check(CLI::Range(1e-6, 0.2))
         ->capture_default_str();
     command
         ->add_option("--close-joints", arguments->close_joints,
-                     "Move facing faces together that stand apart by at most this: 25mm")
+                     "Close gaps between facing faces up to this width: 25mm")
         ->type_name("LENGTH");
     add_certificate(*command, arguments->json, arguments->folder);
     command->callback([arguments, &chosen] { chosen = [arguments] { return import_command(*arguments); }; });
@@ -99,12 +102,12 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
 void add_record(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<RecordArguments>();
-    CLI::App* command =
-        app.add_subcommand("record", "Tell what accelerograms hold; process, measure, plot and convert them");
+    CLI::App* command = app.add_subcommand("record", "Inspect, process, measure, plot and convert accelerograms");
     command->add_option("file", arguments->files, "Accelerograms")->type_name("FILE");
-    command->add_option("--unit", arguments->unit, "Unit, if the file does not say: g, m/s2, cm/s2, cm/s, mm, ...")
+    command
+        ->add_option("--unit", arguments->unit, "Unit, if not stated in the file: g, m/s2, cm/s2, cm/s, mm, ...")
         ->type_name("UNIT");
-    command->add_option("--time-step", arguments->time_step, "Time step in s, if the file does not say")
+    command->add_option("--time-step", arguments->time_step, "Time step in s, if not stated in the file")
         ->check(CLI::PositiveNumber)
         ->type_name("SECONDS");
     command->add_option("--column", arguments->column, "Column of a text table, from 1")
@@ -114,13 +117,13 @@ void add_record(CLI::App& app, std::function<int()>& chosen)
     command->add_flag("--together", arguments->together, "The files are components of one motion");
     command
         ->add_option("--process", arguments->process,
-                     "What to do, as in a case: '[{window: {arias: [0.1 %, 99 %]}}, {taper: 1 s}]'")
+                     "Processing steps, as in a case: '[{window: {arias: [0.1 %, 99 %]}}, {taper: 1 s}]'")
         ->type_name("STEPS");
     command
         ->add_option("--motion", arguments->motion,
                      "A wave instead of files, as in a case: '{ricker: {acceleration: 0.3 g, frequency: 2 Hz}}'")
         ->type_name("WAVE");
-    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+    command->add_option("--json", arguments->json, "Write the results as JSON to a file (- is standard output)")
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->folder, "Write CSV, AT2, spectra and pictures into a folder")
         ->type_name("DIR");
@@ -130,7 +133,7 @@ void add_record(CLI::App& app, std::function<int()>& chosen)
 void add_render(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* command = app.add_subcommand("render", "Draw pictures from results, without a run");
+    CLI::App* command = app.add_subcommand("render", "Draw pictures from the results of a run");
     command->add_option("results", arguments->results, "The results.h5 of a run")
         ->required()
         ->type_name("RESULTS");
@@ -141,14 +144,14 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
         ->check(CLI::IsMember({"displacement", "principal_stress"}))
         ->capture_default_str();
     command->add_option("--times", arguments->times, "Times to draw, in s")->check(CLI::NonNegativeNumber);
-    command->add_option("--count", arguments->count, "How many, if no times are given")
+    command->add_option("--count", arguments->count, "Number of pictures, if no times are given")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     command->add_option("--size", arguments->size, "Width and height in pixels")
         ->expected(2)
         ->check(CLI::Range(200, 8000))
         ->capture_default_str();
-    command->add_option("--deformation-scale", arguments->deformation_scale, "Displacements are drawn times this")
+    command->add_option("--deformation-scale", arguments->deformation_scale, "Magnification of displacements")
         ->check(CLI::PositiveNumber);
     command->callback([arguments, &chosen] { chosen = [arguments] { return render_command(*arguments); }; });
 }
@@ -156,14 +159,14 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
 void add_verify(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<VerifyArguments>();
-    CLI::App* command = app.add_subcommand("verify", "Rerun the benchmarks of the papers: error against run time");
+    CLI::App* command = app.add_subcommand("verify", "Run the benchmarks of the papers: error against run time");
     command->add_option("name", arguments->names, "Benchmarks (all)")->type_name("NAME");
     command->add_flag("--list", arguments->list, "List the benchmarks, run nothing");
     command->add_flag("--sweep", arguments->sweep,
-                      "Also over time steps, methods and stiffnesses; CPU times as medians of 3");
+                      "Also vary time steps, methods and stiffnesses; CPU times as medians of 3");
     command->add_option("--seed", arguments->seed, "Of the benchmarks that draw their points")
         ->capture_default_str();
-    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+    command->add_option("--json", arguments->json, "Write the results as JSON to a file (- is standard output)")
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->folder, "Folder for the page, and with --sweep for the diagrams")
         ->type_name("DIR");
@@ -174,18 +177,18 @@ void add_stability(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<StabilityArguments>();
     CLI::App* command =
-        app.add_subcommand("stability", "Stiff and extreme scenes, each in a process of its own: a failure map");
+        app.add_subcommand("stability", "Stiff and extreme scenes, each in its own process: a failure map");
     command->add_option("name", arguments->names, "Scenes or cells (all)")->type_name("NAME");
     command->add_flag("--list", arguments->list, "List the cells, run nothing");
-    command->add_option("--jobs", arguments->jobs, "Cells at a time")
+    command->add_option("--jobs", arguments->jobs, "Number of cells run in parallel")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     command
         ->add_option("--tolerance-factor", arguments->tolerance_factor,
-                     "Times the tolerance of every cell: how much room there is")
+                     "Factor on the tolerance of every cell, to find the margin")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+    command->add_option("--json", arguments->json, "Write the results as JSON to a file (- is standard output)")
         ->type_name("FILE");
     command
         ->add_option("-o,--output", arguments->folder,
@@ -208,7 +211,7 @@ void add_series(CLI::App& command, ConvergeArguments& arguments)
     add_list(command, "--time-steps", arguments.time_steps, "Dynamic time steps (the case's x 4, 2, 1, 1/2, 1/4)")
         ->type_name("TIME,...");
     add_list(command, "--stiffness-factors", arguments.stiffness_factors,
-             "Times the case's contact stiffness (0.25, 0.5, 1, 2, 4); 1 alone leaves the series out")
+             "Factors on the case's contact stiffness (0.25, 0.5, 1, 2, 4); 1 alone omits the series")
         ->type_name("FACTOR,...");
     add_list(command, "--integrators", arguments.integrators,
              "Also with newmark, energy_decaying (the case's own)")
@@ -219,7 +222,7 @@ void add_series(CLI::App& command, ConvergeArguments& arguments)
 void add_quantities(CLI::App& command, ConvergeArguments& arguments)
 {
     CLI::Option* quantity = add_list(command, "--quantity", arguments.quantities,
-                                     "What is compared: POINT.u, .ux, .d (relative to the ground), .v ... or "
+                                     "Quantities to compare: POINT.u, .ux, .d (relative to the ground), .v ... or "
                                      "largest, with :history, :peak or :end");
     quantity->type_name("NAME,...");
     CLI::Option* threshold =
@@ -227,13 +230,14 @@ void add_quantities(CLI::App& command, ConvergeArguments& arguments)
                            "Compare the value at which the structure collapses, found between "
                            "one at which it stands and one at which it collapses");
     threshold->type_name("KEY=STANDS..COLLAPSES")->excludes(quantity);
-    command.add_option("--bracket", arguments.bracket, "How closely a threshold is bracketed")
-        ->type_name("SHARE")
+    command.add_option("--bracket", arguments.bracket, "Width of the bracket of a threshold")
+        ->type_name("FRACTION")
         ->needs(threshold)
         ->capture_default_str();
     command
         .add_option("--collapse-displacement", arguments.collapse_displacement,
-                    "A block moved by more, in its sizes or as a length, is a collapse; none: nothing is")
+                    "Displacement of a block, as a multiple of its size or a length, that is taken as collapse; "
+                    "none: no collapse criterion")
         ->type_name("SIZES|LENGTH|none")
         ->capture_default_str();
 }
@@ -247,10 +251,12 @@ void add_converge(CLI::App& app, std::function<int()>& chosen)
     add_quantities(*command, *arguments);
     add_series(*command, *arguments);
     add_overrides(*command, arguments->overrides);
-    command->add_option("--threads", arguments->threads, "Threads; CPU times are then of all together")
+    command
+        ->add_option("--threads", arguments->threads,
+                     "Number of threads; CPU times are then totals over all threads")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+    command->add_option("--json", arguments->json, "Write the results as JSON to a file (- is standard output)")
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->folder, "Folder for the page and the diagrams")
         ->type_name("DIR");
@@ -262,25 +268,26 @@ void add_ensemble(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<EnsembleArguments>();
     CLI::App* command = app.add_subcommand(
-        "ensemble", "Runs of your own case that differ by next to nothing: medians and spread at step h and h/2");
+        "ensemble", "Nearly identical runs of your own case: medians and spread at time steps h and h/2");
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
     command
-        ->add_option("--vary", arguments->vary, "What makes the members: blocks[0].house.imperfection.seed=1,2,3")
+        ->add_option("--vary", arguments->vary,
+                     "The varied key and its values, one for each member: blocks[0].house.imperfection.seed=1,2,3")
         ->required()
         ->type_name("KEY=VALUE,VALUE,...");
-    command->add_option("--open", arguments->open, "A joint that is open by more is counted")
+    command->add_option("--open", arguments->open, "Joints open by more than this are counted")
         ->type_name("LENGTH")
         ->capture_default_str();
     command
         ->add_option("--stiffness-factor", arguments->stiffness_factor,
-                     "Also with the case's contact stiffness times this; 1 leaves it out")
+                     "Also with the case's contact stiffness times this factor; 1 omits it")
         ->check(CLI::Range(1e-3, 1e3))
         ->capture_default_str();
     add_overrides(*command, arguments->overrides);
-    command->add_option("--jobs", arguments->jobs, "Runs side by side, each on one thread")
+    command->add_option("--jobs", arguments->jobs, "Number of runs in parallel, each on one thread")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    command->add_option("--json", arguments->json, "Write the figures to a file (- is standard output)")
+    command->add_option("--json", arguments->json, "Write the results as JSON to a file (- is standard output)")
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->folder, "Folder for the page and the diagram")->type_name("DIR");
     command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
@@ -305,12 +312,11 @@ int guarded(const std::function<int()>& command)
 
 int run_program(int argument_count, char** arguments)
 {
-    CLI::App app{
-        "What an earthquake does to stone structures, block by block (3D discontinuous deformation analysis)",
-        "voussoir"};
+    CLI::App app{"Seismic analysis of stone structures, block by block (3D discontinuous deformation analysis)",
+                 "voussoir"};
     app.set_version_flag("--version", std::string("voussoir ") + VOUSSOIR_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 done, 1 failure, 2 bad input, 3 the numerics gave up, 4 interrupted.");
+    app.footer("Exit codes: 0 done, 1 failure, 2 bad input, 3 the analysis failed to converge, 4 interrupted.");
     std::function<int()> chosen;
     add_run(app, chosen);
     add_check(app, chosen);

@@ -87,7 +87,7 @@ Fault why_unknown_text(const SourceFile& file, const std::string& formats)
 {
     const std::string start = lower_case(trim(std::string_view(file.bytes).substr(0, 500)));
     if (start.starts_with("<!doctype html") || start.find("<html") != std::string::npos)
-        return {file.name, "a page of the web (HTML)", "the download failed: fetch the record again"};
+        return {file.name, "a web page (HTML)", "the download failed: download the record again"};
     if (start.starts_with("<?xml"))
         return {file.name, "an XML file", "a record; a StationXML is given as the response of one"};
     const auto line = std::find_if(file.lines.begin(), file.lines.end(), begins_with_number);
@@ -152,7 +152,7 @@ bool has_decimal_commas(std::string_view line)
 
 Fault why_unknown(const SourceFile& file, const std::string& formats)
 {
-    const std::string expected = "not a record in a format we read: " + formats;
+    const std::string expected = "not a record in a supported format: " + formats;
     for (const Signature& known : signatures)
         if (file.bytes.compare(std::min(known.at, file.bytes.size()), known.bytes.size(), known.bytes) == 0)
             return {file.name, known.found, known.expected};
@@ -162,7 +162,7 @@ Fault why_unknown(const SourceFile& file, const std::string& formats)
     const auto line = static_cast<std::size_t>(
         std::count(file.bytes.begin(), file.bytes.begin() + static_cast<std::ptrdiff_t>(damage), '\n'));
     return {file.at(line), "a text with a byte " + std::to_string(static_cast<int>(file.bytes[damage])) + " in it",
-            "the file is damaged: fetch it again"};
+            "the file is damaged: download it again"};
 }
 
 }  // namespace voussoir

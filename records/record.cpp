@@ -60,7 +60,7 @@ void require_sound(const Record& record)
 {
     if (record.channels.empty())
         throw InputError(record.file, "a header of " + record.format + " without samples",
-                         "the file is cut short or damaged: fetch it again");
+                         "the file is cut short or damaged: download it again");
     for (const Channel& channel : record.channels)
         for (const double sample : channel.samples)
             if (!std::isfinite(sample))
@@ -84,7 +84,7 @@ Record read_as(const Format& format, const SourceFile& source, const ReadOptions
 {
     if (!options.response.empty() && !format.may_hold_counts)
         throw InputError(source.name, "a response was given, but " + std::string(format.name) + " holds no counts",
-                         "leave the response out");
+                         "omit the response");
     Record record = format.read(source, options);
     require_sound(record);
     encode_names(record);
@@ -143,8 +143,7 @@ Channel resampled_evenly(const Channel& channel)
 GroundMotion to_ground_motion(const Channel& channel, const std::string& source)
 {
     if (!has_unit(channel))
-        throw InputError(source, "the unit of the samples is not known",
-                         "give the record a unit: " + known_units());
+        throw InputError(source, "the unit of the samples is unknown", "give the record a unit: " + known_units());
     if (!channel.times.empty()) return to_ground_motion(resampled_evenly(channel), source);
     switch (channel.quantity) {
         case Quantity::velocity:

@@ -20,7 +20,7 @@ namespace
 
 constexpr std::uintmax_t largest_file = 1'000'000'000;  // bytes; a day at 200 Hz in text is some 300 MB
 constexpr std::size_t faults_named = 10;
-constexpr int most_packings = 3;  // one inside another
+constexpr int max_packings = 3;  // one inside another
 
 void split_lines(SourceFile& file)
 {
@@ -41,7 +41,7 @@ void split_lines(SourceFile& file)
 std::string unpack(const std::string& name, const std::string& packed)
 {
     const auto damaged = [&](const char* what) {
-        return InputError(name, std::string("its gzip packing ") + what, "fetch the file again");
+        return InputError(name, std::string("its gzip packing ") + what, "download the file again");
     };
     z_stream stream{};
     if (inflateInit2(&stream, 16 + MAX_WBITS) != Z_OK) throw std::bad_alloc();
@@ -103,7 +103,7 @@ void load_source_bytes(const std::string& name, std::string bytes, SourceFile& f
 {
     file.name = name;
     // Some servers pack what was packed already.
-    for (int packing = 0; packing < most_packings && bytes.starts_with("\x1F\x8B"); ++packing)
+    for (int packing = 0; packing < max_packings && bytes.starts_with("\x1F\x8B"); ++packing)
         bytes = unpack(name, bytes);
     file.bytes = decode_utf16(std::move(bytes));
     if (file.bytes.empty()) throw InputError(name, "the file is empty", "a record holds at least 2 samples");
@@ -132,7 +132,7 @@ void FaultList::throw_if_any(const std::string& file)
 {
     if (faults_.empty()) return;
     if (unnamed_ > 0) {
-        faults_.push_back({file, std::to_string(unnamed_) + " more faults", "mend the ones above first"});
+        faults_.push_back({file, std::to_string(unnamed_) + " more faults", "correct those above first"});
     }
     throw InputError(std::move(faults_));
 }

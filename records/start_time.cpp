@@ -131,7 +131,7 @@ std::vector<std::string> bring_into_step(std::vector<Channel>& channels)
     if (!unknown.empty()) {
         if (!any_known && !differ_in_length(channels)) return {};  // as a network writes the files of one record
         return {"component(s) " + unknown +
-                " do not say when they begin: all are taken to begin together, at their first samples"};
+                " have no start time: all are assumed to begin together, at their first samples"};
     }
     const auto earlier = [](const Channel& a, const Channel& b) { return *a.start < *b.start; };
     const Instant begin = *std::max_element(channels.begin(), channels.end(), earlier)->start;
@@ -141,7 +141,7 @@ std::vector<std::string> bring_into_step(std::vector<Channel>& channels)
         const double left = cut_before(begin, channel);
         std::string sentence;
         if (before - left > 0)
-            sentence = in_seconds(before - left) + " cut, to begin with the last component at " + to_text(begin);
+            sentence = in_seconds(before - left) + " cut, to start with the last component at " + to_text(begin);
         if (std::abs(left) > worth_telling)
             sentence += (sentence.empty() ? "" : ", and ") + in_seconds(std::abs(left)) + " " +
                         (left > 0 ? "early" : "late") + " of it, less than a time step";

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "libdda/model/standard_gravity.h"
 #include "records/record.h"
 
 namespace voussoir
@@ -16,9 +17,6 @@ struct Unit {
     Quantity quantity;  // that it measures
     double factor;      // SI value of one unit
 };
-
-/// Standard gravity, exact. Source: [CGPM1901], [ISO80000-3-2019]. [m/s2]
-inline constexpr double standard_gravity = 9.80665;
 
 /// A unit by any of its usual spellings ("G", "cm/sec/sec", "cm/s^2", "gal"); nothing when unknown.
 std::optional<Unit> find_unit(std::string_view text);

@@ -16,7 +16,7 @@ ROOMS = ("libdda", "importers", "records", "app", "tests")
 PROJECT_RULES = {
     "libdda/": ("libdda/",),
     "importers/": ("importers/", "libdda/geometry/", "libdda/errors.h"),
-    "records/": ("records/", "libdda/model/ground_motion.h", "libdda/errors.h"),
+    "records/": ("records/", "libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "libdda/errors.h"),
     "app/": ("app/", "importers/", "records/", "libdda/"),
     "tests/": ("tests/", "app/", "importers/", "records/", "libdda/"),
 }

@@ -8,22 +8,22 @@ import copy
 import math
 import sys
 
-MOST_RESIDUAL = 0.01  # of the energy that moved, was stored, put in or lost
-MOST_DAMPING = 1e-6  # of the energy put in: what settling under self-weight takes
-LEAST_OPENING = 5  # mm
-LEAST_TIME_STEP = 1e-3  # s, at h
+MAX_RESIDUAL = 0.01  # of the energy that moved, was stored, put in or lost
+MAX_DAMPING = 1e-6  # of the energy put in: what settling under self-weight takes
+MIN_OPENING = 5  # mm
+MIN_TIME_STEP = 1e-3  # s, at h
 LONGEST_SHORT_RUN = 300  # s
 LONGEST_STUDY = 7200  # s, on two cores
 MEMBERS = 5  # whose medians are compared
 DISTRUST = ("unaccounted for", "came from contacts")  # in what a run warns of
 JUDGED_SETTINGS = (0, 1)  # h and h / 2; the third, a stiffer contact, is a sensitivity
 
-CRITERIA = (f"every run gets to its end without giving up or collapse, at a step h of {1000 * LEAST_TIME_STEP:g} ms or more, "
-            f"and warns of no energy that is unaccounted for or came from contacts; energy residual below "
-            f"{100 * MOST_RESIDUAL:g} %, damping below {MOST_DAMPING:g} of the energy put in, the integrator's loss neither "
-            f"negative nor all of it; in ensembles joints open by more than {LEAST_OPENING} mm; medians of {MEMBERS} members at "
+CRITERIA = (f"every run is completed without failure or collapse, at a step h of {1000 * MIN_TIME_STEP:g} ms or more, "
+            f"and without warnings of energy that is unaccounted for or came from contacts; energy residual below "
+            f"{100 * MAX_RESIDUAL:g} %, damping below {MAX_DAMPING:g} of the energy put in, the integrator's loss neither "
+            f"negative nor the whole of it; in ensembles joints open by more than {MIN_OPENING} mm; medians of {MEMBERS} members at "
             f"h and h / 2 differ by less than their spread or 10 %; 5 s in one run within {LONGEST_SHORT_RUN / 60:g} min, all "
-            f"within {LONGEST_STUDY / 3600:g} h; all of one engine and of the case as it is")
+            f"within {LONGEST_STUDY / 3600:g} h; all with one engine and the present case")
 
 
 def number(value, unknown=math.inf):
@@ -38,6 +38,11 @@ def median_of(figures, name, setting=0, unknown=math.inf):
     raise KeyError(name)
 
 
+def energy_fraction(run, name):
+    """Of the energy put in; figures of the release before call it a share."""
+    return run[f"{name}_fraction"] if f"{name}_fraction" in run else run[f"{name}_share"]
+
+
 def faults_of_run(name, run, duration):
     """Of a run of an ensemble, or of the summary of a single one told in the same words."""
     if run["failure"]:
@@ -46,12 +51,12 @@ def faults_of_run(name, run, duration):
         yield f"{name} collapsed at {run['collapse_time_s']:.3g} s"
     if not abs(number(run["simulated_time_s"]) - duration) < 1e-6:
         yield f"{name} ended after {run['simulated_time_s']} of {duration} s"
-    if not number(run["energy_residual"]) < MOST_RESIDUAL:
+    if not number(run["energy_residual"]) < MAX_RESIDUAL:
         yield f"{name} cannot account for {run['energy_residual']} of its energy"
-    if not 0 <= number(run["algorithmic_share"]) < 1:
-        yield f"{name} lost {run['algorithmic_share']} of its energy in the integrator"
-    if not number(run["damping_share"]) < MOST_DAMPING:
-        yield f"{name} lost {run['damping_share']} of its energy in dampers: there should be none"
+    if not 0 <= number(energy_fraction(run, "algorithmic")) < 1:
+        yield f"{name} lost {energy_fraction(run, 'algorithmic')} of its energy in the integrator"
+    if not number(energy_fraction(run, "damping")) < MAX_DAMPING:
+        yield f"{name} lost {energy_fraction(run, 'damping')} of its energy in dampers: there should be none"
     for warning in run["warnings"]:
         if any(words in warning for words in DISTRUST):
             yield f"{name} warns: {warning}"
@@ -61,13 +66,13 @@ def faults_of_ensemble(part, figures, duration, members):
     settings = figures["settings"]
     if len(figures["members"]) != members or len(figures["runs"]) != members * len(settings):
         yield f"{part}: {len(figures['runs'])} runs of {len(figures['members'])} members, not of {members}"
-    if not number(settings[0]["time_step_s"], 0) >= LEAST_TIME_STEP:
+    if not number(settings[0]["time_step_s"], 0) >= MIN_TIME_STEP:
         yield f"{part}: the time step is {settings[0]['time_step_s']} s"
     for run in figures["runs"]:
         if run["setting"] in JUDGED_SETTINGS:
             yield from faults_of_run(f"{part}: member {run['member']}, setting {run['setting']}", run, duration)
     opening = median_of(figures, "largest opening", unknown=0)
-    if not opening > LEAST_OPENING:
+    if not opening > MIN_OPENING:
         yield f"{part}: no joint opens by more than {opening:.3g} mm: the house hardly moves"
     if members == MEMBERS:
         for each in figures["measures"]:
@@ -82,13 +87,13 @@ def run_in_words_of_ensembles(figures):
     put_in = sum(energy[f"{source}_work_J"] for source in ("gravity", "foundation", "boundary", "load"))
     losses = sum(energy[f"{loss}_J"] for loss in ("algorithmic", "algorithmic_rotation", "redetection"))
     damped = sum(energy[f"damping_{kind}_J"] for kind in ("kinetic", "static", "contact"))
-    # Of nothing put in there is no share: null, which keeps no criterion.
-    share = (lambda joules: joules / put_in) if put_in > 0 else (lambda joules: None)
+    # Of nothing put in there is no fraction: null, which meets no criterion.
+    fraction = (lambda joules: joules / put_in) if put_in > 0 else (lambda joules: None)
     stopped = figures["outcome"] if figures["outcome"] != "completed" or figures["unconverged_steps"] else ""
     return {"failure": stopped and f"{stopped}, {figures['unconverged_steps']} steps not converged; {figures['message']}",
             "collapse_time_s": None, "simulated_time_s": figures["simulated_time_s"],
-            "energy_residual": energy["residual"], "algorithmic_share": share(losses),
-            "damping_share": share(damped), "warnings": figures["warnings"]}
+            "energy_residual": energy["residual"], "algorithmic_fraction": fraction(losses),
+            "damping_fraction": fraction(damped), "warnings": figures["warnings"]}
 
 
 def faults(found, expected):
@@ -113,7 +118,7 @@ def faults(found, expected):
             continue
         yield from faults_of_run(part, run_in_words_of_ensembles(figures), asked["duration"])
         for stage in figures["integrator"]:
-            if stage["type"] == "dynamic" and not stage["time_step_s"] >= LEAST_TIME_STEP:
+            if stage["type"] == "dynamic" and not stage["time_step_s"] >= MIN_TIME_STEP:
                 yield f"{part}: the time step is {stage['time_step_s']} s"
         if not figures["study"]["wall_time_s"] < asked["longest"]:
             yield f"{part} took {figures['study']['wall_time_s']} s"
@@ -128,7 +133,7 @@ def faults(found, expected):
 def sound_figures():
     """A house that keeps everything: one ensemble of five members, one run of 5 s."""
     runs = [{"member": str(member), "setting": setting, "failure": "", "collapse_time_s": None, "simulated_time_s": 20.0,
-             "energy_residual": 1e-5, "algorithmic_share": 0.1, "damping_share": 1e-9, "warnings": ["3 joints ..."]}
+             "energy_residual": 1e-5, "algorithmic_fraction": 0.1, "damping_fraction": 1e-9, "warnings": ["3 joints ..."]}
             for setting in range(3) for member in range(5)]
     measures = [{"measure": "largest opening", "medians": [9.0, 9.1, 8.0], "allowed": 1.0, "agrees": True}]
     energy = {f"{name}_J": 0.0 for name in ("gravity_work", "boundary_work", "load_work", "algorithmic_rotation", "redetection",
@@ -162,8 +167,8 @@ DAMAGES = (
     (lambda f: f["many"]["runs"][0].update(simulated_time_s=19.9), "ended after 19.9"),
     (lambda f: f["many"]["runs"][0].update(energy_residual=0.011), "cannot account"),
     (lambda f: f["many"]["runs"][0].update(energy_residual=None), "cannot account"),
-    (lambda f: f["many"]["runs"][0].update(algorithmic_share=-0.01), "in the integrator"),
-    (lambda f: f["many"]["runs"][0].update(damping_share=1e-3), "in dampers"),
+    (lambda f: f["many"]["runs"][0].update(algorithmic_fraction=-0.01), "in the integrator"),
+    (lambda f: f["many"]["runs"][0].update(damping_fraction=1e-3), "in dampers"),
     (lambda f: f["many"]["runs"][0].update(warnings=["5 % of the energy came from contacts"]), "warns"),
     (lambda f: f["many"]["measures"][0].update(medians=[4.9, 4.9, 4.9]), "hardly moves"),
     (lambda f: f["many"]["measures"][0].update(medians=[None, None, None]), "hardly moves"),

@@ -25,7 +25,7 @@ Eigen::Vector3d top_of(const Block& block)
 std::vector<int> matching_blocks(YamlCursor& entry, const Model& model)
 {
     std::vector<int> blocks;
-    const std::optional<YamlCursor> pattern = entry.require("blocks", "names of blocks, * stands for any letters");
+    const std::optional<YamlCursor> pattern = entry.require("blocks", "names of blocks; * matches any characters");
     if (!pattern) return blocks;
     const std::string wanted = pattern->as_text();
     std::vector<std::string> names;
@@ -65,7 +65,7 @@ void read_entry(YamlCursor& entry, Model& model)
     entry.reject_unknown_keys();
     if (each.has_value() == total.has_value())
         return entry.fault(each ? "both mass and total" : "neither mass nor total",
-                           "give mass, of each block, or total, shared equally by all");
+                           "give mass, for each block, or total, divided equally among all");
     if (blocks.empty()) return;
     const double mass = each ? *each : *total / static_cast<double>(blocks.size());
     for (const int block : blocks) {

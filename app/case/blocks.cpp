@@ -9,14 +9,14 @@
 #include "app/case/block_reading.h"
 #include "app/case/nearest_word.h"
 #include "app/case/overlaps.h"
-#include "importers/patterns/most_blocks.h"
+#include "importers/patterns/max_blocks.h"
 
 namespace voussoir
 {
 namespace
 {
 
-constexpr std::size_t most_groups = 1000;  // more are a slip of the pen: there is a joint for every pair of them
+constexpr std::size_t max_groups = 1000;  // more are a slip of the pen: there is a joint for every pair of them
 
 /// A fault and the first group for one group too many.
 int group_index(const std::string& name, const std::string& place, BlockReading& reading)
@@ -25,8 +25,8 @@ int group_index(const std::string& name, const std::string& place, BlockReading&
     const auto at = std::find(model.groups.begin(), model.groups.end(), name);
     const auto index = at - model.groups.begin();
     if (at != model.groups.end()) return static_cast<int>(index);
-    if (model.groups.size() == most_groups) {
-        reading.findings.faults.push_back({place, fmt::format("more than {} groups", most_groups),
+    if (model.groups.size() == max_groups) {
+        reading.findings.faults.push_back({place, fmt::format("more than {} groups", max_groups),
                                            "groups are for blocks that are treated alike"});
         return 0;
     }
@@ -45,9 +45,9 @@ void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
             {reading.places.at(name_b) + ": " + blocks[overlap.block_a].name + " and " + name_b,
              fmt::format("overlap by {:.3g} m", overlap.depth), "stones may touch but not overlap"});
     }
-    if (overlaps.size() < most_overlaps) return;
+    if (overlaps.size() < max_overlaps) return;
     reading.findings.faults.push_back({reading.findings.file, "more than 1000 pairs of stones overlap",
-                                       "the stones seem to be drawn in one place"});
+                                       "the stones appear to lie at the same position"});
     blocks.clear();  // a certificate of them would have a contact for every pair
 }
 
@@ -65,7 +65,7 @@ void refuse_infinite_masses(BlockReading& reading)
         if (is_number) continue;
         reading.findings.faults.push_back({reading.places.at(block.name) + ": " + block.name,
                                            fmt::format("a volume of {:g} m3 and a mass of {:g} kg", volume, mass),
-                                           "check its size, its place and its density"});
+                                           "check its size, position and density"});
         return;
     }
 }
@@ -208,8 +208,8 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     if (entries.empty() && section->is_list())
         section->fault("no block", "give at least one mesh, box, polygon, wall or house");
     const auto are_too_many = [&](YamlCursor& where) {
-        if (model.blocks.size() <= most_blocks) return false;
-        where.fault(fmt::format("more than {} blocks", most_blocks), "give larger blocks or fewer walls");
+        if (model.blocks.size() <= max_blocks) return false;
+        where.fault(fmt::format("more than {} blocks", max_blocks), "give larger blocks or fewer walls");
         return true;
     };
     for (YamlCursor& entry : entries) {

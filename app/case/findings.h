@@ -21,7 +21,8 @@ struct Findings {
     std::vector<Fault> faults;
     std::vector<TakenDefault> defaults;
     std::vector<std::string> warnings;
-    Geometry geometry;  // what the mesh files gave, refused stones too: for the certificate
+    std::vector<std::string> former_keys;  // used by the case and warned of: once each
+    Geometry geometry;                     // what the mesh files gave, refused stones too: for the certificate
 };
 
 /// One line for each part of the case: "stages[1]: time_step = 0.002 s, integrator = newmark".

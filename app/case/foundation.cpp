@@ -46,7 +46,7 @@ void add_motion(const AxisMotion& axis, const FoundationEntry& entry, Stage& sta
 {
     if (!entry.translation_held[axis.component])
         return axis.written.fault("a motion of a free component of group \"" + entry.group + "\"",
-                                  "hold the component (fixed) or use body_acceleration");
+                                  "set the component to fixed, or use body_acceleration");
     for (const int foundation : entry.foundations) {
         const bool taken =
             std::any_of(stage.motions.begin(), stage.motions.end(), [&](const FoundationMotion& other) {

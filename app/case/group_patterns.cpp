@@ -36,7 +36,7 @@ void refuse_unused_patterns(const std::vector<GroupPattern>& patterns, const std
 {
     for (const GroupPattern& pattern : patterns)
         if (!pattern.used && !pattern.pattern.empty())
-            pattern.written.fault("\"" + pattern.pattern + "\" matches no stone that an earlier pattern left",
+            pattern.written.fault("\"" + pattern.pattern + "\" matches no stone left over from earlier patterns",
                                   how_stones_are_named);
 }
 

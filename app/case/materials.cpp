@@ -7,13 +7,12 @@
 #include <set>
 
 #include "app/case/nearest_word.h"
+#include "libdda/model/standard_gravity.h"
 
 namespace voussoir
 {
 namespace
 {
-
-constexpr double standard_gravity = 9.80665;  // m/s2, by which a weight per volume is a density
 
 /// A density, or the weight per volume that engineers' tables give.
 double read_density(YamlCursor& map)
@@ -42,7 +41,7 @@ ContactStiffness read_stiffness(YamlCursor& map)
     if (quantity.problem.empty() && quantity.has(dimension::stiffness_per_area))
         return {ContactStiffness::Kind::per_area,
                 value->as_quantity(dimension::stiffness_per_area, Range::positive())};
-    value->fault(value->found() + (quantity.bare ? " has no unit, and here it decides the meaning" : ""),
+    value->fault(value->found() + (quantity.bare ? " has no unit; the unit determines the meaning" : ""),
                  "expected 1e8 N/m (per contact point) or 50 MPa/m (per area)");
     return {};
 }
@@ -56,14 +55,15 @@ std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
     const std::optional<YamlCursor> list = map.find("friction_at_speed");
     if (!list) return points;
     double last = 0;
-    if (list->is_list_of(0)) list->fault("an empty list", "give a point, or leave friction_at_speed out");
+    if (list->is_list_of(0)) list->fault("an empty list", "give a point, or omit friction_at_speed");
     for (YamlCursor& item : list->items("a list of {speed: 1 cm/s, friction: 20 deg}")) {
         if (!item.expect_map("a point {speed: 1 cm/s, friction: 20 deg}")) continue;
         FrictionAtSpeed point;
         point.speed = item.quantity("speed", dimension::velocity, Range::positive());
         point.angle = item.quantity("friction", dimension::angle, friction_range);
         item.reject_unknown_keys();
-        if (point.speed <= last) item.fault(in_words(point.speed, dimension::velocity), "speeds must ascend");
+        if (point.speed <= last)
+            item.fault(in_words(point.speed, dimension::velocity), "speeds must be in ascending order");
         last = point.speed;
         points.push_back(point);
     }
@@ -84,7 +84,7 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
         joint.stiffness.factor = factor->as_quantity(dimension::number, Range::positive());
     joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", dimension::number,
                                                       Range::positive(), joint.shear_to_normal_stiffness);
-    joint.dashpot = map.quantity_or("dashpot", dimension::time, Range::non_negative(), joint.dashpot);
+    joint.dashpot = map.quantity_or("relaxation_time", dimension::time, Range::non_negative(), joint.dashpot);
     map.reject_unknown_keys();
     return joint;
 }
@@ -112,7 +112,7 @@ int read_default_joint(YamlCursor& top, const std::vector<JointMaterial>& joints
     if (const std::optional<YamlCursor> value = top.find("default_joint"))
         return find_name(*value, names_of(joints), "joint");
     if (joints.size() == 1) return 0;
-    if (!joints.empty()) top.require("default_joint", "the joint that applies where no rule does");
+    if (!joints.empty()) top.require("default_joint", "the joint used where no rule applies");
     return -1;
 }
 

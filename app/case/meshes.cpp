@@ -15,19 +15,19 @@ double read_unit(YamlCursor& entry)
 {
     const std::optional<YamlCursor> value = entry.find("unit");
     if (!value) {
-        entry.took_default("unit", "as the file says, else m");
+        entry.took_default("unit", "as stated in the file, otherwise m");
         return 0;
     }
     const std::string name = value->as_text();
     const ParsedQuantity one = parse_quantity("1 " + name);
     if (one.problem.empty() && one.has(dimension::length) && !one.bare) return one.value;
-    value->fault("\"" + name + "\" is no unit of length", "expected m, cm, mm, ft, in or km");
+    value->fault("\"" + name + "\" is not a unit of length", "expected m, cm, mm, ft, in or km");
     return 1;
 }
 
 /// Rounded coordinates make neighbours overlap by next to nothing; a stone that overlaps another by more than this
 /// share of its volume is a mistake.
-constexpr double most_overlap = 0.01;
+constexpr double max_overlap = 0.01;
 
 void judge_overlaps(const Geometry& geometry, BlockReading& reading)
 {
@@ -35,21 +35,21 @@ void judge_overlaps(const Geometry& geometry, BlockReading& reading)
     int small = 0;
     double largest = 0;
     for (const Overlap& overlap : geometry.overlaps) {
-        if (overlap.share > most_overlap) {
+        if (overlap.fraction > max_overlap) {
             reading.findings.faults.push_back({place + ": " + overlap.stone_a + " and " + overlap.stone_b,
                                                fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
-                                                           overlap.volume, 100 * overlap.share),
+                                                           overlap.volume, 100 * overlap.fraction),
                                                "stones may touch but not overlap by more than 1 %"});
             continue;
         }
         ++small;
-        largest = std::max(largest, overlap.share);
+        largest = std::max(largest, overlap.fraction);
     }
     if (small > 0)
-        reading.findings.warnings.push_back(fmt::format(
-            "{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: they start pressed "
-            "together; voussoir check lists them",
-            place, small, 100 * largest));
+        reading.findings.warnings.push_back(
+            fmt::format("{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: they start under "
+                        "compression; voussoir check lists them",
+                        place, small, 100 * largest));
 }
 
 void warn_of_repairs(const std::string& place, const std::vector<std::string>& repairs, Findings& findings)
@@ -68,7 +68,7 @@ void take_mesh(MeshEntry& entry, const ImportedMesh& mesh, BlockReading& reading
         warn_of_repairs(stone_place, stone.repairs, reading.findings);
         stone_refused = stone_refused || !stone.reason.empty();
         if (!stone.reason.empty()) {
-            reading.findings.faults.push_back({stone_place, stone.reason, "mend the mesh"});
+            reading.findings.faults.push_back({stone_place, stone.reason, "repair the mesh"});
         } else if (mesh.accepted) {
             add_block(stone.name, stone_place, group_of(stone.name, entry.patterns), entry.material, stone.parts,
                       reading, &stone.moments);
@@ -91,7 +91,7 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
     mesh.patterns = read_group_patterns(entry);
     mesh.request.metres_per_unit = read_unit(entry);
     const std::optional<char> up = entry.find_choice<char>("up", {{"x", 'x'}, {"y", 'y'}, {"z", 'z'}});
-    if (!up) entry.took_default("up", "as the file says, else z");
+    if (!up) entry.took_default("up", "as stated in the file, otherwise z");
     mesh.request.up = up.value_or(0);
     mesh.request.stones = entry.choice_or<StoneLevel>("stones",
                                                       {{"detect", StoneLevel::detect},

@@ -38,13 +38,13 @@ GroundMotion scale(GroundMotion motion, const Channel& channel, const Scaling& a
     if (asked.scale_to_pga && !(motion.peak_acceleration() > 0))
         throw InputError("", "its peak acceleration is 0", "it cannot be scaled to a peak");
     if (asked.end_correction && channel.quantity != Quantity::acceleration)
-        throw InputError("", "end_correction of a record that is no acceleration", "take it out");
+        throw InputError("", "end_correction of a record that is not an acceleration", "remove it");
     const double factor =
         asked.scale_to_pga ? *asked.scale_to_pga / motion.peak_acceleration() : asked.scale.value_or(1);
     if (factor != 1) description += fmt::format(" x {:g}", factor);
     if (factor != 1) motion = motion.scaled(factor);
     if (!asked.end_correction) return motion;
-    description += fmt::format(", end-corrected (took away {:.3g} m/s and {:.3g} m at the end)",
+    description += fmt::format(", end-corrected (removed {:.3g} m/s and {:.3g} m at the end)",
                                motion.residual_velocity(), motion.residual_displacement());
     return motion.with_end_correction();
 }
@@ -159,7 +159,7 @@ std::shared_ptr<const GroundMotion> read_motion(YamlCursor& map, const std::stri
     } else if (sources[0] == "sine") {
         motion = read_sine(source, stage_duration, description);
         for (const char* key : {"processing", "scale", "scale_to_pga", "end_correction"})
-            map.forbid(key, "a sine is what its figures say: change them, or take a ramped_sine");
+            map.forbid(key, "a sine is defined by its parameters: change these, or use a ramped_sine");
     } else if (const std::optional<Channel> wave = read_wave(sources[0], source, description)) {
         motion = finish(map, *wave, sources[0], source, description);
     } else {
@@ -179,7 +179,7 @@ void add_joint_motion(YamlCursor& map, const Channel& channel, int component, co
 {
     const bool is_taken = std::any_of(motions.begin(), motions.end(),
                                       [&](const AxisMotion& other) { return other.component == component; });
-    if (is_taken) return map.fault("a second channel along " + channel.component, "leave one of the two out");
+    if (is_taken) return map.fault("a second channel along " + channel.component, "omit one of the two");
     try {
         motions.push_back(
             {component, map,
@@ -199,14 +199,15 @@ std::vector<AxisMotion> read_joint_motions(YamlCursor& map, const std::string& w
     for (const Channel& channel : channels) {
         const int component = channel.component[0] - 'x';
         if (std::find(axes.begin(), axes.end(), component) == axes.end()) {
-            map.warn("the motion along " + channel.component + " is left out: the scene has no such axis");
+            map.warn("the motion along " + channel.component + " is ignored: the scene has no such axis");
             continue;
         }
         // What was done is said once, for all three.
         const std::string said = motions.empty() ? description + "; " : whose + ": the same, ";
         add_joint_motion(map, channel, component, said, context, motions);
     }
-    if (!channels.empty() && motions.empty()) map.fault("no record along x or z", "turn or name them otherwise");
+    if (!channels.empty() && motions.empty())
+        map.fault("no record along x or z", "rotate them or assign other axes");
     for (const char* axis : {"x", "y", "z"}) map.forbid(axis, "records give all axes");
     return motions;
 }

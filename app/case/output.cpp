@@ -14,7 +14,7 @@ namespace
 
 constexpr double default_interval = 0.02;  // s between frames: 25 frames a period of 2 Hz
 
-constexpr double most_intervals = 1e12;  // in a stage; they are counted in 64 bits
+constexpr double max_intervals = 1e12;  // in a stage; they are counted in 64 bits
 
 HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model& model,
                           const std::vector<std::string>& blocks)
@@ -50,7 +50,8 @@ void read_size(const YamlCursor& value, SnapshotOptions& snapshots)
     if (!(width > 0) || !(height > 0)) return;
     snapshots.width = static_cast<int>(width);
     snapshots.height = static_cast<int>(height);
-    if (snapshots.width != width || snapshots.height != height) value.fault("a part of a pixel", "whole numbers");
+    if (snapshots.width != width || snapshots.height != height)
+        value.fault("a fraction of a pixel", "whole numbers");
 }
 
 void read_times(YamlCursor& map, const std::vector<Stage>& stages, SnapshotOptions& snapshots)
@@ -60,7 +61,7 @@ void read_times(YamlCursor& map, const std::vector<Stage>& stages, SnapshotOptio
         snapshots.count = map.integer_or("count", 1, 10'000, snapshots.count);
         return;
     }
-    map.forbid("count", "the times say how many");
+    map.forbid("count", "the number follows from times");
     double end = 0;
     for (const Stage& stage : stages) end += stage.type == StageType::dynamic ? stage.duration : 0;
     for (const YamlCursor& time : times->items("a list of times, [0 s, 2.5 s]")) {
@@ -114,7 +115,7 @@ OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector
     if (!map->expect_map("output {every: 20 ms}")) return output;
     output.every = map->quantity_or("every", dimension::time, Range::positive(), default_interval);
     for (const Stage& stage : stages)
-        if (stage.type == StageType::dynamic && stage.duration / output.every > most_intervals)
+        if (stage.type == StageType::dynamic && stage.duration / output.every > max_intervals)
             map->fault(fmt::format("{:.3g} intervals in {}", stage.duration / output.every, stage.name),
                        "give a longer interval");
     const std::vector<std::string> blocks = sorted_block_names(model);

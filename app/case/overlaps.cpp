@@ -119,7 +119,7 @@ std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, std::s
             const double depth = overlap_depth(blocks[a], blocks[b]);
             const double size = std::min(tree[a].diagonal().norm(), tree[b].diagonal().norm());
             if (depth > 1e-6 * size) overlaps.push_back({a, b, depth});
-            if (overlaps.size() == most_overlaps) return overlaps;
+            if (overlaps.size() == max_overlaps) return overlaps;
         }
     return overlaps;
 }

@@ -25,7 +25,7 @@ struct BlockOverlap {
 };
 
 /// No more are looked for: stones drawn in one place overlap all with all.
-constexpr std::size_t most_overlaps = 1000;
+constexpr std::size_t max_overlaps = 1000;
 
 /// Pairs of blocks, at least one of them among the first `count`, that overlap by more than 1e-6 of the smaller
 /// one's diagonal.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/case/renamed_keys.h"
+
 namespace voussoir
 {
 namespace
@@ -47,6 +49,19 @@ void set_origin(YamlNode& node, const std::string& origin)
     for (YamlNode& item : node.items) set_origin(item, origin);
 }
 
+/// Position of a key in a map, or the number of its keys. One that stands there under its former name, or under
+/// its present one when the former is asked for, takes the name that is asked for: the last word is the user's.
+std::size_t position_of(YamlNode& map, const std::string& key)
+{
+    for (const std::string_view name : {std::string_view(key), former_name(key), present_name(key)}) {
+        const auto at = name.empty() ? map.keys.end() : std::find(map.keys.begin(), map.keys.end(), name);
+        if (at == map.keys.end()) continue;
+        *at = key;
+        return at - map.keys.begin();
+    }
+    return map.keys.size();
+}
+
 /// The child a step leads to, made if it is not there. @returns null with a fault when there is no way
 YamlNode* step_into(YamlNode& node, const PathStep& step, const std::string& place, Findings& findings)
 {
@@ -56,12 +71,11 @@ YamlNode* step_into(YamlNode& node, const PathStep& step, const std::string& pla
     if (node.kind != kind) {
         const std::string wanted = is_list ? fmt::format("[{}]", step.position) : step.key;
         findings.faults.push_back(
-            {place, fmt::format("no way to {} in {}", wanted, describe(node)),
-             is_list ? "positions are for lists" : "keys are for maps; list items are name[0]"});
+            {place, fmt::format("cannot set {} in {}", wanted, describe(node)),
+             is_list ? "only lists have positions" : "only maps have keys; list items are written as name[0]"});
         return nullptr;
     }
-    std::size_t index = step.position;
-    if (!is_list) index = std::find(node.keys.begin(), node.keys.end(), step.key) - node.keys.begin();
+    const std::size_t index = is_list ? step.position : position_of(node, step.key);
     if (index > node.items.size()) {
         findings.faults.push_back({place, fmt::format("no position [{}]", step.position),
                                    fmt::format("the list has {} entries, from [0]", node.items.size())});

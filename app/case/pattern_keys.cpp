@@ -143,7 +143,7 @@ void add_pattern(const std::vector<MasonryBlock>& blocks, const YamlCursor& map,
         return map.fault("a second block named " + block.name,
                          "the first one is at " + known->second + ": give one of them another name");
     }
-    if (blocks.empty()) return map.fault("a pattern without blocks", "leave some of it standing");
+    if (blocks.empty()) return map.fault("no block remains", "reduce the openings");
     const std::string place = map.place();
     std::vector<Block>& all = reading.model.blocks;
     all.reserve(all.size() + blocks.size());

@@ -41,7 +41,7 @@ void check_depth(const DrawnDepth& depth, const std::string& place, BlockReading
     if (apart <= same_depth * (first.high - first.low)) return;
     reading.findings.faults.push_back(
         {place, fmt::format("{}, but {} {}", in_words(depth), first.stone, in_words(first)),
-         "the stones of a planar scene have one extent along y: draw them so, or as polygons [x, z]"});
+         "all stones of a planar scene must have the same extent along y; change them, or use polygons [x, z]"});
 }
 
 /// Makes an outline; what is wrong with it becomes a fault at `place`.
@@ -60,7 +60,7 @@ std::optional<ConvexPolygon> outline_from(std::vector<Vector2d> corners, const s
 void rotate_corners(YamlCursor& rotate, const Vector2d& centre, std::vector<Vector2d>& corners)
 {
     if (!rotate.expect_map("a rotation {angle: 45 deg, about: [x, z]}")) return;
-    rotate.forbid("axis", "a box with corners [x, z] turns in the plane, from x to z");
+    rotate.forbid("axis", "a box with corners [x, z] is rotated in the plane, from x to z");
     Vector2d about = centre;
     const double angle = rotate.quantity("angle", dimension::angle, Range::any());
     if (const auto value = rotate.find("about"))
@@ -118,7 +118,7 @@ void read_polygon(YamlCursor& entry, YamlCursor& polygon, BlockReading& reading)
 {
     if (!is_planar(reading.model.kinematics))
         return polygon.fault("a polygon in a spatial scene",
-                             "draw a box or a mesh, or set kinematics: planar_rigid or planar_deformable");
+                             "use a box or a mesh, or set kinematics: planar_rigid or planar_deformable");
     if (!polygon.expect_map("a polygon {name, corners: [[x, z], ...]}")) return;
     const std::size_t faults_before = reading.findings.faults.size();
     const std::string name = polygon.text("name", "the block's name");

@@ -49,7 +49,8 @@ Eigen::Vector3d read_place(const YamlCursor& value, Kinematics kinematics)
     const Eigen::Vector3d place = read_vector(value, dimension::length, kinematics);
     if (!is_planar(kinematics)) return place;
     if (std::abs(place.y()) > 0)
-        value.warn(fmt::format("y = {:g} m is left away: all points across a planar scene move alike", place.y()));
+        value.warn(fmt::format(
+            "y = {:g} m is ignored: all points through the thickness of a planar scene move alike", place.y()));
     return {place.x(), 0, place.z()};
 }
 

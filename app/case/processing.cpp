@@ -16,8 +16,8 @@ namespace
 
 using std::numbers::pi;
 
-/// A quantity that is a length of time or a share: `2 s` or `5 %`.
-bool is_share(const YamlCursor& value)
+/// A quantity that is a length of time or a fraction: `2 s` or `5 %`.
+bool is_fraction(const YamlCursor& value)
 {
     return value.found().find('%') != std::string::npos;
 }
@@ -25,8 +25,8 @@ bool is_share(const YamlCursor& value)
 ProcessingStep read_window(YamlCursor& map)
 {
     if (!map.expect_map("{from: 10 s, to: 30 s} or {arias: [0.1 %, 99 %]}")) return TimeWindow{};
-    const std::optional<YamlCursor> shares = map.find("arias");
-    if (!shares) {
+    const std::optional<YamlCursor> fractions = map.find("arias");
+    if (!fractions) {
         TimeWindow window;
         window.start = map.quantity_or("from", dimension::time, Range::any(), 0);
         if (const auto end = map.find_quantity("to", dimension::time, Range::positive())) window.end = *end;
@@ -34,12 +34,12 @@ ProcessingStep read_window(YamlCursor& map)
         return window;
     }
     AriasWindow window;
-    const std::vector<YamlCursor> pair = shares->items("two shares, [0.1 %, 99 %]");
+    const std::vector<YamlCursor> pair = fractions->items("two fractions, [0.1 %, 99 %]");
     if (pair.size() == 2) {
         window.from = pair[0].as_quantity(dimension::number, Range::any());
         window.to = pair[1].as_quantity(dimension::number, Range::any());
     } else {
-        shares->fault(std::to_string(pair.size()) + " entries", "write two shares, [0.1 %, 99 %]");
+        fractions->fault(std::to_string(pair.size()) + " entries", "write two fractions, [0.1 %, 99 %]");
     }
     window.lead = map.quantity_or("lead", dimension::time, Range::any(), 0);
     if (const auto longest = map.find_quantity("longest", dimension::time, Range::positive()))
@@ -51,8 +51,8 @@ ProcessingStep read_window(YamlCursor& map)
 ProcessingStep read_taper(const YamlCursor& value)
 {
     Taper taper;
-    if (is_share(value))
-        taper.share = value.as_quantity(dimension::number, Range::positive());
+    if (is_fraction(value))
+        taper.fraction = value.as_quantity(dimension::number, Range::positive());
     else
         taper.seconds = value.as_quantity(dimension::time, Range::positive());
     return taper;
@@ -185,15 +185,16 @@ std::optional<ProcessingStep> read_word(const YamlCursor& item)
 std::optional<ProcessingStep> read_step(YamlCursor& item)
 {
     if (item.is_scalar()) return read_word(item);
-    if (!item.expect_map("a step: mean, end_correction, or {window: ...} and its like")) return std::nullopt;
+    if (!item.expect_map("a step: mean, end_correction, {window: ...} or similar")) return std::nullopt;
     std::optional<ProcessingStep> step;
     for (const StepReader& reader : step_readers()) {
         std::optional<YamlCursor> value = item.find(reader.key);
         if (!value) continue;
-        if (step) item.fault("two steps in one entry", "write each as an entry of its own: their order counts");
+        if (step) item.fault("two steps in one entry", "write each as a separate entry: the order matters");
         step = reader.read(*value);
     }
-    for (const char* word : {"mean", "end_correction"}) item.forbid(word, "write it as a word, without figures");
+    for (const char* word : {"mean", "end_correction"})
+        item.forbid(word, "write it as a single word, without parameters");
     item.reject_unknown_keys();
     return step;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/case/nearest_word.h"
+#include "libdda/model/standard_gravity.h"
 
 namespace voussoir
 {
@@ -20,7 +21,6 @@ struct Unit {
     std::array<int, 4> exponents;
 };
 
-constexpr double standard_gravity = 9.80665;  // m/s2
 constexpr double degree = std::numbers::pi / 180;
 
 constexpr Unit units[] = {

@@ -94,7 +94,7 @@ void require_directions(const YamlCursor& records, const std::vector<Channel>& c
 {
     for (std::size_t i = 0; i < channels.size(); ++i)
         if (!channels[i].is_vertical && !channels[i].azimuth)
-            records.fault(fmt::format("channel {} does not say where it points", i + 1),
+            records.fault(fmt::format("channel {} has no direction", i + 1),
                           "give azimuths: [0 deg, 90 deg, up], or axes: [x, y, z], one for each channel");
 }
 
@@ -159,7 +159,7 @@ const Channel* choose_channel(YamlCursor& map, const YamlCursor& file, const Rec
     if (!component) {
         std::string list;
         for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-        file.fault(fmt::format("{} channels in the record", names.size()), "say which with component: " + list);
+        file.fault(fmt::format("{} channels in the record", names.size()), "select one with component: " + list);
         return nullptr;
     }
     const std::string wanted = component->as_text();

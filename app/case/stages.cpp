@@ -43,7 +43,7 @@ int read_collapse(YamlCursor& map)
 {
     if (!map.expect_map("collapse {stop_after: 1}")) return 0;
     const int blocks = map.find("stop_after") ? map.integer_or("stop_after", 1, 1'000'000'000, 1) : 0;
-    if (blocks == 0) map.require("stop_after", "how many fallen blocks end the run, such as 1");
+    if (blocks == 0) map.require("stop_after", "the number of fallen blocks at which the run ends, such as 1");
     map.reject_unknown_keys();
     return blocks;
 }
@@ -134,13 +134,13 @@ StageEntry* stage_of_motion(const FoundationEntry& foundation, std::vector<Stage
     if (dynamic.empty())
         foundation.motion->fault("a motion, but no dynamic stage", "add a stage of type dynamic");
     else
-        foundation.motion->fault(fmt::format("{} dynamic stages it could act in", dynamic.size()),
+        foundation.motion->fault(fmt::format("{} dynamic stages in which it could act", dynamic.size()),
                                  "name one with motion_stage, or give the stages their own motion");
     return nullptr;
 }
 
 /// More steps than this are a slip of the pen: at a millisecond each they take eleven days.
-constexpr double most_steps = 1e9;
+constexpr double max_steps = 1e9;
 
 /// A dynamic stage without duration lasts as long as its longest motion.
 void settle_duration(StageEntry& entry)
@@ -154,14 +154,14 @@ void settle_duration(StageEntry& entry)
     for (const FoundationMotion& motion : stage.motions) consider(motion.motion);
     for (const BodyAcceleration& load : stage.body_accelerations) consider(load.motion);
     stage.duration = entry.duration.value_or(longest);
-    if (stage.duration / stage.control.time_step > most_steps)
+    if (stage.duration / stage.control.time_step > max_steps)
         entry.written.fault(
             fmt::format("{:.3g} steps: {:g} s in steps of {:g} s", stage.duration / stage.control.time_step,
                         stage.duration, stage.control.time_step),
-            fmt::format("a stage has at most {:g}", most_steps));
+            fmt::format("a stage has at most {:g}", max_steps));
     if (entry.duration) return;
     if (longest > 0)
-        entry.written.took_default("duration", fmt::format("{:g} s, of its longest motion", longest));
+        entry.written.took_default("duration", fmt::format("{:g} s, that of its longest motion", longest));
     else if (!entry.expects_motion)  // else its motion could not be read, and that is said already
         entry.written.require("duration", "a time such as 20 s; there is no motion to take it from");
 }
@@ -173,9 +173,9 @@ void refuse_published_iteration_of(const std::vector<JointMaterial>& joints, Sta
     for (const JointMaterial& joint : joints)
         if (joint.has_strength() || joint.dashpot > 0)
             entry.written.fault(
-                "open_close: published has no cohesion, tensile strength or dashpots, which joint " + joint.name +
-                    " has",
-                "take newton, or joints with friction only");
+                "open_close: published has no cohesion, tensile strength or relaxation time, which joint " +
+                    joint.name + " has",
+                "use newton, or joints with friction only");
 }
 
 std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d& gravity)
@@ -224,7 +224,7 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
 {
     const Eigen::Vector3d gravity = read_gravity(top, model.kinematics);
     std::vector<Stage> stages;
-    std::optional<YamlCursor> section = top.require("stages", "what happens, [{name: self-weight, type: static}]");
+    std::optional<YamlCursor> section = top.require("stages", "the stages, [{name: self-weight, type: static}]");
     if (!section) return stages;
     std::vector<StageEntry> entries = read_entries(*section, gravity);
     for (FoundationEntry& foundation : foundations) {

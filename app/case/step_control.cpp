@@ -30,7 +30,7 @@ void read_open_close(YamlCursor& stage, StepControl& control)
         "open_close", {{"newton", OpenClose::newton}, {"published", OpenClose::published}}, control.open_close);
     if (control.open_close == OpenClose::published) {
         for (const char* key : {"max_open_close", "force_tolerance"})
-            stage.forbid(key, "the published iteration has six passes and no tolerance of force");
+            stage.forbid(key, "the published iteration has six passes and no force tolerance");
         control.max_open_close = published_open_close;
         return;
     }
@@ -44,7 +44,7 @@ void read_motion_control(YamlCursor& stage, StepControl& control)
 {
     if (control.open_close == OpenClose::published) {
         for (const char* key : {"integrator", "dissipation", "divide_up_to_blocks"})
-            stage.forbid(key, "the published iteration has the integrator newmark and whole steps");
+            stage.forbid(key, "the published iteration has the integrator newmark and undivided steps");
         return;
     }
     read_integrator(stage, control);

@@ -73,7 +73,7 @@ void read_wall(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
 void read_house(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
 {
     if (is_planar(reading.model.kinematics))
-        return map.fault("a house in a planar scene", "draw a wall, or set kinematics to a spatial one");
+        return map.fault("a house in a planar scene", "use a wall, or set kinematics to a spatial one");
     if (!map.expect_map("a house {length, width, height, wall_thickness, block: [length, height], ...}")) return;
     const std::size_t faults_before = reading.findings.faults.size();
     House asked;

@@ -149,7 +149,7 @@ const std::vector<std::string>& wave_keys()
 
 std::optional<Channel> read_wave(const std::string& key, YamlCursor& value, std::string& description)
 {
-    if (!value.expect_map("the figures of a " + key)) return std::nullopt;
+    if (!value.expect_map("the parameters of a " + key)) return std::nullopt;
     try {
         if (key == "ramped_sine") return sample_wave(read_ramped_sine(value), value, description);
         if (key == "sweep") return sample_wave(read_sweep(value), value, description);

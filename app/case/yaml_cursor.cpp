@@ -8,12 +8,13 @@
 #include <unordered_map>
 
 #include "app/case/nearest_word.h"
+#include "app/case/renamed_keys.h"
 
 namespace voussoir
 {
 namespace
 {
-constexpr std::size_t most_faults = 1000;  // nobody reads more, and a hostile file has a million
+constexpr std::size_t max_faults = 1000;  // nobody reads more, and a hostile file has a million
 
 bool contains(const std::vector<std::string>& words, const std::string& word)
 {
@@ -32,9 +33,9 @@ std::string YamlCursor::place() const
 void YamlCursor::fault(std::string found, std::string expected) const
 {
     findings_->faults.push_back({place(), std::move(found), std::move(expected)});
-    if (findings_->faults.size() < most_faults) return;
+    if (findings_->faults.size() < max_faults) return;
     std::vector<Fault> faults = findings_->faults;
-    faults.push_back({findings_->file, "so many faults that reading stopped here", "mend the ones above first"});
+    faults.push_back({findings_->file, "too many faults; reading stopped here", "correct those above first"});
     throw InputError(std::move(faults));
 }
 
@@ -92,8 +93,7 @@ std::vector<std::pair<std::string, YamlCursor>> YamlCursor::named_entries(std::s
 void YamlCursor::report_duplicate(std::size_t first, std::size_t second) const
 {
     child(node_->items[second], node_->keys[second].empty() ? "\"\"" : node_->keys[second])
-        .fault(fmt::format("written a second time (first in line {})", node_->items[first].line),
-               "keep one of them");
+        .fault(fmt::format("given twice (first in line {})", node_->items[first].line), "keep one of them");
 }
 
 std::string YamlCursor::as_text() const
@@ -152,10 +152,33 @@ Eigen::Vector2d YamlCursor::as_plane_vector(const Dimension& dimension) const
 std::optional<YamlCursor> YamlCursor::find(const std::string& key)
 {
     asked_.push_back(key);
-    if (!is_map()) return std::nullopt;
-    const auto at = std::find(node_->keys.begin(), node_->keys.end(), key);
-    if (at == node_->keys.end()) return std::nullopt;
-    return child(node_->items[at - node_->keys.begin()], key);
+    const std::optional<YamlCursor> value = at(key);
+    const std::optional<YamlCursor> former = find_former(key, value.has_value());
+    return value ? value : former;
+}
+
+std::optional<YamlCursor> YamlCursor::at(const std::string& key) const
+{
+    const auto place = std::find(node_->keys.begin(), node_->keys.end(), key);
+    if (place == node_->keys.end()) return std::nullopt;
+    return child(node_->items[place - node_->keys.begin()], key);
+}
+
+/// The value under the name that the key had in the release before, if it is used.
+std::optional<YamlCursor> YamlCursor::find_former(const std::string& key, bool is_given)
+{
+    const std::string name(former_name(key));
+    const std::optional<YamlCursor> former = name.empty() ? std::nullopt : at(name);
+    if (!former) return std::nullopt;
+    forbidden_.push_back(name);  // known, but not a word to suggest
+    if (is_given) {
+        former->fault(fmt::format("the former name of {}, which is given too", key), "keep " + key);
+    } else if (!contains(findings_->former_keys, name)) {
+        findings_->former_keys.push_back(name);
+        former->warn(
+            fmt::format("this key is now called {}; the former name is accepted in this release only", key));
+    }
+    return former;
 }
 
 std::optional<YamlCursor> YamlCursor::require(const std::string& key, std::string_view what)

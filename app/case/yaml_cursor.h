@@ -56,7 +56,7 @@ class YamlCursor
     Eigen::Vector3d as_vector(const Dimension& dimension) const;        // [x, y, z]
     Eigen::Vector2d as_plane_vector(const Dimension& dimension) const;  // [x, z]
 
-    // Keys of a map.
+    // Keys of a map. A key that was renamed is also found under its former name, with a warning; both are a fault.
     std::optional<YamlCursor> find(const std::string& key);
     std::optional<YamlCursor> require(const std::string& key, std::string_view what);  // a fault when missing
     /// A key that is known elsewhere but means nothing here.
@@ -82,6 +82,9 @@ class YamlCursor
     YamlCursor child(const YamlNode& node, const std::string& key) const;
     template <int N>
     Eigen::Matrix<double, N, 1> as_components(const Dimension& dimension, std::string_view form) const;
+    /// The value at a key as it is written; none when the node is no map.
+    std::optional<YamlCursor> at(const std::string& key) const;
+    std::optional<YamlCursor> find_former(const std::string& key, bool is_given);
     void report_duplicate(std::size_t first, std::size_t second) const;
     /// Index of the scalar at `key` among `names`; -1 with a fault when it is none; -2 when the key is absent.
     int find_word(const std::string& key, const std::vector<std::string>& names);

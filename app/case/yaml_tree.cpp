@@ -17,7 +17,7 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t most_nodes = 1'000'000;
+constexpr std::size_t max_nodes = 1'000'000;
 
 /// Where a line is, for faults.
 struct Placer {
@@ -74,7 +74,7 @@ void refuse_open_brackets(const std::string& text, const Placer& placer)
         if (text[i] == ']' || text[i] == '}') --depth;
         if (depth > deepest)
             throw InputError(placer.at(line_of(text, i)), "more than 1000 brackets that are not closed",
-                             "a case nests a few levels");
+                             "a case has only a few levels of nesting");
     }
 }
 
@@ -99,7 +99,7 @@ class TreeBuilder : public YAML::EventHandler
     void OnDocumentEnd() override {}
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override
     {
-        refuse(mark, "an alias (*)", "write the value out; anchors and aliases are not read");
+        refuse(mark, "an alias (*)", "write the value itself; anchors and aliases are not supported");
     }
     void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { add(node(YamlNode::Kind::null, mark, "")); }
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, const std::string& text) override
@@ -131,8 +131,8 @@ class TreeBuilder : public YAML::EventHandler
     YamlNode node(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag)
     {
         // yaml-cpp gives "?" to what is plain and "!" to what is quoted.
-        if (!tag.empty() && tag != "?" && tag != "!") refuse(mark, "the tag " + tag, "tags are not read");
-        if (++nodes_ > most_nodes) refuse(mark, "more than a million values", "split or shorten the case");
+        if (!tag.empty() && tag != "?" && tag != "!") refuse(mark, "the tag " + tag, "tags are not supported");
+        if (++nodes_ > max_nodes) refuse(mark, "more than a million values", "split or shorten the case");
         YamlNode made;
         made.kind = kind;
         made.line = mark.line + 1;
@@ -196,7 +196,7 @@ YamlNode parse_yaml(const std::string& text, const std::string& name, bool with_
             throw InputError(placer.at(rest.root.line), "a second YAML document", "one case per file");
     } catch (const YAML::DeepRecursion& error) {
         throw InputError(placer.at(error.mark.line + 1), "lists or maps nested too deep",
-                         "a case nests a few levels");
+                         "a case has only a few levels of nesting");
     } catch (const YAML::Exception& error) {
         throw InputError(placer.at(error.mark.is_null() ? 1 : error.mark.line + 1), "not valid YAML: " + error.msg,
                          "check the indentation, brackets and quotes here and on the line before");

@@ -15,7 +15,7 @@ namespace voussoir
 {
 
 /// Longer tables are cut short in print; the JSON has all rows.
-constexpr std::size_t most_rows = 60;
+constexpr std::size_t max_rows = 60;
 
 /// A mesh file as `import` sees it: by itself.
 struct CertifiedFile {

@@ -32,7 +32,7 @@ void draw_refused(Album& album)
     }
 }
 
-constexpr std::size_t most_overlaps = 8;
+constexpr std::size_t max_overlaps = 8;
 
 void draw_overlaps(Album& album)
 {
@@ -40,14 +40,14 @@ void draw_overlaps(Album& album)
     std::vector<StoneOverlap> overlaps = album.assembly.overlaps;
     std::stable_sort(overlaps.begin(), overlaps.end(),
                      [](const StoneOverlap& a, const StoneOverlap& b) { return a.volume > b.volume; });
-    if (overlaps.size() > most_overlaps) {  // other findings want pictures too
-        album.left_out += overlaps.size() - most_overlaps;
-        overlaps.resize(most_overlaps);
+    if (overlaps.size() > max_overlaps) {  // other findings want pictures too
+        album.left_out += overlaps.size() - max_overlaps;
+        overlaps.resize(max_overlaps);
     }
     for (const StoneOverlap& overlap : overlaps) {
         DefectPicture picture = pair_picture(album, overlap.a, overlap.b, "they overlap");
         picture.marks.push_back({overlap_mark(album.assembly, overlap), MarkLook::defect});
-        picture.mark_legend.emplace_back(MarkLook::defect, "space that both take");
+        picture.mark_legend.emplace_back(MarkLook::defect, "region occupied by both");
         picture.notes = notes_about(album.assembly, "overlaps", overlap.a);
         add_picture(std::move(picture),
                     album.assembly.stones[overlap.a].name + "_" + album.assembly.stones[overlap.b].name, album);
@@ -94,7 +94,7 @@ void draw_gaps(Album& album)
             if (finding.kind == "gaps" && &group - album.assembly.gap_groups.data() ==
                                               std::count_if(album.assembly.findings.data(), &finding,
                                                             [](const auto& f) { return f.kind == "gaps"; }))
-                picture.notes = {finding.what, "What to do: " + finding.advice};
+                picture.notes = {finding.what, "Remedy: " + finding.advice};
         add_picture(std::move(picture),
                     album.assembly.stones[gap.a].name + "_" + album.assembly.stones[gap.b].name, album);
     }
@@ -106,7 +106,7 @@ void draw_poor_contacts(Album& album)
         if (contact.touch == Touch::face) continue;
         const bool tilted = contact.touch == Touch::tilted;
         DefectPicture picture =
-            pair_picture(album, contact.a, contact.b, tilted ? "an edge touches" : "hardly touch");
+            pair_picture(album, contact.a, contact.b, tilted ? "edge contact only" : "hardly touch");
         const std::string label = tilted ? "open up to " + length_words(contact.largest_gap)
                                          : fmt::format("{:.2g} m2 touch", contact.area);
         picture.marks.push_back({contact_mark(contact, label), MarkLook::contact});
@@ -197,7 +197,8 @@ std::vector<fs::path> draw_certificate(const std::string& title, const Assembly&
     draw_slivers(album);
     draw_poor_contacts(album);
     if (album.left_out > 0)
-        fmt::print(stderr, "note: {} more findings have no picture: mend some and look again\n", album.left_out);
+        fmt::print(stderr, "note: {} more findings have no picture: repair some and check again\n",
+                   album.left_out);
     try {
         return draw_defects(album.pictures, folder);
     } catch (const InputError& error) {

@@ -16,7 +16,7 @@ const char* words_of(Touch touch)
         case Touch::face:
             return "";
         case Touch::tilted:
-            return "tilted: an edge touches";
+            return "tilted: edge contact only";
         case Touch::corner:
             return "a corner touches";
         case Touch::edge:
@@ -73,22 +73,22 @@ void print_contact_graph(const Assembly& assembly)
                assembly.components.size(), assembly.components.size() == 1 ? "" : "s", ground_words(assembly));
     if (assembly.contacts.empty()) return;
     fmt::print("  {:<24} {:<24} {:>10} {:>8} {:>13}\n", "stone", "stone", "area m2", "patches", "smallest gap");
-    for (std::size_t i = 0; i < std::min(assembly.contacts.size(), most_rows); ++i) {
+    for (std::size_t i = 0; i < std::min(assembly.contacts.size(), max_rows); ++i) {
         const StoneContact& contact = assembly.contacts[i];
         fmt::print("  {:<24} {:<24} {:>10.4g} {:>8} {:>11.1e} m {}\n", assembly.stones[contact.a].name,
                    assembly.stones[contact.b].name, contact.area, contact.patches, contact.smallest_gap,
                    words_of(contact.touch));
     }
-    if (assembly.contacts.size() > most_rows)
+    if (assembly.contacts.size() > max_rows)
         fmt::print("  and {} more pairs: --json and contact_graph.csv (-o DIR) have them all\n",
-                   assembly.contacts.size() - most_rows);
+                   assembly.contacts.size() - max_rows);
 }
 
 void print_findings(const Assembly& assembly)
 {
     if (assembly.stones.empty()) return;
     if (assembly.findings.empty()) {
-        fmt::print("the stones stand together without fault\n");
+        fmt::print("no faults were found in the assembly of the stones\n");
         return;
     }
     fmt::print("findings:\n");

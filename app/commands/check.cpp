@@ -20,9 +20,9 @@ namespace
 /// All contact patches of one pair of blocks.
 struct PairContact {
     int points = 0;
-    double area = 0;                                     // m2
-    double smallest_gap = 1e300;                         // m, < 0 overlapping
-    double least_stiffness = 1e300, most_stiffness = 0;  // Pa/m
+    double area = 0;                                    // m2
+    double smallest_gap = 1e300;                        // m, < 0 overlapping
+    double least_stiffness = 1e300, max_stiffness = 0;  // Pa/m
 };
 
 using PairContacts = std::map<std::pair<int, int>, PairContact>;
@@ -34,7 +34,7 @@ void add_contacts(const ContactSetIn<D>& contacts, PairContacts& pairs)
         PairContact& pair = pairs[std::minmax(patch.block_a, patch.block_b)];
         pair.points += patch.point_count;
         pair.least_stiffness = std::min(pair.least_stiffness, patch.stiffness);
-        pair.most_stiffness = std::max(pair.most_stiffness, patch.stiffness);
+        pair.max_stiffness = std::max(pair.max_stiffness, patch.stiffness);
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const ContactPointIn<D>& point = contacts.points[i];
             pair.area += point.area;
@@ -64,8 +64,8 @@ void print_blocks(const Model& model)
             stored_vector(block.moments.centroid + model.origin, model.kinematics);
         volume += block.moments.volume;
         mass += model.mass(static_cast<int>(i));
-        if (i == most_rows) fmt::print("  ... (--json has all blocks)\n");
-        if (i >= most_rows) continue;
+        if (i == max_rows) fmt::print("  ... (--json has all blocks)\n");
+        if (i >= max_rows) continue;
         fmt::print("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}  [{:.4f}]\n", block.name, model.groups[block.group],
                    model.materials[block.material].name, block.moments.volume, model.mass(static_cast<int>(i)),
                    fmt::join(centroid, ", "));
@@ -77,8 +77,8 @@ void print_foundations(const Model& model)
 {
     std::size_t row = 0;
     for (const Foundation& foundation : model.foundations) {
-        if (row++ == most_rows) fmt::print("and {} more foundations\n", model.foundations.size() - most_rows);
-        if (row > most_rows) return;
+        if (row++ == max_rows) fmt::print("and {} more foundations\n", model.foundations.size() - max_rows);
+        if (row > max_rows) return;
         std::string held;
         for (const int axis : axes_of(model.kinematics))
             held += fmt::format("{} {}, ", static_cast<char>('x' + axis),
@@ -100,11 +100,11 @@ void print_contacts(const Model& model)
         const auto& [a, b] = pair;
         points += contact.points;
         area += contact.area;
-        if (row++ == most_rows) fmt::print("  ... (contact_graph.csv of -o DIR has all pairs)\n");
-        if (row > most_rows) continue;
+        if (row++ == max_rows) fmt::print("  ... (contact_graph.csv of -o DIR has all pairs)\n");
+        if (row > max_rows) continue;
         fmt::print("  {:<24} {:<24} {:>6} {:>10.4g} {:>11.1e} m {:>12.4g}  {}\n", model.blocks[a].name,
-                   model.blocks[b].name, contact.points, contact.area, contact.smallest_gap,
-                   contact.most_stiffness, model.joint_between(a, b).name);
+                   model.blocks[b].name, contact.points, contact.area, contact.smallest_gap, contact.max_stiffness,
+                   model.joint_between(a, b).name);
     }
     fmt::print("  {} pairs of blocks, {} points, {:.6g} m2\n", pairs.size(), points, area);
 }

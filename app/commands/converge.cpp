@@ -38,8 +38,9 @@ Threshold threshold_of(const ConvergeArguments& arguments)
     Threshold threshold = read_threshold(*arguments.threshold);
     threshold.bracket = read_positive("--bracket", arguments.bracket, dimension::number);
     if (threshold.bracket < least_bracket || threshold.bracket > widest_bracket)
-        throw InputError("--bracket", "\"" + arguments.bracket + "\"",
-                         fmt::format("write a share from {:g} to {:g}, as 1 %", least_bracket, widest_bracket));
+        throw InputError(
+            "--bracket", "\"" + arguments.bracket + "\"",
+            fmt::format("write a fraction from {:g} to {:g}, such as 1 %", least_bracket, widest_bracket));
     return threshold;
 }
 
@@ -85,8 +86,8 @@ ConvergeStudy run_chosen(const ConvergeArguments& arguments)
     if (arguments.threshold) threshold = threshold_of(arguments);
     if (threshold && !rule.sizes && !rule.length)
         throw InputError("--threshold",
-                         "a threshold needs a collapse, and --collapse-displacement none knows none",
-                         "give it a share of a block's size or a length");
+                         "a threshold requires a collapse criterion, but --collapse-displacement is none",
+                         "give a fraction of the block size or a length");
     Case the_case = read_case(arguments.case_file, arguments.overrides);
     for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
     const std::vector<Quantity> quantities = read_quantities(arguments.quantities, the_case);

@@ -77,7 +77,7 @@ void print_materials(const Model& model)
     for (const JointMaterial& joint : model.joints) {
         fmt::print(
             "joint {}: friction {:g} deg, cohesion {:g} Pa, tensile strength {:g} Pa, contact stiffness {}, "
-            "shear to normal {:g}, dashpot {:g} s\n",
+            "shear to normal {:g}, relaxation time {:g} s\n",
             joint.name, joint.friction_angle * 180 / std::numbers::pi, joint.cohesion, joint.tensile_strength,
             in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.dashpot);
         for (const FrictionAtSpeed& point : joint.friction_at_speed)
@@ -97,7 +97,7 @@ void print_case(const Case& the_case)
     print_wrapped("left out: " + joined(left_out(the_case)), "");
     std::vector<std::string> motions;
     for (const MotionNote& note : the_case.motions)
-        motions.push_back(fmt::format("{}; peak {:.3g} m/s2, at the end {:.3g} m/s and {:.3g} m", note.description,
+        motions.push_back(fmt::format("{}; peak {:.3g} m/s2, residual {:.3g} m/s and {:.3g} m", note.description,
                                       note.peak_acceleration, note.residual_velocity, note.residual_displacement));
     print_list("motions", motions);
     print_list("defaults taken", the_case.defaults);

@@ -46,15 +46,15 @@ void print_mesh(const CertifiedFile& file)
     fmt::print("{}: {}, {} stones, unit {:g} m ({})\n", mesh.file, mesh.accepted ? "accepted" : "refused",
                mesh.stones.size(), mesh.metres_per_unit, mesh.unit_from);
     for (const std::string& repair : mesh.repairs) fmt::print("  repaired: {}\n", repair);
-    for (std::size_t i = 0; i < std::min(mesh.stones.size(), most_rows); ++i) {
+    for (std::size_t i = 0; i < std::min(mesh.stones.size(), max_rows); ++i) {
         const Stone& stone = mesh.stones[i];
         if (stone.reason.empty())
             fmt::print("  {}: {} convex part{}, {:.6g} m3\n", stone.name, stone.parts.size(),
                        stone.parts.size() == 1 ? "" : "s", stone.moments.volume);
         for (const std::string& repair : stone.repairs) fmt::print("  {}: repaired: {}\n", stone.name, repair);
     }
-    if (mesh.stones.size() > most_rows)
-        fmt::print("  and {} more stones: --json has them all\n", mesh.stones.size() - most_rows);
+    if (mesh.stones.size() > max_rows)
+        fmt::print("  and {} more stones: --json has them all\n", mesh.stones.size() - max_rows);
     print_contact_graph(file.assembly);
     print_findings(file.assembly);
 }

@@ -35,14 +35,15 @@ void expect_writable(const std::optional<fs::path>& json, const std::optional<fs
                              "name a file in a folder that exists");
     }
     if (folder && !can_be_made_in(*folder))
-        throw InputError("-o " + folder->string(), "cannot be made or written", "name a folder that can be made");
+        throw InputError("-o " + folder->string(), "cannot be created or written",
+                         "name a folder that can be created");
 }
 
 void make_output_folder(const fs::path& folder)
 {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw InputError("-o " + folder.string(), error.message(), "name a folder that can be made");
+    if (error) throw InputError("-o " + folder.string(), error.message(), "name a folder that can be created");
 }
 
 void write_own_file(const fs::path& file, const std::string& text)
@@ -53,8 +54,7 @@ void write_own_file(const fs::path& file, const std::string& text)
     stream << text;
     stream.close();
     if (!stream)
-        throw InputError(file.string(), "cannot be written",
-                         "give a folder that can be written on a disk with room");
+        throw InputError(file.string(), "cannot be written", "give a writable folder on a disk with free space");
 }
 
 void write_json_text(const fs::path& file, const std::string& text)

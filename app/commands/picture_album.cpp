@@ -12,7 +12,7 @@ namespace
 
 using Eigen::Vector3d;
 
-constexpr std::size_t most_pictures = 20, most_neighbours = 60, least_context = 12;
+constexpr std::size_t max_pictures = 20, max_neighbours = 60, least_context = 12;
 constexpr double neighbourhood = 0.25;  // of the diagonal of what the picture is about
 
 /// "defect_03_stone_7.png"; letters that file systems or shells dislike become underscores.
@@ -39,7 +39,7 @@ void add_neighbours(const Album& album, DefectPicture& picture)
         if (!shown.contains(i)) near.emplace_back(box.exteriorDistance(album.bounds[i]), i);
     std::sort(near.begin(), near.end());
     std::size_t count = 0;
-    while (count < near.size() && count < most_neighbours && near[count].first < reach) ++count;
+    while (count < near.size() && count < max_neighbours && near[count].first < reach) ++count;
     if (picture.frame_ghosts) count = std::min(near.size(), std::max(count, least_context));
     near.resize(count);
     for (const auto& [distance, shape] : near) picture.stones.push_back({shape, StoneLook::ghost});
@@ -73,7 +73,7 @@ void add_shape(PictureShape shape, Album& album)
 
 void add_picture(DefectPicture picture, const std::string& name, Album& album)
 {
-    if (album.pictures.pictures.size() > most_pictures) {
+    if (album.pictures.pictures.size() > max_pictures) {
         ++album.left_out;
         return;
     }
@@ -87,7 +87,7 @@ std::vector<std::string> notes_about(const Assembly& assembly, const std::string
     for (const AssemblyFinding& finding : assembly.findings)
         if (finding.kind == kind &&
             std::find(finding.stones.begin(), finding.stones.end(), stone) != finding.stones.end())
-            return {finding.what, "What to do: " + finding.advice};
+            return {finding.what, "Remedy: " + finding.advice};
     return {};
 }
 

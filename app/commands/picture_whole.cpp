@@ -10,13 +10,13 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t most_marks = 3000;
+constexpr std::size_t max_marks = 3000;
 
 /// Marks of all findings on the whole, with one callout for each group.
 void mark_findings(const Assembly& assembly, DefectPicture& picture)
 {
     for (const GapGroup& group : assembly.gap_groups)
-        for (std::size_t i = 0; i < group.gaps.size() && picture.marks.size() < most_marks; ++i)
+        for (std::size_t i = 0; i < group.gaps.size() && picture.marks.size() < max_marks; ++i)
             picture.marks.push_back(
                 {{i == group.gaps.size() / 2
                       ? fmt::format("{} pair{} {} apart", group.gaps.size(), group.gaps.size() == 1 ? "" : "s",
@@ -28,21 +28,21 @@ void mark_findings(const Assembly& assembly, DefectPicture& picture)
                  MarkLook::gap});
     const bool overlaps = overlaps_matter(assembly);
     for (const StoneOverlap& overlap : assembly.overlaps)
-        if (overlaps && picture.marks.size() < most_marks)
+        if (overlaps && picture.marks.size() < max_marks)
             picture.marks.push_back({overlap_mark(assembly, overlap), MarkLook::defect});
     for (const int stone : assembly.floating) {
         const MarkedFeature outline = outline_of(assembly.stones[stone], "touches none");
-        if (picture.marks.size() < most_marks) picture.marks.push_back({outline, MarkLook::defect});
+        if (picture.marks.size() < max_marks) picture.marks.push_back({outline, MarkLook::defect});
     }
     for (const StoneContact& contact : assembly.contacts)
-        if (contact.touch == Touch::tilted && picture.marks.size() < most_marks)
+        if (contact.touch == Touch::tilted && picture.marks.size() < max_marks)
             picture.marks.push_back({contact_mark(contact, ""), MarkLook::contact});
     const bool tilted = std::any_of(assembly.contacts.begin(), assembly.contacts.end(),
                                     [](const StoneContact& c) { return c.touch == Touch::tilted; });
     if (!assembly.gaps.empty()) picture.mark_legend.emplace_back(MarkLook::gap, "gap");
     if (overlaps || !assembly.floating.empty())
         picture.mark_legend.emplace_back(MarkLook::defect, "overlap, floating stone");
-    if (tilted) picture.mark_legend.emplace_back(MarkLook::contact, "an edge touches");
+    if (tilted) picture.mark_legend.emplace_back(MarkLook::contact, "edge contact only");
 }
 
 bool is_loose(const Assembly& assembly, int stone)
@@ -60,7 +60,7 @@ void add_whole(Album& album)
     picture.name = "assembly.png";
     picture.title = album.title;
     picture.subtitle = fmt::format("{} stones, {} pairs touch", assembly.stones.size(), assembly.contacts.size());
-    if (!album.defects.empty()) picture.subtitle += fmt::format(", {} marked by themselves", album.defects.size());
+    if (!album.defects.empty()) picture.subtitle += fmt::format(", {} only marked", album.defects.size());
     std::set<StoneLook> used;
     for (int i = 0; i < static_cast<int>(album.pictures.shapes.size()); ++i) {
         StoneLook look = StoneLook::plain;
@@ -76,14 +76,14 @@ void add_whole(Album& album)
     if (used.contains(StoneLook::plain)) picture.legend.emplace_back(StoneLook::plain, "stone");
     if (used.contains(StoneLook::ground)) picture.legend.emplace_back(StoneLook::ground, "foundation");
     if (used.contains(StoneLook::faulty))
-        picture.legend.emplace_back(StoneLook::faulty, "stone with a picture of its own");
+        picture.legend.emplace_back(StoneLook::faulty, "stone with its own picture");
     if (used.contains(StoneLook::floating))
-        picture.legend.emplace_back(StoneLook::floating, "touches none, or has no path to the ground");
+        picture.legend.emplace_back(StoneLook::floating, "no contact, or no path to the ground");
     mark_findings(assembly, picture);
     for (const AssemblyFinding& finding : assembly.findings)
         if (!finding.harmless) picture.notes.push_back(finding.what);
     if (picture.notes.empty() && album.defects.empty())
-        picture.notes.emplace_back("The stones stand together without fault.");
+        picture.notes.emplace_back("No faults were found in the assembly of the stones.");
     album.pictures.pictures.push_back(std::move(picture));
 }
 

@@ -34,7 +34,7 @@ void finish(std::vector<Channel> channels, const Processing& steps, RecordSet& s
 {
     const bool all_known = std::all_of(channels.begin(), channels.end(), has_unit);
     if (!steps.empty() && !all_known)
-        throw InputError(set.file, "the unit of the samples is not known", "give --unit: nothing was processed");
+        throw InputError(set.file, "the unit of the samples is unknown", "give --unit: nothing was processed");
     if (!steps.empty()) {
         ProcessedRecord processed = process(channels, steps);
         channels = std::move(processed.channels);

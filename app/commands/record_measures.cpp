@@ -101,14 +101,14 @@ void print_channel(const MeasuredChannel& measured)
 {
     const Channel& channel = measured.channel;
     if (!has_unit(channel)) {
-        fmt::print("  {}: unit not known, {}, largest number {:.6g}\n", name_of(channel), sampling_of(channel),
+        fmt::print("  {}: unit unknown, {}, largest value {:.6g}\n", name_of(channel), sampling_of(channel),
                    peak(channel));
         return;
     }
     fmt::print("  {}: {} in {}, {}\n", name_of(channel), to_text(channel.quantity), channel.unit_in_file,
                sampling_of(channel));
-    fmt::print("    peak acceleration {:.4g} m/s2; at the end {:.3g} m/s and {:.3g} m\n",
-               measured.peak_acceleration, measured.residual_velocity, measured.residual_displacement);
+    fmt::print("    peak acceleration {:.4g} m/s2; residual {:.3g} m/s and {:.3g} m\n", measured.peak_acceleration,
+               measured.residual_velocity, measured.residual_displacement);
     if (!measured.measures) return;
     const Measures& m = *measured.measures;
     fmt::print("    PGV {:.4g} m/s, PGD {:.4g} m, Arias intensity {:.4g} m/s, CAV {:.4g} m/s\n", m.peak_velocity,

@@ -34,8 +34,8 @@ Restart restart_of(const Case& the_case, const fs::path& folder)
     Restart restart = load_restart(restart_file_in(folder));
     const std::string changed = differences(restart.computed_from, fingerprint_of(the_case));
     if (!changed.empty())
-        throw InputError(folder.string(), "a run of something else: changed since are " + changed,
-                         "resume with what it was started with, or start anew without --resume");
+        throw InputError(folder.string(), "not the run of this case; changed since: " + changed,
+                         "resume with the original input, or start again without --resume");
     check_fits(restart, the_case, restart_file_in(folder));
     return restart;
 }
@@ -48,12 +48,12 @@ void tell_what_is_replaced(const fs::path& folder, bool quiet)
         try {
             const Restart restart = load_restart(restart_file_in(folder));
             ended = restart.ended;
-            moment = fmt::format(", which stood at t = {:g} s", restart.state.time);
+            moment = fmt::format(", which had reached t = {:g} s", restart.state.time);
         } catch (const InputError&) {
-            moment = ", which cannot be read any more";
+            moment = ", which can no longer be read";
         }
         if (!ended) {
-            fmt::print(stderr, "{}: replacing an interrupted run{}; --resume would have gone on with it\n",
+            fmt::print(stderr, "{}: replacing an interrupted run{}; --resume would have continued it\n",
                        folder.string(), moment);
             return;
         }

@@ -110,11 +110,11 @@ void print_report(const RunReport& report, double wall_time)
                report.unconverged_steps, report.open_close_iterations, report.factorisations);
     const EnergyLedger& e = report.energy;
     fmt::print(
-        "  largest penetration {:.2e} m; energy unaccounted for {:.1e} of what went in, was stored or lost\n",
+        "  largest penetration {:.2e} m; energy unaccounted for {:.1e} of the energy put in, stored or lost\n",
         report.max_penetration, e.relative_residual());
     fmt::print(
-        "  energy: {:.4g} kJ in; {:.4g} stored, {:.4g} taken out while settling, {:.4g} friction, {:.4g} damping, "
-        "{:.4g} lost by the integrator\n",
+        "  energy: {:.4g} kJ put in; {:.4g} stored, {:.4g} removed in static stages, {:.4g} friction, {:.4g} "
+        "damping, {:.4g} loss of the integrator\n",
         e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3,
         (e.damping_kinetic + e.damping_contact + e.fracture) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3);
@@ -162,7 +162,7 @@ int run_from(const Case& the_case, const std::filesystem::path& folder, const st
     Start start;
     if (restart) {
         start = {restart->state, restart->position, {restart->wall_time, restart->cpu_time}};
-        if (!quiet) fmt::print("goes on from {}\n", place_of(the_case, *restart));
+        if (!quiet) fmt::print("continues from {}\n", place_of(the_case, *restart));
     } else {
         start.state = initial_state(the_case.model);
         start.position.report.energy = open_ledger(the_case.model, start.state);
@@ -181,7 +181,8 @@ int run_from(const Case& the_case, const std::filesystem::path& folder, const st
         print_files(folder, pictures);
     }
     if (!report.message.empty())
-        fmt::print(stderr, "{}{}\n", in_words(report), goes_on ? "; the same command with --resume goes on" : "");
+        fmt::print(stderr, "{}{}\n", in_words(report),
+                   goes_on ? "; run the same command with --resume to continue" : "");
     const int code = exit_code_of(report.outcome);
     return code == exit_done && !drawn ? exit_failure : code;
 }
@@ -217,7 +218,7 @@ int run_command(const RunArguments& arguments)
     } catch (const RunBroken& broken) {
         fmt::print(stderr, "{}\n", broken.what());
         if (std::filesystem::exists(restart_file_in(folder)))
-            fmt::print(stderr, "{}: what was written before is whole, and --resume goes on from there\n",
+            fmt::print(stderr, "{}: the results written so far are complete; --resume continues from there\n",
                        folder.string());
         return exit_failure;
     }

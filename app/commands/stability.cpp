@@ -115,7 +115,7 @@ int stability_command(const StabilityArguments& arguments)
         const std::string range = sound_range_in_words(scene, results);
         if (holds_too_little(scene, results)) {
             too_little = true;
-            fmt::print(stderr, "{}: {:g} and {:g} are asked for\n", range, least_decades_of_stiffness,
+            fmt::print(stderr, "{}: {:g} and {:g} are required\n", range, least_decades_of_stiffness,
                        least_decades_of_step);
         } else if (!range.empty() && !to_stdout) {
             fmt::print("{}\n", range);

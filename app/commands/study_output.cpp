@@ -41,7 +41,7 @@ int publish_study(const StudyTargets& targets, const std::function<StudyOutput()
         if (targets.folder) write_page(targets, output);
         return exit_done;
     } catch (const Interrupted&) {
-        fmt::print(stderr, "interrupted: the study is not complete, nothing is written\n");
+        fmt::print(stderr, "interrupted: the study is incomplete and nothing is written\n");
         return exit_interrupted;
     }
 }

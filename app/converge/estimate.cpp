@@ -59,12 +59,12 @@ TripleOrder order_shown_by(const Triple& runs, double resolution)
     if (after <= std::max(resolution, rounding * size_of(runs.fine)))
         return {{}, resolution > 0 ? "the differences are below the resolution" : "the runs agree to rounding"};
     const double cosine = first.cwiseProduct(second).sum() / (first.norm() * second.norm());
-    if (cosine < same_direction) return {{}, "the differences change direction"};
+    if (cosine < same_direction) return {{}, "the differences change sign"};
     const double order = order_of(before / after, runs);
     if (order < least_order)
-        return {{}, before <= after ? "the differences do not fall" : "the differences hardly fall"};
+        return {{}, before <= after ? "the differences do not decrease" : "the differences hardly decrease"};
     if (order > highest_order)
-        return {{}, fmt::format("the differences fall faster than by order {:g}", highest_order)};
+        return {{}, fmt::format("the differences decrease faster than order {:g}", highest_order)};
     return {order, ""};
 }
 
@@ -78,7 +78,7 @@ std::string extrapolate(const std::vector<Sample>& samples, const std::vector<do
                         Estimate& result)
 {
     const std::size_t n = samples.size();
-    if (n < 3) return "an order takes three runs";
+    if (n < 3) return "an order requires three runs";
     const auto triple = [&](std::size_t last) -> Triple {
         return {samples[last - 2], samples[last - 1], samples[last],
                 steps[last - 2],   steps[last - 1],   steps[last]};

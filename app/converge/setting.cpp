@@ -76,12 +76,13 @@ std::vector<double> read_steps(const std::vector<std::string>& texts, const Case
             factors.push_back(quantity.value / own);
             read.push_back(text);
         } else
-            faults.push_back({"--time-steps", "\"" + text + "\" is no time", "write 2 ms, or 0.002 in seconds"});
+            faults.push_back(
+                {"--time-steps", "\"" + text + "\" is not a time", "write 2 ms, or 0.002 in seconds"});
     }
     check(factors, read, "--time-steps", faults);
     for (std::size_t i = 0; i < factors.size(); ++i)
         if (const std::string problem = why_not_run(the_case, factors[i]); factors[i] > 0 && !problem.empty())
-            faults.push_back({"--time-steps", read[i] + " is " + problem, "leave it out"});
+            faults.push_back({"--time-steps", read[i] + " is " + problem, "omit it"});
     return factors;
 }
 

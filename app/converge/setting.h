@@ -36,8 +36,8 @@ struct ConvergeChoices {
 /// @throws InputError when the case has none: static stages have no time step to vary
 const Stage& first_dynamic_stage(const Case& the_case);
 
-/// @throws InputError with every value that is no time, not positive, given twice, or a time step that a dynamic
-/// stage cannot be run with: longer than the stage, or below its min_time_step
+/// @throws InputError with every value that is not a time, not positive, given twice, or a time step that a
+/// dynamic stage cannot be run with: longer than the stage, or below its min_time_step
 ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case);
 
 /// The case with a setting put in.

@@ -61,8 +61,8 @@ std::string collapse_note(const RunsOfSeries& runs)
                                          [](const auto* run) { return run->collapse.has_value(); });
     const Collapse& first = *runs.first_collapse->collapse;
     std::string text = fmt::format(
-        "compared until t = {:.4g} s, when block '{}' is the first to collapse (--collapse-displacement says "
-        "when)",
+        "compared until t = {:.4g} s, when block '{}' is the first to collapse (criterion: "
+        "--collapse-displacement)",
         first.time, first.block);
     if (collapsed < static_cast<std::ptrdiff_t>(runs.runs.size()))
         text +=
@@ -133,13 +133,14 @@ std::string needs_peak(const QuantityStudy& study, Measure measure)
         const bool collapses = std::any_of(series.rows.begin(), series.rows.end(),
                                            [](const SeriesRow& row) { return row.collapse.has_value(); });
         if (measure == Measure::end && collapses)
-            return fmt::format("peak before the collapse, beside {}, which is not compared", study.name);
+            return fmt::format("peak before the collapse, in place of {}, which is not compared", study.name);
         const auto compared = std::count_if(series.rows.begin(), series.rows.end(),
                                             [](const SeriesRow& row) { return row.value.has_value(); });
         const bool parts =
             series.varied == Varied::time_step && compared >= 3 && !series.order && !series.vanishes;
         if (measure == Measure::history && parts && !cheapest(series, tolerances[1]))
-            return fmt::format("the histories of {} do not converge point by point: here their peaks", study.name);
+            return fmt::format("the histories of {} do not converge point by point: their peaks are compared here",
+                               study.name);
     }
     return {};
 }
@@ -149,7 +150,7 @@ void warn_of_factor_damping(const Case& the_case, ConvergeStudy& study)
     for (const Stage& stage : the_case.stages)
         if (stage.type == StageType::dynamic && stage.damping.factor_per_step != 1)
             study.notes.push_back(fmt::format(
-                "stage '{}' damps by a factor per step: its answer depends on the time step by definition",
+                "stage '{}' has damping by a factor per step: its results depend on the time step by definition",
                 stage.name));
 }
 
@@ -172,7 +173,7 @@ SettingList list_settings(const ConvergePlan& plan)
         list.series.push_back(series);
     }
     if (list.series.empty())
-        throw InputError("converge", "one time step and one stiffness leave nothing to compare",
+        throw InputError("converge", "with one time step and one stiffness there is nothing to compare",
                          "give two or more --time-steps or --stiffness-factors");
     return list;
 }

@@ -54,7 +54,7 @@ class Bisection
         if (collapses(setting, bracket.stands, bracket))
             fail(bracket, fmt::format("collapses already at {}", in_words(bracket.stands)));
         if (bracket.failure.empty() && !collapses(setting, bracket.collapses, bracket))
-            fail(bracket, fmt::format("stands even at {}", in_words(bracket.collapses)));
+            fail(bracket, fmt::format("still stands at {}", in_words(bracket.collapses)));
         while (bracket.failure.empty() && !settled(bracket)) {
             const double middle = bracket.middle();
             (collapses(setting, middle, bracket) ? bracket.collapses : bracket.stands) = middle;
@@ -134,7 +134,7 @@ Threshold read_threshold(const std::string& text)
         throw InputError(place, "not a threshold",
                          "write KEY=STANDS..COLLAPSES, as in foundation.motion.x.scale=1..3");
     if (!unit_before.empty() && unit_before != threshold.unit)
-        throw InputError(place, "two units", "write both values in one unit, as in 0.1 g..0.5 g");
+        throw InputError(place, "two units", "write both values in the same unit, as in 0.1 g..0.5 g");
     if (threshold.stands == threshold.collapses)
         throw InputError(place, "the two values are the same",
                          "give one at which it stands, one at which it collapses");
@@ -153,9 +153,8 @@ ConvergeStudy run_threshold_study(const Case& the_case, const SettingList& list,
     for (const SeriesPlan& plan : list.series)
         study.quantities.back().series.push_back(judged(the_case, plan, list, brackets));
     study.notes.push_back(
-        fmt::format("thresholds are middles of brackets of {:g} %; above the first collapse a structure may stand "
-                    "again, which "
-                    "a bisection does not see",
+        fmt::format("thresholds are midpoints of brackets of {:g} %; beyond the first collapse a structure may "
+                    "stand again, which bisection does not detect",
                     100 * threshold.bracket));
     return study;
 }

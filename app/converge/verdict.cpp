@@ -24,12 +24,14 @@ std::string order_in_words(const QuantityStudy& study, const Series& series)
     const std::string reference = value_in_words(series.reference, study.unit);
     const std::string limit = series.varied == Varied::time_step ? "time step 0" : "rigid contact";
     if (series.order)
-        return fmt::format("observed order {:.2f}; reference: extrapolated to {}, {}, uncertain by {}{}",
-                           *series.order, limit, reference, share_in_words(series.uncertainty),
-                           series.vanishes ? "; it cannot be told from 0: shares are of the finest run" : "");
+        return fmt::format(
+            "observed order {:.2f}; reference: extrapolated to {}, {}, uncertain by {}{}", *series.order, limit,
+            reference, share_in_words(series.uncertainty),
+            series.vanishes ? "; it cannot be distinguished from 0: errors are fractions of the finest run" : "");
     if (series.vanishes)
-        return fmt::format("no order: {}; reference: the finest run, which is 0: shares are of the largest run",
-                           series.no_order);
+        return fmt::format(
+            "no order: {}; reference: the finest run, which is 0: errors are fractions of the largest run",
+            series.no_order);
     if (std::isinf(series.uncertainty))
         return fmt::format("no order: {}; nothing to compare with", series.no_order);
     return fmt::format("no order: {}; reference: the finest run, {}, uncertain by {}", series.no_order, reference,
@@ -55,7 +57,7 @@ std::string all_within(const Series& series, double tolerance)
 std::string sensitivity_in_words(const Series& series)
 {
     const std::optional<double> change = change_per_doubling(series);
-    if (!change) return "sensitivity: unknown, for neighbouring runs are missing";
+    if (!change) return "sensitivity: unknown, because neighbouring runs are missing";
     return fmt::format("sensitivity: doubling the contact stiffness changes it by {}", share_in_words(change));
 }
 

@@ -8,13 +8,13 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t most_points = 1500;  // of a curve: more than a picture is wide
+constexpr std::size_t max_points = 1500;  // of a curve: more than a picture is wide
 
 Curve curve_of(const std::string& name, const std::vector<double>& times,
                const std::vector<Eigen::Vector3d>& history)
 {
     Curve curve{name, {}, {}};
-    const std::size_t every = 1 + times.size() / most_points;
+    const std::size_t every = 1 + times.size() / max_points;
     for (std::size_t i = 0; i < times.size(); i += every) {
         curve.x.push_back(times[i]);
         curve.y.push_back(1e3 * history[i].norm());

@@ -37,7 +37,10 @@ Json to_json(const EnsembleStudy& study, const MemberRun& run)
             {"joints", run.joints},
             {"energy_put_in_J", run.energy.input},
             {"energy_residual", run.energy.residual},
-            {"algorithmic_share", run.energy.algorithmic},
+            {"algorithmic_fraction", run.energy.algorithmic},
+            {"friction_fraction", run.energy.friction},
+            {"damping_fraction", run.energy.damping},
+            {"algorithmic_share", run.energy.algorithmic},  // former names, for one release
             {"friction_share", run.energy.friction},
             {"damping_share", run.energy.damping},
             {"collapse_time_s", run.collapse ? Json(run.collapse->time) : Json(nullptr)},

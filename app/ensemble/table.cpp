@@ -43,7 +43,7 @@ std::string run_in_words(const EnsembleStudy& study, const MemberRun& run)
     if (!run.failure.empty()) return line + "gave up: " + run.failure;
     if (run.collapse)
         line += fmt::format("collapsed at {:.3f} s, block '{}', ", run.collapse->time, run.collapse->block);
-    return line + fmt::format("{} steps, {} cuts, {:.1f} iterations a step, {:.3g} s CPU", run.steps,
+    return line + fmt::format("{} steps, {} cuts, {:.1f} iterations per step, {:.3g} s CPU", run.steps,
                               run.step_cuts, static_cast<double>(run.iterations) / static_cast<double>(run.steps),
                               run.cpu);
 }
@@ -51,7 +51,7 @@ std::string run_in_words(const EnsembleStudy& study, const MemberRun& run)
 std::string verdict_of(const EnsembleStudy& study)
 {
     if (const int count = study.given_up())
-        return fmt::format("{} of the runs gave up: there is nothing to judge.", count);
+        return fmt::format("{} of the runs failed to converge: no verdict is possible.", count);
     std::string differing;
     for (const MeasureStudy& each : study.measures)
         if (!each.agrees) differing += (differing.empty() ? "" : "; ") + each.measure.name;

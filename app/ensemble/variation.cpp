@@ -43,8 +43,9 @@ void expect_comparable(const Case& member, const Case& first)
     const StepControl &control = first_dynamic_stage(member).control, &other = first_dynamic_stage(first).control;
     if (points_of(member) != points_of(first) || control.time_step != other.time_step ||
         member.stages.size() != first.stages.size())
-        throw InputError("--vary", "the members differ in their time step, stages or output.histories",
-                         "vary what the structure or its motion is made of; the step is halved by itself");
+        throw InputError(
+            "--vary", "the members differ in their time step, stages or output.histories",
+            "vary properties of the structure or of its motion; the time step is halved automatically");
     for (const Stage& stage : member.stages)
         if (stage.type == StageType::dynamic && 0.5 * stage.control.time_step < stage.control.min_time_step)
             throw InputError(member.file.string() + ": stages",
@@ -66,7 +67,7 @@ std::vector<Case> read_members(const std::filesystem::path& file, const std::vec
     for (const Case& member : members) expect_comparable(member, members.front());
     if (members.front().output.histories.empty())
         throw InputError(file.string() + ": output.histories", "there is no point whose drift could be compared",
-                         "name some, as histories: {top: {block: NAME}}");
+                         "name some, such as histories: {top: {block: NAME}}");
     return members;
 }
 

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 using Polygon = std::vector<Vector3d>;
 using Pair = std::pair<int, int>;
 
-constexpr double most_gap_tilt = 0.35;       // rad: faces at a larger angle do not face each other
+constexpr double max_gap_tilt = 0.35;        // rad: faces at a larger angle do not face each other
 constexpr double least_gap_depth = 2;        // a gap is at most as wide as the root of its area over this
 constexpr double least_facing_share = 0.02;  // of the squared size of the smaller stone
 
@@ -182,7 +182,7 @@ bool is_meant_to_touch(const ContactSet& found, const ContactPatch& patch, doubl
     }
     mean /= area;
     const Vector3d own = twice_area(polygon);
-    const bool faces = std::abs(own.normalized().dot(patch.normal)) > std::cos(most_gap_tilt);
+    const bool faces = std::abs(own.normalized().dot(patch.normal)) > std::cos(max_gap_tilt);
     return faces && area > least_facing_share * size * size && mean <= assembly_tolerance::gap * size &&
            mean * least_gap_depth <= std::sqrt(area);
 }

@@ -54,13 +54,12 @@ void tell_overlaps(const Assembly& assembly, std::vector<AssemblyFinding>& findi
     if (deepest->depth > 0)
         finding.what += fmt::format(", the deepest overlap {} ({})", length_words(deepest->depth),
                                     pair_words(assembly, deepest->a, deepest->b));
-    finding.advice = "stones may touch but not share space: ";
-    finding.advice += deepest->depth > 0
-                          ? fmt::format(
-                                "in the CAD file move one stone of each pair back, or cut it, by the depth of its "
-                                "overlap (at most {}; or {} off each of the two faces)",
-                                length_words(deepest->depth), length_words(0.5 * deepest->depth))
-                          : "in the CAD file cut one stone of each pair by the other";
+    finding.advice = "stones may touch but not overlap: ";
+    finding.advice += deepest->depth > 0 ? fmt::format(
+                                               "in the CAD file move or trim one stone of each pair by the depth "
+                                               "of its overlap (at most {}; or {} off each of the two faces)",
+                                               length_words(deepest->depth), length_words(0.5 * deepest->depth))
+                                         : "in the CAD file subtract one stone of each pair from the other";
     if (deepest->depth > 0 && deepest->depth <= assembly_tolerance::contact * assembly.typical_size) {
         finding.harmless = true;
         finding.what += "; less than the contact tolerance";
@@ -87,10 +86,9 @@ void tell_gaps(const Assembly& assembly, const AssemblyOrigin& origin, std::vect
             fmt::format("{} {} {} apart, over {:.3g} m2 in all: {}", plural(gaps.size(), "pair"),
                         gaps.size() == 1 ? "stands" : "stand", widths, area, pairs_words(assembly, gaps));
         finding.advice = fmt::format(
-            "a joint drawn open carries nothing. If it is mortar, close it: {} moves both faces to the middle; a "
-            "mortar of modulus E is then carried by contact_stiffness: E / {} of its joint (with E = 1 GPa: "
-            "{:.3g} "
-            "GPa/m). If it is dry, move the stones together in the CAD file",
+            "a joint drawn as a gap transfers no force. If it is a mortar joint, close it: {} moves both faces to "
+            "the middle; a mortar of modulus E is then represented by contact_stiffness: E / {} of its joint "
+            "(with E = 1 GPa: {:.3g} GPa/m). If it is dry, move the stones together in the CAD file",
             close_joints_words(group.widest, origin), length_words(mean), mortar_modulus / mean / 1e9);
         findings.push_back(std::move(finding));
     }
@@ -111,10 +109,10 @@ void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& 
     if (!tilted.empty())
         findings.push_back(
             {"tilted",
-             fmt::format("{} {} with an edge only, for the faces are tilted against each other and open up to "
-                         "{}: {}",
-                         plural(tilted.size(), "pair"), verb(tilted.size(), "touches", "touch"),
-                         length_words(opening), pairs_words(assembly, tilted)),
+             fmt::format(
+                 "{} {} with an edge only, because the faces are inclined to each other and open up to {}: {}",
+                 plural(tilted.size(), "pair"), verb(tilted.size(), "touches", "touch"), length_words(opening),
+                 pairs_words(assembly, tilted)),
              "the joint will rock on that edge: in the CAD file give both stones the same joint plane",
              stones_of(tilted)});
     if (!small.empty())
@@ -123,7 +121,8 @@ void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& 
              fmt::format("{} {} with a corner, two crossing edges or less than {:g} % of a face only: {}",
                          plural(small.size(), "pair"), verb(small.size(), "touches", "touch"),
                          100 * assembly_tolerance::sliver_share, pairs_words(assembly, small)),
-             "such contacts flicker and cost iterations: part the stones there, or let them share a face",
+             "such contacts open and close repeatedly and need more iterations: separate the stones there, or "
+             "give them a common face",
              stones_of(small), true});
 }
 

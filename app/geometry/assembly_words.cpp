@@ -20,12 +20,12 @@ struct NamedUnit {
 /// A unit in which the stones would be of a size that people move, if the file's own gives none.
 void suspect_unit(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
 {
-    constexpr double least_stone = 0.02, most_stone = 20, least_whole = 0.05, most_whole = 1500;  // m
-    constexpr double likely_least = 0.04, likely_most = 4;                                        // m
+    constexpr double least_stone = 0.02, max_stone = 20, least_whole = 0.05, max_whole = 1500;  // m
+    constexpr double likely_least = 0.04, likely_most = 4;                                      // m
     constexpr std::array<NamedUnit, 5> units{
         {{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}, {"m", 1}}};
     const double size = assembly.typical_size, whole = assembly.extent.maxCoeff();
-    if (size >= least_stone && size <= most_stone && whole >= least_whole && whole <= most_whole) return;
+    if (size >= least_stone && size <= max_stone && whole >= least_whole && whole <= max_whole) return;
     AssemblyFinding finding{"unit",
                             fmt::format("the whole is {} long, a typical stone {}: is the unit right?",
                                         length_words(whole), length_words(size)),
@@ -40,7 +40,7 @@ void suspect_unit(const Assembly& assembly, const AssemblyOrigin& origin, std::v
                               likely.empty() ? "" : "; ", origin.from_case ? "unit: " : "--unit ", unit.name,
                               length_words(factor * whole), length_words(factor * size));
     }
-    finding.advice = likely.empty() ? "give the unit that the file was drawn in" : likely;
+    finding.advice = likely.empty() ? "give the unit of the file" : likely;
     findings.push_back(std::move(finding));
 }
 
@@ -84,15 +84,14 @@ void tell_unsupported(const Assembly& assembly, const AssemblyOrigin& origin,
                         assembly.floating.end(), std::back_inserter(stones));
     if (stones.empty()) return;
     const std::string ground = assembly.ground_given ? "foundation" : "stone at the lowest level";
-    findings.push_back(
-        {"unsupported",
-         fmt::format("{} hang together, but no path of contacts leads from them to a {}: {}",
-                     plural(stones.size(), "stone"), ground, names_of(assembly, stones)),
-         origin.from_case
-             ? "they would fall as one: close the gap to what should carry them, or make the lowest of "
-               "them foundations"
-             : "they would fall as one: close the gap to what should carry them",
-         stones});
+    findings.push_back({"unsupported",
+                        fmt::format("{} are connected, but no path of contacts leads from them to a {}: {}",
+                                    plural(stones.size(), "stone"), ground, names_of(assembly, stones)),
+                        origin.from_case
+                            ? "they would fall together: close the gap to the stones that should support them, or "
+                              "make the lowest of them foundations"
+                            : "they would fall together: close the gap to the stones that should support them",
+                        stones});
 }
 
 void tell_slivers(const Assembly& assembly, std::vector<AssemblyFinding>& findings)
@@ -107,14 +106,13 @@ void tell_slivers(const Assembly& assembly, std::vector<AssemblyFinding>& findin
             shortest = std::min(shortest, sliver.shortest_edge / sliver.diameter);
     }
     if (!thin.empty())
-        findings.push_back(
-            {"slivers",
-             fmt::format("{} {} thinner than 1:{:g} (down to 1:{:.0f}): {}", plural(thin.size(), "stone"),
-                         verb(thin.size(), "is", "are"), 1 / assembly_tolerance::thin, 1 / thinnest,
-                         names_of(assembly, thin)),
-             "a sliver has next to no stiffness and makes steps small: in the CAD file join it to its "
-             "neighbour, or draw the joint without it",
-             thin});
+        findings.push_back({"slivers",
+                            fmt::format("{} {} thinner than 1:{:g} (down to 1:{:.0f}): {}",
+                                        plural(thin.size(), "stone"), verb(thin.size(), "is", "are"),
+                                        1 / assembly_tolerance::thin, 1 / thinnest, names_of(assembly, thin)),
+                            "a sliver has very little stiffness and requires small time steps: in the CAD file "
+                            "merge it with its neighbour, or omit it",
+                            thin});
     if (!short_edged.empty())
         findings.push_back(
             {"short edges",
@@ -135,8 +133,8 @@ void tell_sizes(const Assembly& assembly, const AssemblyOrigin& origin, std::vec
                  "the largest stone, {} ({:.3g} m3), has {:.0f} times the volume of the smallest, {} ({:.3g} "
                  "m3)",
                  large.name, large.volume, assembly.size_ratio, small.name, small.volume),
-             origin.from_case ? "make the large one a foundation if it is the ground, or leave chips away"
-                              : "leave chips away, or cut the large stone where it is cut in nature",
+             origin.from_case ? "make the large one a foundation if it is the ground, or omit chips"
+                              : "omit chips, or divide the large stone at its real joints",
              {assembly.largest, assembly.smallest}});
     }
     std::vector<int> many, approximated;
@@ -157,7 +155,8 @@ void tell_sizes(const Assembly& assembly, const AssemblyOrigin& origin, std::vec
             {"approximated",
              fmt::format("{} whose convex parts only approximate them, by up to {:.3g} % of the volume: {}",
                          plural(approximated.size(), "stone"), 100 * error, names_of(assembly, approximated)),
-             "volume and moments are those of the stone as drawn; contact is with the parts", approximated, true});
+             "volume and moments are those of the original stone; contacts are those of the parts", approximated,
+             true});
 }
 
 void tell_refused(const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings)
@@ -165,10 +164,10 @@ void tell_refused(const AssemblyOrigin& origin, std::vector<AssemblyFinding>& fi
     if (origin.refused_stones == 0) return;
     findings.push_back(
         {"refused",
-         fmt::format("{} {} refused and not in the contact graph: what touches only them counts as "
-                     "floating",
-                     plural(origin.refused_stones, "stone"), verb(origin.refused_stones, "is", "are")),
-         "mend the refused stones first",
+         fmt::format(
+             "{} {} refused and not in the contact graph: stones that touch only these are reported as floating",
+             plural(origin.refused_stones, "stone"), verb(origin.refused_stones, "is", "are")),
+         "repair the refused stones first",
          {}});
 }
 

@@ -67,7 +67,7 @@ struct Conversation {
     Channel text;    // the child's standard input and output
     Channel errors;  // its standard error
     std::string unsent, output, error_output;
-    std::size_t most_output = 0;
+    std::size_t max_output = 0;
 };
 
 int start(const std::filesystem::path& program, const Conversation& talk, pid_t& child)
@@ -125,8 +125,8 @@ Stop converse(Conversation& talk, double seconds)
             text_open = receive_some(talk.text.ours, talk.output);
         if (streams[1].revents & (POLLIN | POLLHUP | POLLERR))
             errors_open = receive_some(talk.errors.ours, talk.error_output);
-        if (talk.output.size() > talk.most_output || talk.error_output.size() > talk.most_output)
-            return {"it answered more than " + std::to_string(talk.most_output >> 20) + " MiB"};
+        if (talk.output.size() > talk.max_output || talk.error_output.size() > talk.max_output)
+            return {"its output exceeded " + std::to_string(talk.max_output >> 20) + " MiB"};
     }
     return {};
 }
@@ -159,7 +159,7 @@ std::string describe_end(int status, const std::string& error_output)
     std::string said = last_line(error_output);
     if (!said.empty()) said = " (it said: " + said.substr(0, 200) + ")";
     if (WIFSIGNALED(status)) {
-        if (WTERMSIG(status) == SIGXCPU) return "it used up its processor time" + said;
+        if (WTERMSIG(status) == SIGXCPU) return "it exceeded its CPU time limit" + said;
         return "it crashed with signal " + std::to_string(WTERMSIG(status)) + ", " + strsignal(WTERMSIG(status)) +
                said;
     }
@@ -170,11 +170,11 @@ std::string describe_end(int status, const std::string& error_output)
 }  // namespace
 
 ChildAnswer ask_child(const std::filesystem::path& program, const std::string& input, double seconds,
-                      std::size_t most_output)
+                      std::size_t max_output)
 {
     Conversation talk;
     talk.unsent = input;
-    talk.most_output = most_output;
+    talk.max_output = max_output;
     if (!talk.text.open() || !talk.errors.open())
         return {"", std::string("no channel to it could be opened: ") + std::strerror(errno)};
     pid_t child = 0;

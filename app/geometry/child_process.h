@@ -16,9 +16,9 @@ struct ChildAnswer {
 };
 
 /// Starts `program`, writes `input` to it, reads until it ends; kills it after `seconds` of wall time, or when it
-/// writes more than `most_output` bytes. Never throws for what the child does.
+/// writes more than `max_output` bytes. Never throws for what the child does.
 ChildAnswer ask_child(const std::filesystem::path& program, const std::string& input, double seconds,
-                      std::size_t most_output);
+                      std::size_t max_output);
 
 /// The folder of the running program, where its helpers are; environment VOUSSOIR_BIN_DIR overrides it.
 std::filesystem::path helper_folder();

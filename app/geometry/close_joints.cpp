@@ -24,7 +24,7 @@ constexpr double slack_share = 1e-6;  // of the size: nearer faces touch; gaps a
 constexpr double facing = 0.9998;     // cosine between the normals of faces that look at each other: 1 degree
 constexpr double least_share = 0.01;  // of the smaller stone's size squared: less area does not face
 constexpr double one_plane = 1e-6;    // share of the size
-constexpr int most_rounds = 4;  // a face that looked at two neighbours closes the second joint in another one
+constexpr int max_rounds = 4;  // a face that looked at two neighbours closes the second joint in another one
 
 struct Face {
     int stone = 0, part = 0, face = 0;
@@ -193,7 +193,7 @@ void close_joints(double width, ImportedMesh& mesh)
     if (width <= 0 || !mesh.accepted) return;
     std::map<int, double> grew;
     std::map<int, std::string> stuck;
-    for (int round = 0; round < most_rounds && close_once(width, mesh, grew, stuck); ++round) {
+    for (int round = 0; round < max_rounds && close_once(width, mesh, grew, stuck); ++round) {
     }
     for (const auto& [stone, volume] : grew) {
         std::ostringstream words;
@@ -203,8 +203,8 @@ void close_joints(double width, ImportedMesh& mesh)
         mesh.stones[stone].repairs.push_back(words.str());
     }
     for (const auto& [stone, why] : stuck)
-        mesh.stones[stone].repairs.push_back("its joints were left open, for its faces cannot move so far: " +
-                                             why);
+        mesh.stones[stone].repairs.push_back(
+            "its joints were left open, because its faces cannot move that far: " + why);
 }
 
 }  // namespace voussoir

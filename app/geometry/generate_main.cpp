@@ -49,7 +49,8 @@ void write(const voussoir::GeneratedMesh& mesh, const std::filesystem::path& fil
                         "Made by the program above (GPL-3.0-or-later); this mesh itself is CC0-1.0.", mesh.axes});
     std::ofstream stream(file, std::ios::binary);
     stream << text << std::flush;
-    if (!stream) throw voussoir::InputError(file.string(), "the file cannot be written", "choose another place");
+    if (!stream)
+        throw voussoir::InputError(file.string(), "the file cannot be written", "choose another location");
 }
 
 }  // namespace

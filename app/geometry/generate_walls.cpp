@@ -54,7 +54,7 @@ CLI::Option* add_list(CLI::App& command, const std::string& flag, Numbers& numbe
     return command.add_option(flag, numbers, help)->delimiter(',')->expected(least, most)->capture_default_str();
 }
 
-constexpr int most_numbers = 4000;  // of all openings of a wall
+constexpr int max_numbers = 4000;  // of all openings of a wall
 
 /// What the two have in common, as it is written on the command line.
 struct CommonOptions {
@@ -71,7 +71,7 @@ struct CommonOptions {
         command.add_option("--direction", direction, "of the first wall, from x to y [deg]")
             ->capture_default_str();
         command.add_option("--seed", imperfection.seed, "of the imperfections")->capture_default_str();
-        command.add_option("--size", imperfection.size, "blocks are smaller by up to this share [-]")
+        command.add_option("--size", imperfection.size, "blocks are smaller by up to this fraction [-]")
             ->capture_default_str();
         command.add_option("--joint", imperfection.joint, "blocks are moved by up to this length [m]")
             ->capture_default_str();
@@ -105,9 +105,9 @@ class WallCommand : public PatternCommand
         command.add_option("--height", wall_.height, "[m]")->capture_default_str();
         command.add_option("--thickness", wall_.thickness, "[m]")->capture_default_str();
         command.add_option("--leaves", wall_.leaves, "side by side through the thickness")->capture_default_str();
-        command.add_option("--header-every", wall_.header_every, "so manyth course reaches through all leaves")
+        command.add_option("--header-every", wall_.header_every, "every n-th course extends through all leaves")
             ->capture_default_str();
-        add_list(command, "--opening", openings_, 4, most_numbers,
+        add_list(command, "--opening", openings_, 4, max_numbers,
                  "AT,SILL,WIDTH,HEIGHT of an opening [m]; repeat");
         common_.base = {0, 0};
         common_.add_to(command);
@@ -142,7 +142,7 @@ class HouseCommand : public PatternCommand
         command.add_option("--height", house_.height, "[m]")->capture_default_str();
         command.add_option("--wall-thickness", house_.wall_thickness, "[m]")->capture_default_str();
         for (std::size_t side = 0; side < side_names.size(); ++side)
-            add_list(command, flag(side), openings_[side], 4, most_numbers,
+            add_list(command, flag(side), openings_[side], 4, max_numbers,
                      std::string("AT,SILL,WIDTH,HEIGHT of an opening in the ") + side_names[side] +
                          " wall [m]; repeat");
         common_.base = {house_.base.height, house_.base.projection};

@@ -13,7 +13,7 @@ namespace
 {
 
 // Twenty times what 10,000 stones need; as a tree in memory it takes some sixteen times as much.
-constexpr std::size_t most_answer_bytes = std::size_t{1} << 28;
+constexpr std::size_t max_answer_bytes = std::size_t{1} << 28;
 
 /// One run of the helper. @param failure why there is no answer, in words
 Geometry ask_helper(const std::vector<MeshRequest>& requests, const GeometryLimits& limits, std::string& failure)
@@ -22,7 +22,7 @@ Geometry ask_helper(const std::vector<MeshRequest>& requests, const GeometryLimi
     GeometryLimits all = limits;
     all.seconds *= static_cast<double>(requests.size());
     const ChildAnswer answer = ask_child(helper_folder() / "voussoir-geometry",
-                                         to_json(HelperRequest{requests, all}), all.seconds, most_answer_bytes);
+                                         to_json(HelperRequest{requests, all}), all.seconds, max_answer_bytes);
     failure = answer.failure;
     if (!failure.empty()) return {};
     try {
@@ -30,7 +30,7 @@ Geometry ask_helper(const std::vector<MeshRequest>& requests, const GeometryLimi
         if (geometry.meshes.size() == requests.size()) return geometry;
         failure = "it answered for another number of files";
     } catch (const std::exception& error) {
-        failure = std::string("its answer makes no sense: ") + error.what();
+        failure = std::string("its answer is invalid: ") + error.what();
     }
     return {};
 }

@@ -44,7 +44,7 @@ struct ImportedMesh {
 struct Overlap {
     std::string stone_a, stone_b;  // names
     double volume = 0;             // m3
-    double share = 0;              // of the smaller stone's volume
+    double fraction = 0;           // of the smaller stone's volume
 };
 
 /// What the helper answers.

@@ -62,8 +62,8 @@ char settle_frame(const MeshRequest& request, const MeshFile& content, ImportedM
         request.metres_per_unit > 0 ? request.metres_per_unit : content.metres_per_unit.value_or(1);
     if (content.metres_per_unit && std::abs(*content.metres_per_unit / mesh.metres_per_unit - 1) > 1e-9) {
         std::ostringstream words;
-        words << "the file says that its unit is " << *content.metres_per_unit << " m; the option says "
-              << mesh.metres_per_unit << " m and is followed";
+        words << "the file states a unit of " << *content.metres_per_unit << " m; the option says "
+              << mesh.metres_per_unit << " m and is used";
         mesh.repairs.push_back(words.str());
     }
     return request.up != 0 ? request.up : content.up.value_or('z');
@@ -210,7 +210,7 @@ std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
         }
     std::vector<Overlap> overlaps;
     for (const OverlappingPair& pair : find_overlaps(stones))
-        overlaps.push_back({names[pair.a], names[pair.b], pair.volume, pair.share});
+        overlaps.push_back({names[pair.a], names[pair.b], pair.volume, pair.fraction});
     return overlaps;
 }
 

@@ -240,7 +240,7 @@ std::string to_json(const Geometry& geometry)
         overlaps.push_back({{"a", overlap.stone_a},
                             {"b", overlap.stone_b},
                             {"volume", overlap.volume},
-                            {"share", overlap.share}});
+                            {"fraction", overlap.fraction}});
     return dump({{"origin", to_json_value(geometry.origin)},
                  {"meshes", std::move(meshes)},
                  {"overlaps", std::move(overlaps)}});
@@ -253,7 +253,8 @@ Geometry geometry_from_json(const std::string& text)
     geometry.origin = vector_from(value.at("origin"));
     for (const json& mesh : value.at("meshes")) geometry.meshes.push_back(mesh_from(mesh));
     for (const json& overlap : value.at("overlaps"))
-        geometry.overlaps.push_back({overlap.at("a"), overlap.at("b"), overlap.at("volume"), overlap.at("share")});
+        geometry.overlaps.push_back(
+            {overlap.at("a"), overlap.at("b"), overlap.at("volume"), overlap.at("fraction")});
     return geometry;
 }
 

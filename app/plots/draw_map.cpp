@@ -20,7 +20,7 @@ constexpr Color ink{0.13, 0.14, 0.17}, faint_ink{0.42, 0.44, 0.48}, white{1, 1, 
 
 // Logical pixels; the picture has `sharpness` pixels to each.
 constexpr double sharpness = 2, head = 74, margin = 24, tile_height = 34, gap = 2, axis_height = 50;
-constexpr double least_tile = 92, most_tile = 170, legend_line = 20, note_line = 15, text_room = 10;
+constexpr double least_tile = 92, max_tile = 170, legend_line = 20, note_line = 15, text_room = 10;
 constexpr double title_height = 30;  // of the axis title on the left
 
 struct Sheet {
@@ -44,7 +44,7 @@ Sheet sheet_of(cairo_t* pen, const Figure& figure, const TileMap& map)
     font(pen, 17, true);
     Sheet sheet{};
     sheet.left = margin + (map.y_title.empty() ? 0 : title_height) + names + 10;
-    sheet.tile_width = std::min(words, most_tile);
+    sheet.tile_width = std::min(words, max_tile);
     font(pen, 12);
     double least = width_of(pen, figure.subtitle);
     font(pen, 17, true);

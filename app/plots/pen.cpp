@@ -96,7 +96,7 @@ void write_png(cairo_surface_t* surface, const std::filesystem::path& file)
     const cairo_status_t status = cairo_surface_write_to_png(surface, file.c_str());
     if (status != CAIRO_STATUS_SUCCESS)
         throw InputError(file.string(), std::string("cannot be written: ") + cairo_status_to_string(status),
-                         "give a folder that can be written on a disk with room");
+                         "give a writable folder on a disk with free space");
 }
 
 }  // namespace voussoir

@@ -25,18 +25,18 @@ bool can_draw_figures()
 std::vector<std::string> draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder)
 {
     constexpr double seconds_allowed = 120;
-    constexpr std::size_t most_output = std::size_t{1} << 20;  // bytes, a list of names
+    constexpr std::size_t max_output = std::size_t{1} << 20;  // bytes, a list of names
     if (!can_draw_figures()) {
         throw InputError(helper().string(), "there is no such program",
                          "build voussoir with VOUSSOIR_RENDER=ON, or ask for no diagrams");
     }
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw InputError(folder.string(), error.message(), "name a folder that can be made");
+    if (error) throw InputError(folder.string(), error.message(), "name a folder that can be created");
     const std::string request = std::filesystem::absolute(folder).string() + "\n" + figures_json(figures);
-    const ChildAnswer answer = ask_child(helper(), request, seconds_allowed, most_output);
+    const ChildAnswer answer = ask_child(helper(), request, seconds_allowed, max_output);
     if (!answer.failure.empty())
-        throw InputError(folder.string(), "voussoir-plot drew no diagrams: " + answer.failure, "see what it said");
+        throw InputError(folder.string(), "voussoir-plot drew no diagrams: " + answer.failure, "see its message");
     std::vector<std::string> names;
     std::istringstream lines(answer.output);
     for (std::string line; std::getline(lines, line);) names.push_back(line);

@@ -56,7 +56,7 @@ Canvas::Canvas(int width, int height) : context_(std::make_unique<Context>())
     if (context_->context == nullptr ||
         OSMesaMakeCurrent(context_->context, context_->samples.data(), GL_UNSIGNED_BYTE, w, h) == GL_FALSE) {
         throw InputError("size", std::to_string(width) + "x" + std::to_string(height),
-                         "the off-screen renderer cannot make such a picture: give a smaller one");
+                         "the off-screen renderer cannot draw a picture of this size: give a smaller one");
     }
     OSMesaPixelStore(OSMESA_Y_UP, 0);
 }

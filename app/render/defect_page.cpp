@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 
 // Logical pixels of a picture 900 high.
 constexpr double margin = 40, head = 104, foot = 190, column = 215, line = 21;
-constexpr std::size_t most_callouts = 10;
+constexpr std::size_t max_callouts = 10;
 constexpr double smallest_mark = 26;  // smaller marks get a ring
 
 struct Callout {
@@ -130,7 +130,7 @@ void draw_callouts(const Sheet& sheet, const DefectPicture& picture, const Camer
     std::vector<Callout> left, right;
     for (const PictureMark& mark : picture.marks) {
         if (mark.feature.label.empty() || samples_of(mark.feature).empty()) continue;
-        if (left.size() + right.size() == most_callouts) break;
+        if (left.size() + right.size() == max_callouts) break;
         Callout callout = callout_of(mark, camera, sheet);
         const bool goes_left = callout.anchor.x() < sheet.width / 2 ? left.size() <= right.size() + 2
                                                                     : right.size() > left.size() + 2;

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 using nlohmann::json;
 
 constexpr double seconds_allowed = 300;
-constexpr std::size_t most_output = std::size_t{1} << 20;  // bytes, a list of paths
+constexpr std::size_t max_output = std::size_t{1} << 20;  // bytes, a list of paths
 
 json to_json_value(const std::vector<Vector3d>& points)
 {
@@ -51,7 +51,7 @@ template <typename Look>
 Look look_from(const json& value, int count)
 {
     const int number = value.get<int>();
-    if (number < 0 || number >= count) throw std::out_of_range("a look that there is not");
+    if (number < 0 || number >= count) throw std::out_of_range("an unknown style");
     return static_cast<Look>(number);
 }
 
@@ -142,10 +142,10 @@ std::vector<fs::path> draw_defects(const DefectPictures& pictures, const fs::pat
     if (!fs::exists(helper))
         throw InputError(helper.string(), "there is no such program",
                          "build voussoir with VOUSSOIR_RENDER=ON to have pictures");
-    const ChildAnswer answer = ask_child(helper, to_json(pictures, folder), seconds_allowed, most_output);
+    const ChildAnswer answer = ask_child(helper, to_json(pictures, folder), seconds_allowed, max_output);
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-defects drew no pictures: " + answer.failure,
-                         "see what it said");
+                         "see its message");
     std::vector<fs::path> files;
     std::istringstream lines(answer.output);
     for (std::string line; std::getline(lines, line);) files.emplace_back(line);

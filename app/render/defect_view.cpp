@@ -13,7 +13,7 @@ namespace
 
 using Eigen::Vector3d;
 
-constexpr std::size_t most_samples = 60, most_triangles = 20000;
+constexpr std::size_t max_samples = 60, max_triangles = 20000;
 constexpr double flat_view = 0.4;   // a mark seen face on is worth this share of its samples
 constexpr double from_below = 0.3;  // buildings are seen from above
 constexpr double better_by = 0.12;  // a view further from the usual one must be clearly better
@@ -81,9 +81,9 @@ std::vector<Vector3d> samples_of_all(const DefectPicture& picture)
         const std::vector<Vector3d> samples = samples_of(mark.feature);
         all.insert(all.end(), samples.begin(), samples.end());
     }
-    if (all.size() <= most_samples) return all;
+    if (all.size() <= max_samples) return all;
     std::vector<Vector3d> some;
-    for (std::size_t i = 0; i < most_samples; ++i) some.push_back(all[i * all.size() / most_samples]);
+    for (std::size_t i = 0; i < max_samples; ++i) some.push_back(all[i * all.size() / max_samples]);
     return some;
 }
 
@@ -121,7 +121,7 @@ Vector3d best_direction(const std::vector<PictureShape>& shapes, const DefectPic
 {
     const std::vector<Vector3d> around = directions(), samples = samples_of_all(picture);
     const std::vector<Corners> triangles = hiding_triangles(shapes, picture);
-    if (samples.empty() || triangles.size() > most_triangles) return around.front();
+    if (samples.empty() || triangles.size() > max_triangles) return around.front();
     Vector3d low = samples.front(), high = low;
     for (const Corners& t : triangles) {
         low = low.cwiseMin(t.a);

@@ -45,7 +45,7 @@ void describe(CLI::App& app, Arguments& arguments)
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     app.add_option("--size", arguments.size, "Size of the pictures [pixels]")->capture_default_str();
-    app.add_option("--deformation-scale", arguments.deformation_scale, "Displacements are drawn this much larger")
+    app.add_option("--deformation-scale", arguments.deformation_scale, "Magnification of displacements")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     app.add_option("--joint-threshold", arguments.joint_threshold_mm,

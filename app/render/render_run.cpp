@@ -125,7 +125,7 @@ PageText words_of(const Scene& scene, const RecordedModel& model, const SceneOpt
     if (is_planar(model.kinematics))
         text.notes.push_back(fmt::format("planar scene, drawn {:g} m thick", model.thickness));
     if (options.deformation_scale != 1) {
-        text.notes.push_back(fmt::format("displacements drawn {:g} times as large", options.deformation_scale));
+        text.notes.push_back(fmt::format("displacements magnified {:g} times", options.deformation_scale));
     }
     return text;
 }
@@ -133,7 +133,7 @@ PageText words_of(const Scene& scene, const RecordedModel& model, const SceneOpt
 void check(const ResultsReader& results, const fs::path& file, const SnapshotOptions& options)
 {
     if (results.times.empty()) {
-        throw InputError(file.string(), "no frame", "give the results of a run that got past its start");
+        throw InputError(file.string(), "no frame", "give the results of a run that has written a frame");
     }
     if (options.color == SnapshotColor::principal_stress && !is_deformable(results.model.kinematics)) {
         throw InputError("color", "principal_stress of rigid blocks, which have none", "colour by displacement");
@@ -169,7 +169,7 @@ std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& f
     check(results, results_file, options);
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw InputError(folder.string(), "cannot be made: " + error.message(), "give another folder");
+    if (error) throw InputError(folder.string(), "cannot be created: " + error.message(), "give another folder");
 
     const SceneOptions scene_options{options.color, options.deformation_scale.value_or(1), joint_threshold};
     const RecordedModel model = in_space(results.model);

@@ -73,7 +73,7 @@ void Sheet::write(const std::filesystem::path& path) const
     const cairo_status_t status = cairo_surface_write_to_png(surface_, path.c_str());
     if (status != CAIRO_STATUS_SUCCESS) {
         throw InputError(path.string(), std::string("cannot be written: ") + cairo_status_to_string(status),
-                         "give a folder that can be written on a disk with room");
+                         "give a writable folder on a disk with free space");
     }
 }
 

@@ -17,7 +17,7 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr double seconds_allowed = 600;
-constexpr std::size_t most_output = std::size_t{1} << 24;  // bytes, a list of paths
+constexpr std::size_t max_output = std::size_t{1} << 24;  // bytes, a list of paths
 
 /// The helper's command line, an argument to a line.
 std::string request(const fs::path& results_file, const fs::path& folder, const SnapshotOptions& options)
@@ -61,10 +61,10 @@ std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::p
         if (path.string().find('\n') != std::string::npos)
             throw InputError(path.string(), "a name of two lines", "rename it");
     const ChildAnswer answer =
-        ask_child(helper, request(results_file, folder, options), seconds_allowed, most_output);
+        ask_child(helper, request(results_file, folder, options), seconds_allowed, max_output);
     if (!answer.failure.empty()) {
         throw InputError(results_file.string(), "voussoir-render drew no pictures: " + answer.failure,
-                         "see what it said");
+                         "see its message");
     }
     std::vector<fs::path> pictures;
     std::istringstream lines(answer.output);

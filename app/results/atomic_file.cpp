@@ -42,7 +42,7 @@ void sync_folder(const std::filesystem::path& folder)
 void refuse_writing(const std::filesystem::path& path, int error_number)
 {
     throw InputError(path.string(), "cannot be written: " + std::generic_category().message(error_number),
-                     "give a folder that can be written on a disk with room");
+                     "give a writable folder on a disk with free space");
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view bytes)

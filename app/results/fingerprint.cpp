@@ -90,8 +90,8 @@ std::string differences(const Fingerprint& before, const Fingerprint& now)
     compare(before.text != now.text, "the case file");
     compare(before.overrides != now.overrides, "--set");
     if (!changed.empty()) return changed;  // what follows from it
-    compare(before.blocks != now.blocks, "a mesh file (the blocks are others)");
-    compare(before.motions != now.motions, "a record (the ground motion is another)");
+    compare(before.blocks != now.blocks, "a mesh file (the blocks differ)");
+    compare(before.motions != now.motions, "a record (the ground motion differs)");
     return changed;
 }
 

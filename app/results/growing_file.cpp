@@ -27,7 +27,7 @@ bool is_of_joints(const std::string& dataset)
 
 [[noreturn]] void refuse_rows(const std::filesystem::path& file, const std::string& dataset)
 {
-    throw InputError(file.string(), dataset + " has not the rows it should", "start the run anew");
+    throw InputError(file.string(), dataset + " does not have the expected number of rows", "start the run again");
 }
 
 /// Takes over the rows of one series after another.

@@ -67,7 +67,7 @@ Hdf5Id simple_space(const Extents& extents)
     if (reason.empty()) reason = what;
     throw InputError(
         path.string(), (writing ? "cannot be written: " : "cannot be read: ") + reason,
-        writing ? "give a folder that can be written on a disk with room" : "give a results file of voussoir");
+        writing ? "give a writable folder on a disk with free space" : "give a results file of voussoir");
 }
 
 Hdf5Id access_properties()

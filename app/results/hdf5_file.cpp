@@ -80,7 +80,7 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path)
     result.writing_ = true;
     const Hdf5Id access = access_properties();
     result.file_ = Hdf5Id(result.check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
-                                       "no file can be made there"));
+                                       "no file can be created there"));
     return result;
 }
 
@@ -89,8 +89,8 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path)
     Hdf5File result;
     result.path_ = path;
     const Hdf5Id access = access_properties();
-    result.file_ =
-        Hdf5Id(result.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), "it is not a whole HDF5 file"));
+    result.file_ = Hdf5Id(
+        result.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), "it is not a complete HDF5 file"));
     return result;
 }
 

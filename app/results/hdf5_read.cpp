@@ -50,7 +50,7 @@ Hdf5Id Hdf5File::open_dataset(const std::string& name) const
     const H5D_layout_t layout = H5Pget_layout(made.get());
     if ((layout != H5D_CHUNKED && layout != H5D_CONTIGUOUS && layout != H5D_COMPACT) ||
         H5Pget_nfilters(made.get()) != 0 || H5Pget_external_count(made.get()) != 0)
-        check(-1, name + " is packed, or its values lie elsewhere");
+        check(-1, name + " is compressed, or its values are stored elsewhere");
     return dataset;
 }
 

@@ -39,13 +39,13 @@ std::vector<std::string> left_out(const Case& the_case)
     leave_out(!any_joint(the_case, [](const JointMaterial& j) { return j.has_strength(); }),
               "cohesion and tensile strength (all joints are dry)");
     leave_out(!any_joint(the_case, [](const JointMaterial& j) { return j.dashpot > 0; }),
-              "contact dashpots (no joint has one)");
+              "contact damping (no joint has a relaxation time)");
     leave_out(
         !any_stage(the_case, [](const Stage& s) { return s.damping.rate != 0 || s.damping.factor_per_step != 1; }),
         "kinetic damping (no stage has any)");
     leave_out(true, "viscous boundaries (not in this model)");
-    leave_out(the_case.output.histories.empty(), "histories (no point is measured)");
-    leave_out(!the_case.output.snapshots, "renderer (no snapshots are asked for)");
+    leave_out(the_case.output.histories.empty(), "histories (no points are requested)");
+    leave_out(!the_case.output.snapshots, "renderer (no snapshots are requested)");
     return words;
 }
 

@@ -39,7 +39,7 @@ std::string read_packed(const std::filesystem::path& path, std::string_view mark
 
 void refuse_damaged(const std::filesystem::path& path)
 {
-    throw InputError(path.string(), "damaged", "start the run anew");
+    throw InputError(path.string(), "damaged", "start the run again");
 }
 
 }  // namespace voussoir

@@ -47,12 +47,12 @@ void check_recorded(const RecordedModel& model, const std::string& place)
     const std::size_t blocks = model.block_names.size(), faces = mesh.face_block.size();
     const std::size_t vertices = mesh.levers.size() / static_cast<std::size_t>(mesh.dimension);
     expect(model.centroids.size() == blocks, "another number of centroids than of blocks");
-    for (const Eigen::Vector3d& x : model.centroids) expect(x.allFinite(), "a centroid that is no place");
-    expect(all_below(model.foundations, blocks), "a foundation that is no block");
+    for (const Eigen::Vector3d& x : model.centroids) expect(x.allFinite(), "a centroid that is not finite");
+    expect(all_below(model.foundations, blocks), "a foundation that is not a block");
     expect(!is_planar(model.kinematics) || (model.thickness > 0 && std::isfinite(model.thickness)),
            "a planar scene without thickness");
     expect(are_finite(mesh.levers) && mesh.levers.size() % static_cast<std::size_t>(mesh.dimension) == 0,
-           "a vertex that is no place");
+           "a vertex that is not finite");
     expect(are_positions(mesh.block_first_vertex, blocks, vertices), "vertices that belong to no block");
     expect(are_positions(mesh.face_first, faces, mesh.face_vertices.size()), "faces without corners");
     expect(all_below(mesh.face_vertices, vertices), "a face with a corner that is not there");
@@ -72,7 +72,7 @@ void check_recorded(const RecordedFrame& frame, const RecordedModel& model, cons
     expect(frame.state.coordinates.size() ==
                    blocks * static_cast<std::size_t>(coordinates_per_block(model.kinematics)) &&
                are_finite(frame.state.coordinates),
-           "a frame without the places of its blocks");
+           "a frame without the positions of its blocks");
     expect(
         frame.state.velocities.size() == blocks * static_cast<std::size_t>(unknowns_per_block(model.kinematics)),
         "a frame without the velocities of its blocks");

@@ -96,7 +96,7 @@ Restart load_restart(const std::filesystem::path& path)
 void check_fits(const Restart& restart, const Case& the_case, const std::filesystem::path& path)
 {
     if (!fits(restart, the_case))
-        throw InputError(path.string(), "the restart of another case", "start the run anew");
+        throw InputError(path.string(), "the restart of another case", "start the run again");
 }
 
 }  // namespace voussoir

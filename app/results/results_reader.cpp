@@ -107,8 +107,7 @@ std::vector<T> ResultsReader::rows(const std::string& name, std::int64_t first, 
     if (first >= 0 && count >= 0)
         values = file_.read_rows<T>(name, static_cast<std::uint64_t>(first), static_cast<std::uint64_t>(count));
     if (first >= 0 && count >= 0 && values.size() == columns * static_cast<std::size_t>(count)) return values;
-    throw InputError(place_,
-                     name + " has not the " + std::to_string(columns) + " columns or not the rows it should",
+    throw InputError(place_, name + " does not have the expected " + std::to_string(columns) + " columns and rows",
                      "the file is damaged: run the case again");
 }
 

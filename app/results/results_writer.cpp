@@ -59,7 +59,7 @@ CopiedRows rows_of(const fs::path& results, const Restart& restart)
     TwinFiles::restore_name(results);
     const ResultsReader reader(results);
     if (reader.times.size() < static_cast<std::size_t>(restart.position.frames))
-        throw InputError(results.string(), "fewer frames than the run had written", "start the run anew");
+        throw InputError(results.string(), "fewer frames than the run had written", "start the run again");
     return {results, restart.position.frames, restart.history_rows};
 }
 

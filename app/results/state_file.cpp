@@ -32,7 +32,7 @@ State load_state(const std::filesystem::path& path)
 
 void check_fits(const State& state, const Model& model, const std::filesystem::path& path)
 {
-    if (!fits(state, model)) throw InputError(path.string(), "the state of another model", "start the run anew");
+    if (!fits(state, model)) throw InputError(path.string(), "the state of another model", "start the run again");
 }
 
 }  // namespace voussoir

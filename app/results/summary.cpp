@@ -50,7 +50,8 @@ Json deepest_overlap(const Model& model, const DeepestOverlap& overlap)
     return {{"blocks", {model.blocks[overlap.block_a].name, model.blocks[overlap.block_b].name}},
             {"depth_m", overlap.depth},
             {"forgiven_m", overlap.forgiven},
-            {"share_of_width", overlap.share},
+            {"fraction_of_width", overlap.share},
+            {"share_of_width", overlap.share},  // its former name, for one release
             {"time_s", overlap.time}};
 }
 

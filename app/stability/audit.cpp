@@ -78,7 +78,7 @@ double smallest_size(const Model& model)
 void refuse_interpenetration(const Model& model, CellRun& cell)
 {
     if (cell.max_penetration <= smallest_size(model) / 2) return;
-    cell.note += fmt::format("; blocks are {:.3g} m in one another", cell.max_penetration);
+    cell.note += fmt::format("; blocks overlap by {:.3g} m", cell.max_penetration);
     cell.error = infinity;
 }
 
@@ -116,8 +116,8 @@ void run_audited(const Model& model, const Stage& motion, double lowest, State& 
                  given = last.peak_given > 0 ? last.peak_given / scale : 0;
     cell.error = std::max({cell.energy_residual, gained, given});
     cell.note = fmt::format(
-        "unaccounted {}, appeared {}, given by contacts found anew {} of {:.3g} J; in the end friction {:.3g}, "
-        "integrator {:.3g}, rotation {:.3g}, redetection {:.3g} J",
+        "unaccounted {}, appeared {}, given by newly detected contacts {} of {:.3g} J; at the end friction "
+        "{:.3g}, integrator {:.3g}, rotation {:.3g}, redetection {:.3g} J",
         error_in_words(cell.energy_residual), error_in_words(gained), error_in_words(given), scale, last.friction,
         last.algorithmic, last.algorithmic_rotation, last.redetection);
     refuse_interpenetration(model, cell);

@@ -66,10 +66,10 @@ StabilityScene needle_scene()
     scene.name = "needle";
     scene.title = "A stone stands on three needles";
     scene.quantity =
-        "larger of the error of the force on the ground and the drift in 1 s as a share of the stone's size";
+        "larger of the error of the force on the ground and the drift in 1 s as a fraction of the stone's size";
     scene.text =
-        "A slab of 1 x 1 x 0.3 m with three pyramids glued under it that end in squares, down to 10 micrometres "
-        "wide; 1e8 N/m per contact point.";
+        "A slab of 1 x 1 x 0.3 m on three pyramids that end in squares, down to 10 micrometres wide; 1e8 N/m per "
+        "contact point.";
     scene.reference = "equilibrium: force on the ground, no drift";
     scene.tolerance = 1e-3;
     for (const double tip : {1e-2, 1e-3, 1e-4, 1e-5})
@@ -84,12 +84,12 @@ StabilityScene point_scene()
     scene.name = "point";
     scene.title = "Vertex on vertex, edge on edge";
     scene.quantity =
-        "largest of the shares of the energy that are unaccounted for, appeared, or came from contacts found anew";
+        "largest of the fractions of the energy that are unaccounted for, appeared, or came from newly detected "
+        "contacts";
     scene.text =
-        "A stone is dropped from 0.2 m with its lowest corner, or edge, on the highest of a held one, exactly or "
-        "a "
-        "little beside it, then rolls off onto the ground; 1.5 s. No stone may end in another or below the "
-        "ground.";
+        "A stone is dropped from 0.2 m with its lowest corner, or edge, on the highest one of a fixed stone, "
+        "exactly or slightly to the side, and then rolls off onto the ground; 1.5 s. No stone may end inside "
+        "another or below the ground.";
     scene.reference = "energy audit; nothing passes through";
     scene.tolerance = 0.01;
     const auto cells = [&](const char* label, const char* words, Touch touch) {

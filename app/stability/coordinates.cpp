@@ -1,4 +1,4 @@
-// Far from the origin of the coordinates, as a case file meets it.
+// Far from the coordinate origin, as a case file meets it.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -25,8 +25,7 @@ class ScratchFolder
     ScratchFolder()
     {
         std::string name = (std::filesystem::temp_directory_path() / "voussoir-cell-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw InputError(name, "it cannot be made", "a folder that can be written");
+        if (mkdtemp(name.data()) == nullptr) throw InputError(name, "it cannot be created", "a writable folder");
         path_ = name;
     }
     ScratchFolder(const ScratchFolder&) = delete;
@@ -90,7 +89,7 @@ StabilityScene coordinate_scene()
 {
     StabilityScene scene;
     scene.name = "coordinates";
-    scene.title = "Far from the origin of the coordinates";
+    scene.title = "Far from the coordinate origin";
     scene.quantity = "difference of the displacements / distance slid";
     scene.text =
         "A case file: a slab slides for 1 s down an incline of 30 degrees with friction of 10 degrees, x and -x "

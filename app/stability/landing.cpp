@@ -44,11 +44,12 @@ StabilityScene landing_scene()
     scene.name = "landing";
     scene.title = "A pier rocks to rest";
     scene.quantity =
-        "largest of the shares of the energy that are unaccounted for, appeared, or came from contacts found anew";
+        "largest of the fractions of the energy that are unaccounted for, appeared, or came from newly detected "
+        "contacts";
     scene.text =
-        "The pier of the scene `rocking` is let go leaning by 0.1 rad and lands again and again, 6 s. What a "
-        "landing "
-        "takes depends on stiffness and step; that it never gives anything is what is held here.";
+        "The pier of the scene `rocking` is released at a rotation of 0.1 rad and lands repeatedly, 6 s. The "
+        "energy lost in a landing depends on stiffness and time step; the check is that a landing never supplies "
+        "energy.";
     scene.reference = "energy audit; nothing passes through";
     scene.tolerance = 0.01;
     for (const double k : {1e5, 1e7, 1e9, 1e11, 1e13})

@@ -136,11 +136,10 @@ StabilityScene friction_scene()
     scene.name = "friction";
     scene.title = "Friction of 0, 80 and 89 degrees on an incline";
     scene.quantity =
-        "sliding: distance from the closed form / distance slid; else displacement / size of the slab";
+        "sliding: distance from the closed form / distance slid; otherwise displacement / size of the slab";
     scene.text =
         "A slab of 1 x 1 x 0.1 m without friction on 5 and 30 degrees, for 1 s; with 80 and 89 degrees of "
-        "friction "
-        "on 60 and 75 degrees, where it must stay.";
+        "friction on 60 and 75 degrees, where it must not move.";
     scene.reference = "closed form of sliding; rest";
     scene.tolerance = 1e-3;
     for (const double h : {1e-3, 1e-2}) {
@@ -160,15 +159,13 @@ StabilityScene gravity_scene()
 {
     StabilityScene scene;
     scene.name = "gravity";
-    scene.title = "No gravity, and ten times too much";
+    scene.title = "No gravity, and up to ten times gravity";
     scene.quantity =
-        "flight: largest error of place, angular momentum and energy; stack: larger of the error of the force on "
-        "the "
-        "ground and the drift in 1 s as a share of a block";
+        "flight: largest error of position, angular momentum and energy; stack: larger of the error of the force "
+        "on the ground and the drift in 1 s as a fraction of a block";
     scene.text =
-        "Without gravity a brick flies and spins for 10 s, and a stack of ten cubes stays as it is; the stack "
-        "under 1, "
-        "3 and 10 g.";
+        "Without gravity a brick flies and spins for 10 s, and a stack of ten cubes does not move; the stack "
+        "under 1, 3 and 10 g.";
     scene.reference = "conservation; equilibrium";
     scene.tolerance = 1e-3;
     for (const double h : {1e-3, 1e-2}) {
@@ -189,11 +186,11 @@ StabilityScene shaking_scene()
     scene.name = "shaking";
     scene.title = "A stack of ten cubes is shaken down";
     scene.quantity =
-        "largest of the shares of the energy that are unaccounted for, appeared, or came from contacts found anew";
+        "largest of the fractions of the energy that are unaccounted for, appeared, or came from newly detected "
+        "contacts";
     scene.text =
         "Ten cubes of 0.5 m, shaken for 2 s along all axes (1 : 0.8 : 0.4 at frequencies 1 : 1.3 : 1.7), up to 3 "
-        "g. "
-        "No cube may end in another or below the ground.";
+        "g. No cube may end inside another or below the ground.";
     scene.reference = "energy audit; nothing passes through";
     scene.tolerance = 0.01;
     for (const double g : {0.5, 1., 3.})
@@ -211,12 +208,11 @@ StabilityScene impact_scene()
     scene.name = "impact";
     scene.title = "Impacts at 5 and 50 m/s";
     scene.quantity =
-        "largest of the shares of the energy that are unaccounted for, appeared, or came from contacts found "
-        "anew; "
-        "meeting: momentum too";
+        "largest of the fractions of the energy that are unaccounted for, appeared, or came from newly detected "
+        "contacts; meeting: momentum too";
     scene.text =
-        "A stone of 1 x 0.8 x 1 m hits the ground obliquely with a corner; two cubes of 0.5 m meet, not quite in "
-        "line, without gravity. Nothing may pass through.";
+        "A stone of 1 x 0.8 x 1 m hits the ground obliquely with a corner; two cubes of 0.5 m collide slightly "
+        "off-centre, without gravity. Nothing may pass through.";
     scene.reference = "energy audit, momentum; nothing passes through";
     scene.tolerance = 0.01;
     for (const double speed : {5., 50.})

@@ -105,7 +105,7 @@ StabilityScene many_scene()
     scene.name = "thousand";
     scene.title = "A thousand blocks stand";
     scene.quantity =
-        "larger of the error of the force on the ground and the drift in 20 steps as a share of a block";
+        "larger of the error of the force on the ground and the drift in 20 steps as a fraction of a block";
     scene.text =
         "1,000 stones of 1 x 1 x 0.3 m in 1, 10 and 50 columns, the highest 300 m; a wall in running bond of 40 "
         "courses of 25 blocks. Default contact stiffness, 1e10 Pa.";
@@ -129,11 +129,11 @@ StabilityScene heap_scene()
     scene.name = "heap";
     scene.title = "Hundreds of bodies fall in a heap";
     scene.quantity =
-        "largest of the shares of the energy that are unaccounted for, appeared, or came from contacts found anew";
+        "largest of the fractions of the energy that are unaccounted for, appeared, or came from newly detected "
+        "contacts";
     scene.text =
-        "Boxes and octahedra of 0.3 to 0.7 m, turned at random (a fixed seed), fall on one another for 2 s. None "
-        "may "
-        "end in another or below the ground. Default contact stiffness, 1e10 Pa.";
+        "Boxes and octahedra of 0.3 to 0.7 m, rotated at random (a fixed seed), fall on one another for 2 s. None "
+        "may end inside another or below the ground. Default contact stiffness, 1e10 Pa.";
     scene.reference = "energy audit; nothing passes through";
     scene.tolerance = 0.01;
     for (const int bodies : {100, 300})

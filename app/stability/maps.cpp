@@ -54,8 +54,8 @@ const std::vector<TileKey> keys{{"tolerance / 1000", far_within},
                                 {"at the tolerance", at_tolerance},
                                 {"refused before step one", refused_color},
                                 {"stopped with a diagnosis", stopped_color},
-                                {"beyond it, and warned", warned_color},
-                                {"wrong: beyond it, unsaid", wrong_color},
+                                {"beyond it, with a warning", warned_color},
+                                {"wrong: beyond it, no warning", wrong_color},
                                 {"crash", crash_color},
                                 {"beyond its time budget", timeout_color}};
 
@@ -108,7 +108,7 @@ Figure heat_map(const StabilityScene& scene, const std::vector<const CellResult*
     Figure figure;
     figure.name = scene.name;
     figure.title = scene.title;
-    figure.subtitle = summary_of(results) + fmt::format("; tolerance {}; in a square: error, CPU time, cuts",
+    figure.subtitle = summary_of(results) + fmt::format("; tolerance {}; in each square: error, CPU time, cuts",
                                                         error_in_words(results.front()->cell.tolerance));
     figure.maps = {map};
     return figure;
@@ -154,7 +154,7 @@ Figure table_map(const std::vector<const StabilityScene*>& scenes, const std::ve
     Figure figure;
     figure.name = "extremes";
     figure.title = "Extreme scenes";
-    figure.subtitle = summary_of(all) + "; in a square: parameters, time step and error";
+    figure.subtitle = summary_of(all) + "; in each square: parameters, time step and error";
     figure.maps = {map};
     return figure;
 }

@@ -143,7 +143,7 @@ std::string sink_in_words(const OneBlock& scene)
     const double standing = block.mass * block.gravity / (2 * block.normal_stiffness);
     const double sink = scene.start_lean != 0 ? reference::start_sink(block) : standing;
     const double least = std::min({scene.length, scene.width, scene.height});
-    return fmt::format("by the reference it sinks {:.3g} m, {:.3g} % of its least width, under its weight alone",
+    return fmt::format("by the reference it settles {:.3g} m, {:.3g} % of its least width, under its weight alone",
                        sink, 100 * sink / least);
 }
 

@@ -131,9 +131,8 @@ StabilityScene modulus_scene()
     scene.quantity = "largest distance from the reference over all times / largest sliding";
     scene.text =
         "The block and the ground motion of the scene `sliding` with a contact stiffness of 1e8 N/m per point and "
-        "twelve unknowns, from stone as soft as rubber to one stiffer than steel, and rigid. The block's own "
-        "shear "
-        "adds at most 0.1 mm to the motion.";
+        "twelve unknowns, from a stone as soft as rubber to one stiffer than steel, and rigid. The block's own "
+        "shear adds at most 0.1 mm to the motion.";
     scene.reference = "block on elastic-frictional springs (ODE)";
     scene.tolerance = 0.02;
     for (const double young : {1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, rigid})
@@ -170,7 +169,8 @@ StabilityScene density_scene()
     StabilityScene scene;
     scene.name = "density";
     scene.title = "A heavy cube on a light one, a light one on a heavy one";
-    scene.quantity = "larger of the error of the force on the ground and the drift in 1 s as a share of a block";
+    scene.quantity =
+        "larger of the error of the force on the ground and the drift in 1 s as a fraction of a block";
     scene.text = "Two cubes of 0.3 m; the heavier one has ratio x 200 kg/m3. Default contact stiffness, 1e10 Pa.";
     scene.reference = at_rest;
     scene.tolerance = 1e-3;
@@ -189,7 +189,7 @@ StabilityScene size_scene()
     scene.name = "size";
     scene.title = "A small cube on a large one, a large one on four small ones";
     scene.quantity =
-        "larger of the error of the force on the ground and the drift in 1 s as a share of a small cube";
+        "larger of the error of the force on the ground and the drift in 1 s as a fraction of a small cube";
     scene.text = "The large cube measures 1 m. Default contact stiffness, 1e10 Pa.";
     scene.reference = at_rest;
     scene.tolerance = 1e-3;
@@ -208,8 +208,8 @@ StabilityScene shape_scene()
     scene.name = "shape";
     scene.title = "Slender pillars stand, flat slabs slide";
     scene.quantity =
-        "pillars: larger of the error of the force on the ground and the drift in 1 s as a share of the block's "
-        "size; slabs: distance from the closed form / distance slid";
+        "pillars: larger of the error of the force on the ground and the drift in 1 s as a fraction of the "
+        "block's size; slabs: distance from the closed form / distance slid";
     scene.text =
         "Pillars of 0.1 x 0.1 m, the highest 10 m; slabs of 1 x 1 m, the thinnest 1 mm, down an incline of 30 "
         "degrees with friction coefficient 0.2 for 1 s. Default contact stiffness, 1e10 Pa.";

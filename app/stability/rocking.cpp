@@ -52,14 +52,11 @@ StabilityScene rocking_scene()
     scene.title = "A block rocks on its edges";
     scene.quantity = "largest distance from the reference over all times / largest lean";
     scene.text =
-        "A pier of 1 x 0.1 x 3 m (600 kg, rigid) on a held base, friction coefficient 1.5, four contact points, "
-        "is "
-        "let go while it leans by 0.2 rad on an edge, and swings back until a twentieth of that is left; on the "
-        "softest springs it falls over, and is followed to 0.5 rad. The reference is the same block on the "
-        "springs "
-        "under its two lower edges. What happens when the edge lands is in the scene `landing`, and how soft "
-        "springs "
-        "lift a block in `uplift`.";
+        "A pier of 1 x 0.1 x 3 m (600 kg, rigid) on a fixed base, friction coefficient 1.5, four contact points, "
+        "is released at a rotation of 0.2 rad about an edge, and swings back until a twentieth of that is left; "
+        "on the softest springs it overturns, and is followed to 0.5 rad. The reference is the same block on the "
+        "springs under its two lower edges. The impact of the edge is treated in the scene `landing`, and the "
+        "uplift of a block by soft springs in `uplift`.";
     scene.reference = "block on the springs under its edges (ODE)";
     scene.tolerance = 0.02;
     scene.over_stiffness_and_step = true;
@@ -78,12 +75,10 @@ StabilityScene uplift_scene()
     scene.quantity = "largest distance from the reference over all times / largest lean";
     scene.text =
         "A pier of 1 x 0.2 x 3 m (1200 kg, rigid), friction coefficient 1.5, under a half sine of ground "
-        "acceleration "
-        "of 5 m/s2 and 0.5 s, from rest until it has swung back. The reference is the block on springs. Where the "
-        "springs are so soft that what they store throws the block up, the swing depends on what the integrator "
-        "takes "
-        "out of their vibration: omega h / 4 of critical damping by Newmark's (the default), a tenth of it by the "
-        "energy decaying one.";
+        "acceleration of 5 m/s2 and 0.5 s, from rest until it has returned. The reference is the block on "
+        "springs. Where the springs are so soft that their stored energy throws the block up, the motion depends "
+        "on the damping of their vibration by the integrator: omega h / 4 of critical damping by Newmark's (the "
+        "default), a tenth of that by the energy-decaying one.";
     scene.reference = "block on the springs under its edges (ODE)";
     scene.tolerance = 0.02;
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying})

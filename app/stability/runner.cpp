@@ -18,7 +18,7 @@ namespace voussoir
 namespace
 {
 
-constexpr double most_excused = 10;  // times the tolerance, as runs stop themselves at ten times what they warn of
+constexpr double max_excused = 10;  // times the tolerance, as runs stop themselves at ten times what they warn of
 
 }  // namespace
 
@@ -71,7 +71,7 @@ CellOutcome judge(const StabilityCell& cell, const CellRun& run)
     if (!run.diagnosis.empty()) return CellOutcome::stopped;
     if (run.error <= cell.tolerance) return CellOutcome::passed;  // NaN is not
     // A warning says that figures are rough, not that anything goes; nor does it excuse a run that has none.
-    const bool excused = run.error <= most_excused * cell.tolerance && !run.warning.empty();
+    const bool excused = run.error <= max_excused * cell.tolerance && !run.warning.empty();
     return excused ? CellOutcome::warned : CellOutcome::wrong;
 }
 
@@ -84,7 +84,7 @@ std::string why(const StabilityCell& cell, CellOutcome outcome, const CellRun& r
     if (outcome == CellOutcome::stopped) return run.diagnosis;
     if (outcome == CellOutcome::passed) return "";
     const std::string said = run.warning.empty() ? "" : "; it warned: " + run.warning;
-    if (!std::isfinite(run.error)) return "it came to its end without an answer: " + run.note + said;
+    if (!std::isfinite(run.error)) return "it ended without an answer: " + run.note + said;
     return fmt::format("error {} is beyond {}", error_in_words(run.error), error_in_words(cell.tolerance)) + said;
 }
 
@@ -92,10 +92,10 @@ std::string why(const StabilityCell& cell, CellOutcome outcome, const CellRun& r
 
 CellResult run_apart(const StabilityCell& cell, const CellLimits& limits)
 {
-    constexpr std::size_t most_output = std::size_t{1} << 20;  // bytes
+    constexpr std::size_t max_output = std::size_t{1} << 20;  // bytes
     const ChildAnswer answer =
         ask_child(helper_folder() / "voussoir-cell", to_json(CellRequest{cell.name, cell.budget, limits.memory}),
-                  limits.waiting * cell.budget, most_output);
+                  limits.waiting * cell.budget, max_output);
     CellResult result;
     result.cell = cell;
     if (!answer.failure.empty()) {
@@ -107,7 +107,7 @@ CellResult run_apart(const StabilityCell& cell, const CellLimits& limits)
         result.run = cell_run_from_json(answer.output);
     } catch (const std::exception& error) {
         result.outcome = CellOutcome::crash;
-        result.diagnosis = std::string("it answered nonsense: ") + error.what();
+        result.diagnosis = std::string("its answer is invalid: ") + error.what();
         return result;
     }
     result.outcome = judge(cell, result.run);

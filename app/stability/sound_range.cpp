@@ -95,7 +95,7 @@ std::string sound_range_in_words(const StabilityScene& scene, const std::vector<
     if (!is_whole_map(scene, results)) return "";
     const std::optional<SoundRange> range = sound_range(scene, results);
     if (!range) return scene.name + " holds nowhere";
-    return fmt::format("{} holds from {:.0e} to {:.0e} N/m and from {} to {} ({:.2g} and {:.2g} decades)",
+    return fmt::format("{} works from {:.0e} to {:.0e} N/m and from {} to {} ({:.2g} and {:.2g} decades)",
                        scene.name, range->softest, range->stiffest, step_in_words(range->shortest),
                        step_in_words(range->longest), range->decades_of_stiffness(), range->decades_of_step());
 }

@@ -117,7 +117,7 @@ CellRun run_wall(double stiffness, double time_step)
         fine.median_peak;
     cell.note = fmt::format("median peak {:.4g} m, largest {:.4g} m, median residual {:.4g} m", ours.median_peak,
                             ours.largest_peak, ours.median_residual);
-    if (!fine.failure.empty()) cell.note += "; the run at a finer step gave up: " + fine.failure;
+    if (!fine.failure.empty()) cell.note += "; the run with a finer step failed: " + fine.failure;
     if (!fine.failure.empty()) cell.error = std::numeric_limits<double>::infinity();  // nothing to compare with
     refuse_interpenetration(model, cell);
     return cell;
@@ -135,13 +135,10 @@ StabilityScene wall_scene()
         "wall / median peak";
     scene.text =
         "Ten courses of five blocks of 0.6 x 0.3 x 0.4 m (2000 kg/m3, rigid, in the plane) in running bond, "
-        "friction "
-        "coefficient 0.7 between them and 0.2 under the wall, two contact points a joint. The ground accelerates "
-        "by "
-        "one sine of 6 m/s2 and 1 s along the wall: it slides as a whole and works in its joints. It is "
-        "compared "
-        "with itself at a ten times smaller step. Blocks more than half a block deep in one another are no "
-        "answer.";
+        "friction coefficient 0.7 between them and 0.2 under the wall, two contact points per joint. The ground "
+        "accelerates by one sine of 6 m/s2 and 1 s along the wall: it slides as a whole and deforms in its "
+        "joints. It is compared with a run at a ten times smaller step. Results with overlaps of more than half a "
+        "block are not accepted.";
     scene.reference = "the same wall at a tenth of the step";
     scene.tolerance = 0.05;
     scene.over_stiffness_and_step = true;

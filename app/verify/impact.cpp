@@ -85,7 +85,8 @@ VerifyResult run_open_close(const VerifySetting& setting)
     result.answer = {last};
     result.error = std::abs(last / expected - 1);
     result.note = fmt::format(
-        "settles at {:.4e} m = {:.4f} % of the side (printed: about 0.01 %); deepest on the way {:.2f} times that",
+        "settles at {:.4e} m = {:.4f} % of the side (printed: about 0.01 %); largest transient penetration {:.2f} "
+        "times that",
         last, 100 * last / li_side, deepest / expected);
     return result;
 }

@@ -80,9 +80,8 @@ VerifyResult run_table_3_depth(const VerifySetting& setting)
     }
     compare(values, result);
     result.note += fmt::format(
-        "; d of the centroid in m, as if H were 1 m: with the side of 2 m all three printed ratios are twice "
-        "ours, and "
-        "the first would need more energy than the drop has; of the corners alone{} m",
+        "; d of the centroid in m, as for H = 1 m: with the side of 2 m all three printed ratios are twice "
+        "ours, and the first would need more energy than that of the fall; of the corners alone{} m",
         corners);
     return result;
 }
@@ -131,7 +130,7 @@ VerifyResult run_trends(const VerifySetting& setting)
         judge_rising(fmt::format("E {:.0e}, p 3e7, 1e8, 3e8, 1e9", young), losses, broken, all, note);
     }
     result.error = static_cast<double>(broken) / all;
-    result.note = fmt::format("{} of {} steps of the trends broken; {}", broken, all, note);
+    result.note = fmt::format("{} of {} steps contradict the trends; {}", broken, all, note);
     return result;
 }
 
@@ -168,7 +167,8 @@ VerifyResult run_exact(const VerifySetting& setting)
     if (!result.failure.empty()) return result;
     result.error = std::abs(bounces.heights[1] - exact.height) / block.height;
     result.note = fmt::format(
-        "apex {:.4f} m, exact {:.4f} m (the rest stays as vibration); depth of the corners {:.4f} m, exact {:.4f} "
+        "apex {:.4f} m, exact {:.4f} m (the rest remains as vibration); depth of the corners {:.4f} m, exact "
+        "{:.4f} "
         "m; "
         "of the centroid {:.4f} m, exact {:.4f} m",
         bounces.heights[1], exact.height, bounces.corner_depth, exact.penetration, bounces.centroid_depth,
@@ -206,17 +206,17 @@ std::vector<Benchmark> rebound_rows()
                        "largest deviation from a printed value", "the values are the paper's", 0.10));
     rows.back().run = run_table_3_depth;
     rows.push_back(row("rebound-trends", "Loss against time step, density and spring", "li, figures 9 and 10",
-                       "share of neighbouring settings that break the stated trend",
+                       "fraction of neighbouring settings that contradict the stated trend",
                        "figure not available; trends stated in the text", 0));
     rows.back().run = run_trends;
     rows.push_back(row("rebound-modulus", "Loss against modulus", "li, figure 10",
-                       "largest |loss - loss of the paper's scheme, written a second time|",
+                       "largest |loss - loss of an independent implementation of the paper's scheme|",
                        "printed to rise with the modulus; figure not available", 0.02));
     rows.back().run = run_modulus;
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
         const bool keeping = integrator == Integrator::energy_decaying;
         rows.push_back(row(keeping ? "rebound-energy-keeping" : "rebound-newmark",
-                           keeping ? "First rebound with the integrator that keeps energy"
+                           keeping ? "First rebound with the energy-conserving integrator"
                                    : "First rebound with the paper's integrator",
                            "li, block rebound model", "|apex - exact apex| / drop",
                            "35.3 % lost at 1 ms; exact is a loss-free contact", keeping ? 0.05 : 0.10));

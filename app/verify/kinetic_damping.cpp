@@ -82,7 +82,7 @@ std::vector<Benchmark> kinetic_damping_benchmarks()
     row.name = "kinetic-damping-factor";
     row.title = "Constant force, 3 % damping per step, at 0.1 to 0.0001 s";
     row.quantity = "largest |displacement / closed form of the discrete sum - 1|";
-    row.paper_error = "displacement falls with the time step; figure not available";
+    row.paper_error = "displacement decreases with the time step; figure not available";
     row.tolerance = 1e-9;
     row.run = run_factor;
     rows.push_back(row);

@@ -161,8 +161,8 @@ VerifyResult run_chart(const VerifySetting& setting, ChartKind kind, int count, 
     result.error = static_cast<double>(wrong) / count;
     result.paper_measure = wrong;
     result.note = fmt::format(
-        "{} of {} points disagree (seed {}); motion where there is none {:.0e}, least where there is some {:.0e}, "
-        "largest difference {:.0e} (of force / mass){}",
+        "{} of {} points disagree (seed {}); largest motion where none is expected {:.0e}, smallest where motion "
+        "is expected {:.0e}, largest difference {:.0e} (of force / mass){}",
         wrong, count, seed, spread.largest_of_none, spread.smallest_of_some, spread.largest_difference, where);
     return result;
 }
@@ -174,7 +174,7 @@ Benchmark row(const std::string& name, const std::string& title, const std::stri
     benchmark.name = name;
     benchmark.title = title;
     benchmark.source = source;
-    benchmark.quantity = "share of points with another first motion than the chart";
+    benchmark.quantity = "fraction of points whose first motion differs from the chart";
     benchmark.paper_error = paper_error;
     benchmark.setting.time_step = 1e-3;
     benchmark.sweep = sweep_of(benchmark.setting, {2e-3, 1e-3, 5e-4, 2e-4});

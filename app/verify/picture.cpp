@@ -9,10 +9,10 @@ namespace voussoir
 Curve curve_of(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
                bool is_reference)
 {
-    constexpr std::size_t most_points = 800;  // more than the picture has room for
-    if (y.size() <= most_points) return {name, x, y, is_reference};
+    constexpr std::size_t max_points = 800;  // more than the picture has room for
+    if (y.size() <= max_points) return {name, x, y, is_reference};
     Curve curve{name, {}, {}, is_reference};
-    const std::size_t bin = 1 + 2 * y.size() / most_points;
+    const std::size_t bin = 1 + 2 * y.size() / max_points;
     for (std::size_t first = 0; first < y.size(); first += bin) {
         const auto begin = y.begin() + static_cast<std::ptrdiff_t>(first);
         const auto end = y.begin() + static_cast<std::ptrdiff_t>(std::min(first + bin, y.size()));

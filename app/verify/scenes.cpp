@@ -89,7 +89,7 @@ Scene wedge_in_trough(const VerifySetting& setting, double left, double right, d
 
 Vector3d inclined_gravity(double angle)
 {
-    return standard_gravity * Vector3d(std::sin(angle), 0, -std::cos(angle));
+    return papers_gravity * Vector3d(std::sin(angle), 0, -std::cos(angle));
 }
 
 Vector3d held_gravity(double angle, double friction)

@@ -14,13 +14,13 @@ namespace voussoir
 {
 
 constexpr double degree = std::numbers::pi / 180;  // rad
-constexpr double standard_gravity = 9.81;          // m/s2, the papers'
+constexpr double papers_gravity = 9.81;            // m/s2, the papers'
 
 /// What run_engine brings to rest and then moves. x is horizontal (down the dip), z is up, y is the thickness.
 struct Scene {
     Model model;
     int block = 0;                                             // the measured one
-    Eigen::Vector3d gravity{0, 0, -standard_gravity};          // m/s2
+    Eigen::Vector3d gravity{0, 0, -papers_gravity};            // m/s2
     std::optional<Eigen::Vector3d> rest_gravity;               // m/s2, while it comes to rest; if not `gravity`
     Eigen::Vector3d start_velocity = Eigen::Vector3d::Zero();  // m/s
     double duration = 0;                                       // s, of the motion

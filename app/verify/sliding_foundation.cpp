@@ -49,7 +49,7 @@ SlidingProblem equation_8(const Motion& motion)
     problem.driving = [=](double t) {
         return Eigen::Vector2d(-motion[0].acceleration(t), -motion[1].acceleration(t));
     };
-    problem.pressing = [=](double t) { return standard_gravity + motion[2].acceleration(t); };
+    problem.pressing = [=](double t) { return papers_gravity + motion[2].acceleration(t); };
     problem.friction = friction;
     return problem;
 }
@@ -86,7 +86,7 @@ void add_both(std::vector<Benchmark>& list, const Words& words, const Motion& mo
         .source = words.source,
         .quantity = "largest distance from equation 8 (integrated to 1e-8) / largest displacement of the block",
         .choices =
-            "A block of 3 x 3 x 0.3 m, 2500 kg/m3, 11 GPa, so that E L and E A are those behind the paper's "
+            "A block of 3 x 3 x 0.3 m, 2500 kg/m3, 11 GPa, so that E L and E A correspond to the paper's "
             "stiffness ratios; 5 s. Friction coefficient 0.6. The papers' measure is taken from 0.3 s on." +
             choices,
         .paper_error = words.paper_error,
@@ -115,19 +115,19 @@ std::vector<Benchmark> foundation_benchmarks()
              {"foundation-1d", "A block on a foundation shaken in one direction (0.5 m, 2 Hz)", source + "13",
               "below 1 % after 0.3 s", 0.01, 5e-3},
              one_direction, stiffness_factors,
-             " Text and axis of figure 13 have 0.5 m, its caption 0.2 m: 0.5 m fits the axis.");
+             " The text and the axis of figure 13 give 0.5 m, its caption 0.2 m: 0.5 m fits the axis.");
     list = with_planar(std::move(list));
     add_both(list,
              {"foundation-2d", "A block on a foundation shaken in two directions (0.3 m, 2 Hz; 0.2 m, 4 Hz)",
               source + "14", "below 10 %", 0.1, 7e-3},
              two_directions, stiffness_factors, " The friction of figure 14 is not printed: 0.6 as in figure 13.");
-    add_both(
-        list,
-        {"foundation-3d", "A block on a foundation shaken in three directions (equation 9)", source + "15",
-         "below 3 % (k = 1e7 N/m), below 10 % (1e8, 1e9)", 0.03, 7e-3},
-        three_directions, factors,
-        " Stiffnesses varied: 1e6, 1e7, 1e8, 1e9, 1e10, 1e11 N/m per contact point (figure 15 has the second to "
-        "fourth). The error is of the vector, the vertical part included; the paper's is of the horizontal one.");
+    add_both(list,
+             {"foundation-3d", "A block on a foundation shaken in three directions (equation 9)", source + "15",
+              "below 3 % (k = 1e7 N/m), below 10 % (1e8, 1e9)", 0.03, 7e-3},
+             three_directions, factors,
+             " Stiffnesses varied: 1e6, 1e7, 1e8, 1e9, 1e10, 1e11 N/m per contact point (figure 15 has the second "
+             "to fourth). The error is that of the vector, including the vertical part; the paper's is that of "
+             "the horizontal displacement.");
     return list;
 }
 

@@ -28,7 +28,7 @@ VerifyResult slide_down(const VerifySetting& setting, double angle, double frict
         return made;
     }();
     return compare_sliding(scene, setting, paper_from, [&](double t) {
-        const double s = incline_displacement(standard_gravity, angle * degree, friction * degree, velocity, t);
+        const double s = incline_displacement(papers_gravity, angle * degree, friction * degree, velocity, t);
         return Eigen::Vector3d(s, 0, 0);
     });
 }
@@ -60,9 +60,9 @@ VerifyResult shaken(const VerifySetting& setting, const ShakenIncline& incline, 
     SlidingProblem problem;
     const auto push = [=](double t) { return incline.amplitude * std::sin(omega * t); };
     problem.driving = [=](double t) {
-        return Eigen::Vector2d(standard_gravity * std::sin(angle) + push(t) * std::cos(angle), 0);
+        return Eigen::Vector2d(papers_gravity * std::sin(angle) + push(t) * std::cos(angle), 0);
     };
-    problem.pressing = [=](double t) { return standard_gravity * std::cos(angle) - push(t) * std::sin(angle); };
+    problem.pressing = [=](double t) { return papers_gravity * std::cos(angle) - push(t) * std::sin(angle); };
     problem.friction = std::tan(incline.friction * degree);
     VerifyResult result = compare_sliding(scene, setting, paper_from, problem);
     result.note = fmt::format("{:g}/{:g} deg, {:g} m/s2 at {:g} Hz: {:.1e}", incline.angle, incline.friction,
@@ -81,7 +81,7 @@ VerifyResult sine_2d(const VerifySetting& setting)
 const std::string distance = "largest distance from the closed form / largest displacement";
 const std::string newmark_distance =
     "largest distance from the Newmark-type block (events located, 1e-8) / largest displacement";
-const std::string shape = "The papers leave out the block: ours is 1 x 1 x 0.3 m, 2500 kg/m3, 10 GPa. ";
+const std::string shape = "The papers do not specify the block: ours is 1 x 1 x 0.3 m, 2500 kg/m3, 10 GPa. ";
 
 Benchmark gravity_benchmark_2d()
 {
@@ -120,8 +120,8 @@ Benchmark velocity_benchmark()
             .source = "yagoda-biran-hatzor, section 3.1.1.2 (b), equation 5, figure 5",
             .quantity = distance,
             .choices = shape +
-                       "\"Applied horizontally in the dip direction\" but equation 5 adds it along the dip: "
-                       "so do we. 1 s; the papers' measure is taken from 0.5 s on.",
+                       "\"Applied horizontally in the dip direction\" but equation 5 adds it along the dip, as we "
+                       "do. 1 s; the papers' measure is taken from 0.5 s on.",
             .paper_error = "below 1 % after 0.5 s",
             .paper_level = 0.01,
             .setting = {},
@@ -155,7 +155,7 @@ Benchmark sine_benchmark_2d()
             .quantity = newmark_distance + ", the worse of two sines",
             .choices = shape +
                        "The sine is not given either: 2 m/s2 at 1 Hz as in the spatial case, and 5 m/s2 at 2 Hz "
-                       "to see that the answer does not hang on it. 6 s; the papers' measure from 2 s on.",
+                       "to show that the result does not depend on it. 6 s; the papers' measure from 2 s on.",
             .paper_error = "below 1 % for most of the time",
             .paper_level = 0.01,
             .setting = {},

@@ -22,7 +22,7 @@ VerifyResult slide_down(const VerifySetting& setting, const SlidingBlock& block,
     scene.rest_gravity = held_gravity(angle, std::tan(block.friction));
     scene.duration = duration;
     return compare_sliding(scene, setting, paper_from, [&](double t) {
-        return Eigen::Vector3d(incline_displacement(standard_gravity, angle, block.friction, 0, t), 0, 0);
+        return Eigen::Vector3d(incline_displacement(papers_gravity, angle, block.friction, 0, t), 0, 0);
     });
 }
 
@@ -93,9 +93,8 @@ Benchmark benchmark_of_khan_soft()
     benchmark.name = "incline-khan-soft";
     benchmark.title += ", joint of 50 MPa/m";
     benchmark.choices =
-        "As incline-khan with the paper's joint: 50 MPa/m, normal and shear. The block begins with its friction "
-        "mobilised, "
-        "so that the elastic slip of the joint (0.3 mm) is behind it.";
+        "As incline-khan with the paper's joint: 50 MPa/m, normal and shear. The block starts with its friction "
+        "mobilised, so that the elastic slip of the joint (0.3 mm) has already occurred.";
     benchmark.paper_error = "below 1 % (soft contact)";
     benchmark.paper_level = 0.01;
     benchmark.run = [](const VerifySetting& setting) {

@@ -19,7 +19,7 @@ using Terms = std::vector<Eigen::Vector2d>;  // amplitude [m/s2], angular freque
 /// Table 2: 0.1 g at the first frequency, 0.05 g at half of it, 0.025 g at a quarter.
 Terms set_of(double first)
 {
-    const double g = standard_gravity, omega = first * std::numbers::pi;
+    const double g = papers_gravity, omega = first * std::numbers::pi;
     return {{0.1 * g, omega}, {0.05 * g, omega / 2}, {0.025 * g, omega / 4}};
 }
 
@@ -61,11 +61,10 @@ std::vector<Benchmark> three_sines_benchmarks()
          .quantity = "largest distance from the closed form / largest displacement, the worst of three sets",
          .choices =
              "Block 1 x 1 x 0.3 m (not given), 2700 kg/m3, 5 GPa; 5 s (not given; 10 s for the second set beside "
-             "it). The paper's equation 7 is that of a plane at rest; a horizontal acceleration on its incline is "
-             "1/cos 15 = 1.035 times that along the plane, which is what we take. The sum never reverses the "
-             "slip, "
-             "but brings it to rest once a period of the slowest sine. The paper's steps of 5 and 2.5 ms are in "
-             "the sweep, and its measure is of the end. Figure 6 itself: figure not available.",
+             "it). The paper's equation 7 is valid for a plane at rest; a horizontal acceleration on its incline "
+             "is 1/cos 15 = 1.035 times that along the plane, which is used here. The sum never reverses the "
+             "slip, but brings it to rest once per period of the slowest sine. The paper's steps of 5 and 2.5 ms "
+             "are in the sweep, and its measure is taken at the end. Figure 6 itself: figure not available.",
          .paper_error = "4.5 % at 5 ms, 1.5 % at 2.5 ms",
          .paper_level = 0.015,
          .setting = {},

@@ -37,7 +37,7 @@ constexpr std::array<TableTest, 8> tests{{{2.66, 0.28, 0.05367},
 double table_acceleration(const TableTest& test, double t)
 {
     const double envelope = std::clamp(std::min(t, duration - t) / ramp, 0.0, 1.0);
-    return envelope * test.acceleration * standard_gravity * std::sin(2 * std::numbers::pi * test.frequency * t);
+    return envelope * test.acceleration * papers_gravity * std::sin(2 * std::numbers::pi * test.frequency * t);
 }
 
 GroundMotion sampled(const TableTest& test)
@@ -97,10 +97,10 @@ SlidingProblem newmark_block(const TableTest& test, const Interface& interface)
     SlidingProblem problem;
     problem.driving = [=](double t) {
         const double push = table_acceleration(test, t);
-        return Eigen::Vector2d(standard_gravity * std::sin(angle) + push * std::cos(angle), 0);
+        return Eigen::Vector2d(papers_gravity * std::sin(angle) + push * std::cos(angle), 0);
     };
     problem.pressing = [=](double t) {
-        return standard_gravity * std::cos(angle) - table_acceleration(test, t) * std::sin(angle);
+        return papers_gravity * std::cos(angle) - table_acceleration(test, t) * std::sin(angle);
     };
     problem.friction = std::tan(interface.at_rest);
     problem.friction_at = friction_of(interface);
@@ -169,11 +169,10 @@ std::vector<Benchmark> shaking_table_benchmarks()
         "largest distance from the Newmark-type block (1e-8) / largest displacement, the worst of eight tests at "
         "friction 16 and 17 degrees";
     constant.choices =
-        "The table's acceleration of table 1 (its displacement d_T does not belong to it: 4 pi^2 f^2 d_T is 0.9 "
-        "to "
-        "2.6 times a_h, and 0.3 times in test 8, where 0.19 cm must be meant). Block of 5.08 x 5.08 x 2.54 cm of "
-        "1.6 kg; steel. The papers' measure is the worst difference from the measured end displacement, which is "
-        "that of the friction law, not of the computation: constant friction.";
+        "The table acceleration of table 1 (its displacement d_T is not consistent with it: 4 pi^2 f^2 d_T is 0.9 "
+        "to 2.6 times a_h, and 0.3 times in test 8, where 0.19 cm must be meant). Block of 5.08 x 5.08 x 2.54 cm "
+        "of 1.6 kg; steel. The papers' measure is the worst difference from the measured end displacement, which "
+        "is due to the friction law, not to the computation: constant friction.";
     constant.paper_error = "20 % (17 deg), 80 % (16 deg) of the measured";
     constant.tolerance = 3e-3;
     constant.sweep = standard_sweep({5e-3, 2.5e-3, 1e-3, 5e-4});
@@ -181,14 +180,14 @@ std::vector<Benchmark> shaking_table_benchmarks()
 
     Benchmark rate_dependent = constant;
     rate_dependent.name = "shaking-table-rate-dependent";
-    rate_dependent.title = "The same with friction that grows with the speed of slip";
+    rate_dependent.title = "The same with friction that increases with the sliding speed";
     rate_dependent.quantity =
         "largest distance from the Newmark-type block with the same law (1e-8) / largest displacement, the worst "
         "of eight tests";
     rate_dependent.choices =
-        "Friction by the numbers the paper prints of the interface, nothing fitted: 12.7 degrees at rest (tilt "
-        "test), 16 degrees at 2.54 cm/s, 20 % of it more per decade of speed up to 19 degrees. Figure 2, the "
-        "back-calculated law: figure not available.";
+        "Friction from the values printed in the paper for the interface, nothing fitted: 12.7 degrees at rest "
+        "(tilt test), 16 degrees at 2.54 cm/s, increasing by 20 % of it per decade of speed up to 19 degrees. "
+        "Figure 2, the back-calculated law: figure not available.";
     rate_dependent.paper_error = "constant friction only";
     rate_dependent.run = shake_rate_dependent;
     return {constant, rate_dependent};

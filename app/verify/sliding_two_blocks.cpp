@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr double friction = 18 * degree, frequency = 0.25, duration = 8;  // rad, Hz, s
-constexpr double amplitude = 0.5 * standard_gravity;                      // m/s2
+constexpr double amplitude = 0.5 * papers_gravity;                        // m/s2
 
 GroundMotion ground(double phase)
 {
@@ -64,7 +64,7 @@ VerifyResult shake(const VerifySetting& setting, double phase)
     const BaseMotion base{phase};
     SlidingProblem problem;
     problem.driving = [=](double t) { return Eigen::Vector2d(-base.acceleration(t), 0); };
-    problem.pressing = [](double) { return standard_gravity; };
+    problem.pressing = [](double) { return papers_gravity; };
     problem.friction = std::tan(friction);
     EngineRun run = run_engine(scene, setting);
     const std::vector<SlidingPoint> slid = slide(problem, run.history.times);
@@ -92,7 +92,7 @@ std::vector<Benchmark> two_blocks_benchmarks()
 {
     return {
         {.name = "two-sliding-blocks",
-         .title = "A block on a block that is shaken by 0.5 g at 0.25 Hz, friction 18 degrees",
+         .title = "A block on a moving block, 0.5 g at 0.25 Hz, friction 18 degrees",
          .source = "ma, section Two Sliding Blocks, figure 1",
          .quantity =
              "largest distance from the rigid blocks (integrated to 1e-8) / largest displacement of the top "

@@ -37,7 +37,7 @@ VerifyResult let_slide(const VerifySetting& setting, const Wedge& wedge)
     scene.duration = 1;
     const double equivalent = std::atan(wedge_friction(wedge.left * degree, wedge.right * degree, friction));
     VerifyResult result = compare_sliding(scene, setting, 0.1, [&](double t) {
-        return Eigen::Vector3d(incline_displacement(standard_gravity, plunge, equivalent, 0, t), 0, 0);
+        return Eigen::Vector3d(incline_displacement(papers_gravity, plunge, equivalent, 0, t), 0, 0);
     });
     result.note = words(wedge, result.error);
     return result;
@@ -53,9 +53,9 @@ VerifyResult shake(const VerifySetting& setting, const Wedge& wedge)
     SlidingProblem problem;
     problem.driving = [](double t) {
         const double sine = amplitude * std::sin(2 * std::numbers::pi * frequency * t);
-        return Eigen::Vector2d(standard_gravity * std::sin(plunge) + sine, 0);
+        return Eigen::Vector2d(papers_gravity * std::sin(plunge) + sine, 0);
     };
-    problem.pressing = [](double) { return standard_gravity * std::cos(plunge); };
+    problem.pressing = [](double) { return papers_gravity * std::cos(plunge); };
     problem.friction = wedge_friction(wedge.left * degree, wedge.right * degree, friction);
     VerifyResult result = compare_sliding(scene, setting, 1, problem);
     result.note = words(wedge, result.error);
@@ -80,11 +80,9 @@ VerifyResult shake_all(const VerifySetting& setting)
 }
 
 const std::string choices =
-    "The paper leaves out the wedge, the sine and its direction within the vertical plane of the line of "
-    "intersection. "
-    "Ours is 1 m deep and 2 m long, 2500 kg/m3, 10 GPa, between planes that dip symmetrically and not. Spatial "
-    "scenes "
-    "only: the motion is across every plane strain. ";
+    "The paper does not specify the wedge, the sine and its direction within the vertical plane of the line of "
+    "intersection. Ours is 1 m deep and 2 m long, 2500 kg/m3, 10 GPa, between planes that dip symmetrically and "
+    "not. Spatial scenes only: the motion is not in one plane. ";
 
 }  // namespace
 
@@ -110,7 +108,7 @@ std::vector<Benchmark> wedge_benchmarks()
         "largest distance from the vector analysis (integrated to 1e-8) / largest displacement, the worst "
         "of three";
     sine.choices =
-        choices + "2 m/s2 at 1 Hz, 4 s; one wedge slides from the start, two stand before they are shaken.";
+        choices + "2 m/s2 at 1 Hz, 4 s; one wedge slides from the start, two are stable before the motion.";
     sine.paper_error = "below 7 %";
     sine.paper_level = 0.07;
     sine.run = shake_all;

@@ -168,8 +168,9 @@ std::vector<Benchmark> tower_benchmarks()
     row.name = "slender-tower";
     row.title = "A tower of 100 courses under 0.5 g at 2.5 Hz";
     row.source = "ma, figure 2";
-    row.quantity = "statements broken: stands; slip grows with height; top quarter slides more than the lowest";
-    row.paper_error = "apparently performs well; slides more the higher (figure not available)";
+    row.quantity =
+        "statements contradicted: stands; slip increases with height; top quarter slides more than the lowest";
+    row.paper_error = "apparently performs well; slides more with height (figure not available)";
     row.setting.kinematics = Kinematics::spatial_rigid;
     row.setting.time_step = 1e-3;
     row.sweep = sweep_of(row.setting, {5e-3, 2e-3, 1e-3, 5e-4});

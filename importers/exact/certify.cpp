@@ -116,7 +116,7 @@ std::string orient(Draft& draft)
     const std::vector<std::vector<int>> before = draft.surface.faces;
     if (!orient_consistently(draft.surface)) {
         draft.mark_edges("directions clash", use.clashing);
-        return "no choice of directions makes its faces agree, the first clash is " +
+        return "its faces cannot be oriented consistently, the first conflict is " +
                draft.along(use.clashing.front());
     }
     for (std::size_t f = 0; f < before.size(); ++f)
@@ -158,7 +158,7 @@ std::string check_crossings(Draft& draft)
     for (const auto& [a, b] : found.crossing_faces) crossing.insert(crossing.end(), {a, b});
     draft.mark_faces("faces cross", crossing);
     const auto [a, b] = found.crossing_faces.front();
-    return format("it crosses itself: %zu pairs of faces cut or overlap each other, the first at ",
+    return format("it intersects itself: %zu pairs of faces cut or overlap each other, the first at ",
                   found.crossing_faces.size()) +
            corner(a) + " and " + corner(b);
 }

@@ -45,7 +45,7 @@ std::string make_glued_parts(Draft& draft)
     const CertifyOptions& options = draft.options;
     DecomposeOptions how;
     how.planarity = options.planarity_tolerance;
-    how.most_parts = options.most_parts;
+    how.max_parts = options.max_parts;
     how.volume_error = options.volume_error;
     Decomposition result =
         decompose({draft.surface.vertices, draft.examination.triangles}, how, draft.certificate.name);

@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr double shares[] = {0.5, 0.35, 0.65, 0.2, 0.8};  // of the range of angles that resolve an edge
-constexpr std::size_t most_edges = 256;                   // that are looked at
+constexpr std::size_t max_edges = 256;                    // that are looked at
 constexpr double least_angle = 0.03;                      // rad, between a cut and a face at its edge
 constexpr double crossing_penalty = 0.75;                 // an edge that is crossed has to be resolved twice
 constexpr double ridge_penalty = 0.1;                     // a convex edge in the cut is lost to edge contacts
@@ -177,10 +177,10 @@ std::vector<CutPlane> cutting_planes(const TriangleSurface& surface, const std::
 {
     // Of a rough stone only the edges that are worth most propose planes and judge them.
     std::vector<ReentrantEdge> worth = edges;
-    if (worth.size() > most_edges) {
+    if (worth.size() > max_edges) {
         std::stable_sort(worth.begin(), worth.end(),
                          [](const ReentrantEdge& a, const ReentrantEdge& b) { return a.weight > b.weight; });
-        worth.resize(most_edges);
+        worth.resize(max_edges);
     }
     const Judge judge(surface, worth, tolerance);
     std::vector<Candidate> good;

@@ -40,13 +40,13 @@ class Cutter
     {
         const std::vector<ReentrantEdge> all = reentrant_edges(surface, options.planarity * diagonal_);
         reentrant_count = static_cast<int>(all.size());
-        approximate_ = reentrant_count > options.most_exact_edges;
+        approximate_ = reentrant_count > options.max_exact_edges;
         pieces.push_back(make_piece(surface, {}));
     }
 
     void cut_all()
     {
-        while (static_cast<int>(pieces.size()) < options_.most_parts) {
+        while (static_cast<int>(pieces.size()) < options_.max_parts) {
             if (approximate_ && excess() <= options_.volume_error * volume_) return;
             const auto worst = std::max_element(pieces.begin(), pieces.end(),
                                                 [&](const Piece& a, const Piece& b) { return need(a) < need(b); });
@@ -196,8 +196,8 @@ Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& 
     result.reentrant_edges = cutter.reentrant_count;
     result.volume_error = cutter.volume_error();
     if (std::abs(result.volume_error) > options.volume_error) {
-        const bool full = static_cast<int>(cutter.pieces.size()) >= options.most_parts;
-        result.reason = full ? "needs more than " + std::to_string(options.most_parts) + " convex parts"
+        const bool full = static_cast<int>(cutter.pieces.size()) >= options.max_parts;
+        result.reason = full ? "needs more than " + std::to_string(options.max_parts) + " convex parts"
                              : "some of its parts could not be cut any further";
         return result;
     }

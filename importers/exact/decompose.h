@@ -13,8 +13,8 @@ namespace voussoir
 /// How far to cut.
 struct DecomposeOptions {
     double planarity = 1e-5;     // share of the diagonal by which a face may bulge inward and still count as flat
-    int most_exact_edges = 48;   // stones with more reentrant edges are approximated
-    int most_parts = 64;         // of any stone
+    int max_exact_edges = 48;    // stones with more reentrant edges are approximated
+    int max_parts = 64;          // of any stone
     double volume_error = 0.01;  // share of the volume that is allowed to approximating parts
 };
 

@@ -18,9 +18,9 @@ double overlap_volume(const ConvexPolyhedron& a, const ConvexPolyhedron& b);
 
 /// Two entries of a list that overlap.
 struct OverlappingPair {
-    int a = 0, b = 0;   // a < b
-    double volume = 0;  // m3
-    double share = 0;   // of the smaller one's volume
+    int a = 0, b = 0;     // a < b
+    double volume = 0;    // m3
+    double fraction = 0;  // of the smaller one's volume
 };
 
 /// All pairs of stones, each a list of convex parts, whose shared volume exceeds `tolerance` times that of the

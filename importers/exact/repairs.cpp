@@ -16,8 +16,7 @@ using Loop = std::vector<int>;
 namespace
 {
 
-constexpr std::size_t most_open_edges =
-    4000;  // every one is compared with every other: more are a heap, no joints
+constexpr std::size_t max_open_edges = 4000;  // every one is compared with every other: more are a heap, no joints
 
 /// Puts `middle` between two neighbouring corners of the one other face that has them. @returns false if none has
 bool insert_between(std::vector<Loop>& faces, std::size_t except, int a, int b, int middle)
@@ -72,7 +71,7 @@ std::vector<int> drop_collinear_triangles(PolygonSurface& surface, const std::ve
 int insert_corners_on_open_edges(PolygonSurface& surface, double tolerance)
 {
     const std::vector<std::pair<int, int>> open = edge_use(surface).open;
-    if (open.size() > most_open_edges) return 0;
+    if (open.size() > max_open_edges) return 0;
     std::set<int> ends;
     for (const auto& [a, b] : open) ends.insert({a, b});
     std::map<std::pair<int, int>, std::vector<std::pair<double, int>>> inserts;  // by share of the way along

@@ -153,7 +153,7 @@ SurfaceExamination examine(const PolygonSurface& surface)
         return examine_unguarded(surface);
     } catch (const CGAL::Failure_exception& failure) {
         throw InputError(surface.name, "the exact geometry library refuses the surface: " + failure.expression(),
-                         "look for faces without area or that cross each other");
+                         "look for faces without area or intersecting faces");
     }
 }
 

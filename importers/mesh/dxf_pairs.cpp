@@ -21,7 +21,7 @@ std::vector<DxfPair> pairs_of(const MeshSource& source)
         const std::optional<long long> number = parse_integer(trimmed(code));
         if (!number || *number < -10 || *number > 1100)
             throw InputError(source.place + ":" + std::to_string(lines.number()),
-                             "\"" + std::string(trimmed(code).substr(0, 40)) + "\" is no group code",
+                             "\"" + std::string(trimmed(code).substr(0, 40)) + "\" is not a group code",
                              "a DXF file alternates lines of codes and values");
         if (!lines.next(value)) break;
         pairs.push_back({static_cast<int>(*number), trimmed(value), lines.number()});
@@ -89,7 +89,7 @@ DxfFile read_dxf_pairs(const MeshSource& source)
                          section.empty()
                              ? "it has no section ENTITIES"
                              : "the file ends within its section " + std::string(section.substr(0, 40)),
-                         "the file was cut off, or it is no DXF file");
+                         "the file was cut off, or it is not a DXF file");
     return file;
 }
 

@@ -124,7 +124,8 @@ PlyHeader read_ply_header(const MeshSource& source)
             throw InputError(at(), "\"" + std::string(line.substr(0, 60)) + "\" is not understood",
                              "header lines are format, element, property, comment and end_header");
     }
-    throw InputError(source.place, "the header has no `end_header`", "the file was cut off, or it is no PLY file");
+    throw InputError(source.place, "the header has no `end_header`",
+                     "the file was cut off, or it is not a PLY file");
 }
 
 }  // namespace voussoir

@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr int deepest = 64;
-constexpr std::size_t most_instances = 100'000;
+constexpr std::size_t max_instances = 100'000;
 
 /// One .model part of the package.
 struct ModelPart {
@@ -108,7 +108,7 @@ class PackageReader
         const auto found = part->second.objects.find(id);
         if (found == part->second.objects.end())
             refuse(part->second, reference, "object \"" + id + "\" is placed", "there is no such object");
-        if (depth > deepest || ++instances_ > most_instances)
+        if (depth > deepest || ++instances_ > max_instances)
             refuse(part->second, found->second, "object \"" + id + "\" is a part of itself, or of too many",
                    "components must form a tree");
         const pugi::xml_node object = found->second;

@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr int deepest = 256;
-constexpr std::size_t most_instances = 100'000;
+constexpr std::size_t max_instances = 100'000;
 
 /// Where the corners of a primitive stand in its list of numbers: every `stride`-th, from `offset` on.
 struct Corners {
@@ -88,7 +88,7 @@ class ColladaReader
 
     void place(const pugi::xml_node& node, const Eigen::Affine3d& parent, int depth)
     {
-        if (depth > deepest || ++instances_ > most_instances)
+        if (depth > deepest || ++instances_ > max_instances)
             refuse(node, "this node is a part of itself, or of too many", "nodes must form a tree");
         Eigen::Affine3d placement = parent;
         for (const pugi::xml_node& child : node.children()) placement = placement * transform(child);

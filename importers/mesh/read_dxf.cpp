@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr int deepest = 32;
-constexpr std::size_t most_instances = 100'000;
+constexpr std::size_t max_instances = 100'000;
 
 /// One entity: its pairs after (0, NAME).
 struct Entity {
@@ -247,7 +247,7 @@ class DxfReader
         const int columns = std::max(1, whole(entity, 70)), rows = std::max(1, whole(entity, 71));
         for (int row = 0; row < rows; ++row)
             for (int column = 0; column < columns; ++column) {
-                if (++instances_ > most_instances)
+                if (++instances_ > max_instances)
                     refuse(entity.range.first, "blocks are inserted too often", "give fewer");
                 Eigen::Affine3d local = Eigen::Affine3d::Identity();
                 local.rotate(axes).translate(point(entity, 10));

@@ -133,7 +133,7 @@ MeshFile read_kind(Kind kind, const MeshSource& source, const ReadOptions& optio
         case Kind::unknown:
             break;
     }
-    throw InputError(source.place, "this is no mesh file of a kind that is read",
+    throw InputError(source.place, "this is not a mesh file in a supported format",
                      "give OBJ, STL, PLY, OFF, glTF, COLLADA, DXF, 3DS, 3MF, AMF, IFC or COMPAS JSON");
 }
 
@@ -150,7 +150,7 @@ MeshFile read_source(MeshSource& source, const ReadOptions& options)
     const Kind kind = found == Kind::unknown ? named : found;
     if (found != Kind::unknown && named != Kind::unknown && named != found &&
         !(found == Kind::archive && named == Kind::amf) && !(found == Kind::gltf && named == Kind::compas))
-        repairs.push_back("the content is of another kind than the name says, and was read as what it is");
+        repairs.push_back("the content does not match the file name, and was read by its own format");
     MeshFile mesh = read_kind(kind, source, options);
     mesh.repairs.insert(mesh.repairs.begin(), repairs.begin(), repairs.end());
     return mesh;

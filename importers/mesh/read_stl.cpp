@@ -40,7 +40,8 @@ class AsciiStl
                 const std::size_t end = static_cast<std::size_t>(word.data() - line.data()) + word.size();
                 return keyword == "solid" ? begin_solid(trimmed(line.substr(end))) : end_solid();
             } else if (!read_keyword(keyword, number)) {
-                return faults_.add(number, "\"" + std::string(word.substr(0, 40)) + "\" is no word of an STL file",
+                return faults_.add(number,
+                                   "\"" + std::string(word.substr(0, 40)) + "\" is not a keyword of STL files",
                                    "lines are `facet`, `outer loop`, `vertex x y z`, `endloop`, `endfacet`");
             }
         }
@@ -115,7 +116,7 @@ MeshFile read_binary(const MeshSource& source)
                          "the header announces " + std::to_string(facets) + " facets, which need " +
                              std::to_string(announced) + " bytes, but the file has " +
                              std::to_string(bytes.size()),
-                         "the file was cut off, or it is no STL file");
+                         "the file was cut off, or it is not a STL file");
     SurfaceList result(source);
     if (announced < bytes.size())
         result.note(std::to_string(bytes.size() - announced) + " bytes after the last facet were left out");

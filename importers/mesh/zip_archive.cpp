@@ -11,7 +11,7 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
+constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
 struct Discard {
     void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -52,7 +52,7 @@ std::map<std::string, std::string> unzipped(const MeshSource& archive, const std
         const char* found = zip_get_name(zip.get(), index, ZIP_FL_ENC_GUESS);
         const std::string name = found != nullptr ? found : "";
         if (!lower_case(name).ends_with(ending)) continue;
-        std::string& content = parts[name] = unpack(zip.get(), index, most_bytes - sum, archive);
+        std::string& content = parts[name] = unpack(zip.get(), index, max_bytes - sum, archive);
         sum += content.size();
         if (std::optional<std::string> text = from_utf16(content)) content = std::move(*text);
     }

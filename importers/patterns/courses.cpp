@@ -35,8 +35,8 @@ std::vector<Level> levels_of(double height, const Lintel& lintel, const std::vec
 {
     std::ostringstream found, expected;
     found << lower.what << " and " << upper.what << " lie " << upper.z - lower.z << " m apart in height";
-    expected << "bring them to one level or at least a third of a course, " << course * smallest_piece
-             << " m, apart";
+    expected << "give them the same level, or separate them by at least a third of a course, "
+             << course * smallest_piece << " m, apart";
     throw InputError(upper.key == "height" ? lower.key : upper.key, found.str(), expected.str());
 }
 

@@ -134,7 +134,7 @@ void refuse_sliver(const Laying& laying, const Stretch& stretch)
     std::ostringstream found, expected;
     found << "only " << stretch.end - stretch.begin << " m of " << laying.facade.name << " between "
           << stretch.begin << " m and " << stretch.end << " m";
-    expected << "leave nothing, or at least a third of a block, " << laying.block.length * smallest_piece << " m";
+    expected << "leave no wall, or at least a third of a block, " << laying.block.length * smallest_piece << " m";
     const Fault fault{"openings", found.str(), expected.str()};
     const bool known = std::any_of(laying.faults.begin(), laying.faults.end(),
                                    [&](const Fault& other) { return other.found == fault.found; });

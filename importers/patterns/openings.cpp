@@ -84,7 +84,7 @@ void check_openings(const Facade& facade, double height, const Lintel& lintel, s
         for (std::size_t a = 0; a < b; ++a)
             if (overlap(patches[a].patch, patches[b].patch))
                 faults.push_back({patches[b].key, patches[a].name + " and " + patches[b].name + " overlap",
-                                  "leave wall between them"});
+                                  "leave some wall between them"});
 }
 
 }  // namespace voussoir

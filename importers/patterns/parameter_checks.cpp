@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "importers/patterns/most_blocks.h"
+#include "importers/patterns/max_blocks.h"
 
 namespace voussoir
 {
@@ -43,8 +43,8 @@ void check_block(const BlockFormat& block, double longest, double height, double
     if (block.height > height)
         faults.push_back({"block", "a block " + in_words(block.height) + " high in a wall of " + in_words(height),
                           "the block must fit into the wall"});
-    if (walls * (longest / block.length) * (height / block.height) > static_cast<double>(most_blocks))
-        faults.push_back({"block", "more than " + std::to_string(most_blocks) + " blocks",
+    if (walls * (longest / block.length) * (height / block.height) > static_cast<double>(max_blocks))
+        faults.push_back({"block", "more than " + std::to_string(max_blocks) + " blocks",
                           "give a larger block or a smaller wall"});
 }
 

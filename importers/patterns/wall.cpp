@@ -59,7 +59,7 @@ std::vector<MasonryBlock> wall(const Wall& wall)
     add_base(wall.name, wall.base, {wall.length, wall.thickness}, wall.flat, cells);
     lay(facade, beds, block, wall.lintel, cells, faults);
     if (faults.empty() && cells.size() <= (wall.base.height > 0 ? 1U : 0U))
-        faults.push_back({"openings", "nothing is left of the wall", "leave wall beside or above the openings"});
+        faults.push_back({"openings", "no wall remains", "leave some wall beside or above the openings"});
     if (!faults.empty()) throw InputError(faults);
     return blocks_in(cells, wall.imperfection, wall.flat, wall.placement);
 }

@@ -93,7 +93,7 @@ double time_step_of(const SourceFile& file, const TextHeader& header, const std:
             faults.add(file.at(header.count_line),
                        "duration / points = " + to_text(*step) + " s but the header gives " + to_text(rate) +
                            " samples a second",
-                       "the file is damaged: fetch it again");
+                       "the file is damaged: download it again");
         }
         step = 1 / rate;
     }
@@ -107,7 +107,7 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
     const TextHeader header = read_text(file, begin);
     if (header.count_line == header.end || header.unit_line == header.end) {
         faults.add(file.at(begin), "a header without \"NO. OF POINTS\" and \"UNITS ARE\" before its numbers",
-                   "the file is cut short or damaged: fetch it again");
+                   "the file is cut short or damaged: download it again");
         return file.lines.size();
     }
     const NumberBlock integers = read_block_to_short_line(file, header.end, 5);

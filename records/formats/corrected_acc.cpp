@@ -72,7 +72,7 @@ void check_peak(const Header& header, const Channel& channel, const SourceFile& 
     faults.add(file.at(header.peak_line),
                "the header announces a peak of " + to_text(*header.peak) + " m/s2 but the samples have " +
                    to_text(found) + " m/s2",
-               "the file is damaged: fetch it again");
+               "the file is damaged: download it again");
 }
 
 Record read(const SourceFile& file, const ReadOptions& options)

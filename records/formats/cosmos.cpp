@@ -77,7 +77,7 @@ NumberBlock read_counted(const SourceFile& file, std::size_t line, FaultList& fa
         faults.add(file.at(line),
                    "a header of " + to_text(count) + " numbers of which " + std::to_string(block.numbers.size()) +
                        " are there",
-                   "the file is cut short or damaged: fetch it again");
+                   "the file is cut short or damaged: download it again");
         faults.throw_if_any(file.name);
     }
     return block;
@@ -102,7 +102,7 @@ Header read_header(const SourceFile& file, std::size_t begin, FaultList& faults)
     header.integer_line = find_words(file, begin, search_end, "integer-header");
     if (header.integer_line == search_end) {
         throw InputError(file.at(begin), "a channel without \"Integer-header values follow\"",
-                         "the file is cut short or damaged: fetch it again");
+                         "the file is cut short or damaged: download it again");
     }
     const NumberBlock integers = read_counted(file, header.integer_line, faults);
     header.real_line = skip_blank(file, integers.end);
@@ -110,7 +110,7 @@ Header read_header(const SourceFile& file, std::size_t begin, FaultList& faults)
         lower_case(file.lines[header.real_line]).find("real-header") == std::string::npos) {
         throw InputError(file.at(std::min(header.real_line, file.lines.size() - 1)),
                          "no \"Real-header values follow\" behind the whole numbers",
-                         "the file is cut short or damaged: fetch it again");
+                         "the file is cut short or damaged: download it again");
     }
     const NumberBlock reals = read_counted(file, header.real_line, faults);
     header.integers = integers.numbers;
@@ -179,7 +179,7 @@ Unit unit_of(const SourceFile& file, const Header& header, std::size_t line, con
         if (!agree)
             faults.add(file.at(line),
                        "units=" + words + " with code " + std::to_string(code) + ", which is " + known->name,
-                       "the file is damaged: fetch it again");
+                       "the file is damaged: download it again");
         if (!named && !options.unit) return *known;
     }
     return resolve_unit(words, options, file.at(line), faults);
@@ -200,7 +200,7 @@ void compare_duration(const SourceFile& file, const Channel& channel, std::size_
     const double stated = number_after(file.lines[line], "approx").value_or(found);
     if (std::abs(found - stated) <= std::max(1.0, 0.02 * stated)) return;
     remarks.push_back(file.at(line) + ": approx " + to_text(stated) + " s here but " + to_text(found) +
-                      " s by count and time step; the time step is believed");
+                      " s by count and time step; the time step is used");
 }
 
 bool is_announcement(std::string_view line)
@@ -223,9 +223,8 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
     const Direction direction = direction_of(file, header);
     std::size_t line = header.end;
     if (line >= file.lines.size() || !is_announcement(file.lines[line])) {
-        faults.add(
-            file.at(std::min(line, file.lines.size() - 1)), "no line that counts samples behind the header",
-            "here stands \"13400 acceleration pts, approx 67 secs, units=g (02), Format=(8f9.6)\" or alike");
+        faults.add(file.at(std::min(line, file.lines.size() - 1)), "no line that counts samples behind the header",
+                   "expected \"13400 acceleration pts, approx 67 secs, units=g (02), Format=(8f9.6)\" or similar");
         return header.end;
     }
     while (line < file.lines.size() && is_announcement(file.lines[line])) {

@@ -164,7 +164,7 @@ void remark_on_times(const std::vector<double>& times, double step, const std::s
         strayed = std::max(strayed, std::abs(times[i] - times.front() - static_cast<double>(i) * step));
     if (strayed <= 1.1 * time_resolution) return;
     remarks.push_back(
-        component + ": the printed times stray by up to " + to_text(std::round(strayed * 1e3) / 1e3) +
+        component + ": the printed times deviate by up to " + to_text(std::round(strayed * 1e3) / 1e3) +
         " s from even ones; the samples are taken as evenly spaced at their mean step, " + to_text(step) + " s");
 }
 
@@ -176,7 +176,7 @@ std::size_t read_pairs(const SourceFile& file, const Header& header, const ReadO
     const std::size_t unit_line = find_words(file, header.begin, header.integer_line, "units of");
     if (count_line == header.integer_line) {
         faults.add(file.at(header.begin), "a header without \"No. of Points\"",
-                   "the file is damaged: fetch it again");
+                   "the file is damaged: download it again");
         return file.lines.size();
     }
     const NumberBlock block = read_block(file, header.end, pair_width);
@@ -212,7 +212,7 @@ std::size_t read_series(const SourceFile& file, const Header& header, const Read
                 faults.add(
                     file.at(line),
                     "\"" + std::string(trim(file.lines[line]).substr(0, 40)) + "\" behind the header's numbers",
-                    "here stands \"3251 points of accel data equally spaced at .020 sec, in cm/sec2\" or alike");
+                    "expected \"3251 points of accel data equally spaced at .020 sec, in cm/sec2\" or similar");
             }
             break;
         }
@@ -244,7 +244,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
         const Header header = read_header(file, line, record);
         const std::size_t behind = skip_blank(file, header.end);
         if (behind >= file.lines.size()) {
-            faults.add(file.at(line), "a channel without samples", "the file is cut short: fetch it again");
+            faults.add(file.at(line), "a channel without samples", "the file is cut short: download it again");
             break;
         }
         const bool in_pairs = parse_fields(file.lines[behind], pair_width, on_line);

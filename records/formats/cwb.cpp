@@ -73,7 +73,7 @@ void check_times(const SourceFile& file, std::size_t first, const std::vector<do
         if (std::abs(times[i] - on_grid) <= 0.02 * time_step + 1e-3) continue;
         faults.add(file.at(first + i),
                    "time " + to_text(times[i]) + " s where the sample rate asks for " + to_text(on_grid) + " s",
-                   "the file is damaged: fetch it again");
+                   "the file is damaged: download it again");
         return;
     }
 }

@@ -47,7 +47,7 @@ void check_quantity(const SourceFile& file, const KeyedHeader& header, const Uni
     const std::string type = lower_case(text_of(line));
     if (type.find("spectrum") != std::string::npos) {
         faults.add(place_of(file, line), "response spectra, not a time history",
-                   "fetch the record's acceleration, velocity or displacement");
+                   "use the record's acceleration, velocity or displacement");
     } else if (!unit.name.empty()) {
         for (const Quantity quantity : {Quantity::acceleration, Quantity::velocity, Quantity::displacement}) {
             if (quantity == unit.quantity || type.find(to_text(quantity)) == std::string::npos) continue;

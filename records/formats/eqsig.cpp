@@ -37,7 +37,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
     if (!options.unit) {
         unit = *find_unit("m/s2");
         record.remarks.push_back(
-            "The file names no unit: m/s2 by eqsig's convention; give the unit if it differs.");
+            "The file states no unit: m/s2 by eqsig's convention; give the unit if it differs.");
     }
     const double time_step = resolve_time_step(announced[1], options, file.at(count_line), faults);
     std::vector<double> samples = read_fortran_samples(file, count_line + 1, faults);

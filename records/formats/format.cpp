@@ -28,7 +28,7 @@ Unit resolve_unit(const std::string& in_header, const ReadOptions& options, cons
         !from_header || (from_header->quantity == given->quantity && from_header->factor == given->factor);
     if (!same) {
         faults.add(place, "the file is in " + from_header->name + " but " + given->name + " was asked for",
-                   "leave the unit out");
+                   "omit the unit");
     }
     return *given;
 }
@@ -50,7 +50,7 @@ double resolve_time_step(std::optional<double> in_file, const ReadOptions& optio
         faults.add(place,
                    "the file has time step " + to_text(time_step) + " s but " + to_text(*options.time_step) +
                        " s was asked for",
-                   "leave the time step out");
+                   "omit the time step");
     }
     return time_step;
 }
@@ -92,14 +92,14 @@ void check_count(double announced, std::size_t found, const std::string& place, 
                    "a record holds a whole number of samples, 2 or more");
     } else if (announced != static_cast<double>(found)) {
         faults.add(place, "the header announces " + count + " samples but the file holds " + std::to_string(found),
-                   "the file is cut short or damaged: fetch it again");
+                   "the file is cut short or damaged: download it again");
     }
 }
 
 void refuse_column(const SourceFile& file, const ReadOptions& options, FaultList& faults)
 {
     if (!options.column) return;
-    faults.add(file.name, "a column was asked for", "the format names its components itself: leave it out");
+    faults.add(file.name, "a column was asked for", "the format names its components itself: omit it");
 }
 
 Channel make_channel(std::string component, const Unit& unit, double time_step, std::vector<double> samples)

@@ -91,7 +91,7 @@ double time_step_of(const SourceFile& file, const Headers& headers, const ReadOp
         faults.add(place,
                    "intervals of " + to_text(*in_words) + " s here but " + to_text(number) +
                        " s among the header's numbers",
-                   "the file is damaged: fetch it again");
+                   "the file is damaged: download it again");
     }
     return resolve_time_step(*in_words > 0 ? number : *in_words, options, place, faults);
 }
@@ -174,7 +174,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
     faults.throw_if_any(file.name);
     if (skipped > 0) {
         record.remarks.push_back("the file also holds " + std::to_string(skipped) +
-                                 " series of velocity or displacement, which were left");
+                                 " series of velocity or displacement, which were not read");
     }
     return record;
 }

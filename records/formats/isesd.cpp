@@ -73,7 +73,7 @@ std::vector<Section> find_sections(const SourceFile& file, std::size_t first, Fa
         const auto names = [&](const char* word) { return title.find(word) != std::string::npos; };
         if (names("spectr") || names("freq") || names("period") || !names("time")) {
             faults.add(file.at(i), "\"" + std::string(trim(file.lines[i])) + "\": not a time history",
-                       "fetch the record's acceleration (.cor)");
+                       "use the record's acceleration (.cor)");
             return {};
         }
         const Quantity quantity = names("displ") ? Quantity::displacement
@@ -110,7 +110,7 @@ std::vector<double> read_section(const SourceFile& file, const Section& section,
         if (!is_row) {
             add_row_fault(file, i, "a section holds samples only", faults);
         } else if (!std::all_of(on_line.begin(), on_line.end(), [](double x) { return std::isfinite(x); })) {
-            faults.add(file.at(i), "a sample that is no number", "every sample must be finite");
+            faults.add(file.at(i), "a sample that is not a number", "every sample must be finite");
         } else {
             samples.insert(samples.end(), on_line.begin(), on_line.end());
         }

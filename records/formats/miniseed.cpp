@@ -100,9 +100,10 @@ void add_piece(std::vector<Trace>& traces, const MSRecord& record, const SourceF
     Piece piece{record.starttime, record.samprate, offset, samples_of(record)};
     const auto is_finite = [](double sample) { return std::isfinite(sample); };
     if (static_cast<std::int64_t>(piece.samples.size()) != record.samplecnt)
-        faults.add(at_byte(file, offset), "a record of fewer samples than it announces", "fetch the file again");
+        faults.add(at_byte(file, offset), "a record of fewer samples than it announces",
+                   "download the file again");
     else if (!std::all_of(piece.samples.begin(), piece.samples.end(), is_finite))
-        faults.add(at_byte(file, offset), "a sample that is no finite number", "every sample must be finite");
+        faults.add(at_byte(file, offset), "a sample that is not a finite number", "every sample must be finite");
     else
         trace_of(traces, {record.network, record.station, record.location, record.channel})
             .pieces.push_back(std::move(piece));
@@ -167,7 +168,7 @@ std::vector<Trace> read_traces(const SourceFile& file, FaultList& faults)
                                       ? std::string("a record that is cut short")
                                       : unpack(bytes.data() + offset, end - offset, record);
         if (!fault.empty()) {
-            faults.add(at_byte(file, offset), fault, "the file is cut short or damaged: fetch it again");
+            faults.add(at_byte(file, offset), fault, "the file is cut short or damaged: download it again");
             break;
         }
         add_piece(traces, *record, file, offset, faults);
@@ -196,11 +197,11 @@ std::vector<double> join(const SourceFile& file, Trace& trace, FaultList& faults
             else if (late > 0.5 * step)
                 faults.add(at_byte(file, piece.offset),
                            "a gap of " + to_text(std::round(late) / 1e6) + " s in " + where,
-                           "fetch a record without gaps, or cut it at the gap");
+                           "use a record without gaps, or cut it at the gap");
             else if (late < -0.5 * step)
                 faults.add(at_byte(file, piece.offset),
                            "an overlap of " + to_text(std::round(-late) / 1e6) + " s in " + where,
-                           "fetch the record again");
+                           "download the record again");
         }
         samples.insert(samples.end(), piece.samples.begin(), piece.samples.end());
         before = &piece;

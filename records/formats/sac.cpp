@@ -80,7 +80,7 @@ void remark_on_quantity(const SacHeader& header, const Channel& channel, std::ve
                                         : nullptr;
     if (says != nullptr && !has_unit(channel))
         remarks.push_back("The header calls the samples " + std::string(says) +
-                          " but names no unit: give the unit.");
+                          " but states no unit: give the unit.");
 }
 
 /// The times of unevenly spaced samples stand after them.
@@ -104,7 +104,7 @@ Channel read_channel(const SourceFile& file, const SacHeader& header, const Read
     const std::size_t held = header.numbers.size() / (is_uneven ? 2 : 1);
     check_count(static_cast<double>(header.integers[sac::count]), held, file.name, faults);
     if (is_uneven && header.numbers.size() % 2 != 0)
-        faults.add(file.name, "unevenly spaced samples without a time for each", "fetch the file again");
+        faults.add(file.name, "unevenly spaced samples without a time for each", "download the file again");
     const double time_step = is_uneven ? 0 : resolve_time_step(header.delta, options, file.name, faults);
     faults.throw_if_any(file.name);
     std::vector<double> samples(header.numbers.begin(),

@@ -35,7 +35,7 @@ void check_block(const SourceFile& file, const NumberBlock& block, const Announc
                    "\"" + first_not_number(file.lines[block.end], 0) + "\" after " + std::to_string(found) +
                        " of the " + std::to_string(static_cast<long long>(count)) +
                        " samples the header announces",
-                   "the file is cut short or damaged: fetch it again");
+                   "the file is cut short or damaged: download it again");
     } else {
         check_count(count, found, announced.place, faults);
     }
@@ -44,7 +44,7 @@ void check_block(const SourceFile& file, const NumberBlock& block, const Announc
 void refuse_time_step(const SourceFile& file, const ReadOptions& options, FaultList& faults)
 {
     if (!options.time_step) return;
-    faults.add(file.name, "a time step was asked for", "the file holds the time of every sample: leave it out");
+    faults.add(file.name, "a time step was asked for", "the file holds the time of every sample: omit it");
 }
 
 void compare_peak(const Channel& channel, double stated, double rounding, const std::string& place,
@@ -53,7 +53,7 @@ void compare_peak(const Channel& channel, double stated, double rounding, const 
     const double found = peak(channel);
     if (std::abs(found - std::abs(stated)) <= rounding + 1e-3 * found) return;
     remarks.push_back(place + ": the header gives a peak of " + to_text(stated) + " but the samples have " +
-                      to_text(found) + ", both in SI units; the samples are believed");
+                      to_text(found) + ", both in SI units; the samples are used");
 }
 
 namespace
@@ -122,7 +122,7 @@ void keep_accelerations(Record& record)
     if (count == 0 || count == channels.size()) return;
     record.remarks.push_back(
         "the file also holds " + std::to_string(channels.size() - count) +
-        " series of velocity or displacement, which were left: they follow from the acceleration");
+        " series of velocity or displacement, which were not read: they follow from the acceleration");
     std::erase_if(channels, [&](const Channel& channel) { return !is_acceleration(channel); });
 }
 

@@ -116,7 +116,7 @@ Direction direction_of(const Headers& headers, const std::string& component)
 void remark_on_padding(const SourceFile& file, std::vector<std::string>& remarks)
 {
     if (file.bytes.find('\0') != std::string::npos)
-        remarks.push_back("zero bytes that fill the file's last line were passed over");
+        remarks.push_back("zero bytes that fill the last line of the file were skipped");
 }
 
 /// The samples as they are stored, their step or their times. @returns the line behind them
@@ -164,7 +164,7 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
     const Kind& kind = *find_kind(file.lines[title]);
     if (kind.unit == nullptr) {
         throw InputError(file.at(title), "response spectra, not a time history",
-                         "name the accelerogram they were computed from");
+                         "use the accelerogram from which they were computed");
     }
     const Headers headers = read_headers(file, title, faults);
     const Unit unit = resolve_unit(kind.unit, options, file.at(title), faults);
@@ -187,7 +187,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
         if (find_kind(file.lines[line]) == nullptr) {
             if (faults.empty())
                 faults.add(file.at(line), "\"" + first_not_number(file.lines[line], 0) + "\" behind the samples",
-                           "here the file ends or the next component begins");
+                           "expected the end of the file or the next component");
             break;
         }
         line = read_channel(file, options, line, record, faults);

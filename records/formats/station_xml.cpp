@@ -183,7 +183,7 @@ void apply_response(const std::filesystem::path& station_xml, const ChannelCode&
 Unit resolve_unit_of_counts(const ReadOptions& options, const std::string& place, FaultList& faults)
 {
     if (options.unit && !options.response.empty())
-        faults.add(place, "both a unit and a response were given", "leave one of them out");
+        faults.add(place, "both a unit and a response were given", "omit one of them");
     return resolve_unit("", options, place, faults);
 }
 

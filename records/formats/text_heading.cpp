@@ -57,7 +57,8 @@ void refuse_spectra(const SourceFile& file, std::size_t first_row)
     const bool is_damping_of_instrument = signs == 2 && of_frequency && of_damping;
     const bool of_time = have({"time", "times", "accelerogram", "accelerograph", "instrument", "natural", "npts"});
     if (!names_response && (signs < 2 || is_damping_of_instrument || of_time)) return;
-    throw InputError(file.name, "response spectra, not a time history", "fetch the record the spectra are of");
+    throw InputError(file.name, "response spectra, not a time history",
+                     "use the record from which the spectra were computed");
 }
 
 std::size_t named_time_column(const SourceFile& file, std::size_t first_row, std::size_t width)

@@ -101,7 +101,7 @@ void check_widths(const SourceFile& file, const Rows& rows, bool last_may_be_sho
     if (is_first_the_odd_one(rows)) {
         faults.add(file.at(rows.lines.front()),
                    std::to_string(width) + " numbers where every other line has " + std::to_string(rows.width(1)),
-                   "if they are a count and a step, take the line away and give the time step");
+                   "if these are the number of samples and the time step, remove the line and give the time step");
         return;
     }
     for (std::size_t row = 1; row < rows.count(); ++row) {
@@ -174,7 +174,7 @@ Times judge_times(const SourceFile& file, const Rows& rows, const ReadOptions& o
     const std::size_t uneven = first_uneven(rows, step);
     if (uneven > 0 && options.time_step)
         faults.add(file.at(rows.lines[uneven]), times(uneven) + " where the mean step is " + to_text(step) + " s",
-                   "leave the time step out; if only the printed times are rounded, give the column too");
+                   "omit the time step; if only the printed times are rounded, give the column too");
     return {step, uneven};
 }
 
@@ -233,7 +233,7 @@ void refuse_time_behind(const SourceFile& file, const Rows& rows, FaultList& fau
     if (named > 0)
         faults.add(file.at(rows.lines.front()),
                    "the heading calls column " + std::to_string(named + 1) + " the time, but column 1 increases",
-                   "take the column before the time away");
+                   "remove the column before the time");
 }
 
 bool recognises(const SourceFile& file)

@@ -47,7 +47,7 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
     const std::size_t component_line = find_words(file, begin + 1, numbers, "comp ");
     if (count_line == numbers || unit_line == numbers) {
         faults.add(file.at(begin), "a header without \"NO. OF POINTS\" and \"UNITS ARE\" before its numbers",
-                   "the file is cut short or damaged: fetch it again");
+                   "the file is cut short or damaged: download it again");
         return file.lines.size();
     }
     const NumberBlock integers = read_block_to_short_line(file, numbers, 5);

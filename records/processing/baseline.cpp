@@ -102,7 +102,7 @@ void apply(const Taper& step, const std::string& place, ProcessedRecord& record)
     double length = 0;
     for (Channel& channel : record.channels) {
         const double duration = duration_of(channel);
-        length = step.seconds ? *step.seconds : *step.share * duration;
+        length = step.seconds ? *step.seconds : *step.fraction * duration;
         if (length > duration / 2)
             throw InputError(place, "a taper of " + figure(length) + " s",
                              "at most half the record's " + figure(duration) + " s");

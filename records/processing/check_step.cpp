@@ -35,8 +35,9 @@ struct Check {
     }
     void operator()(const AriasWindow& step) const
     {
-        require(step.from >= 0 && step.from < 1, "from", step.from, "must be a share from 0 to below 1");
-        require(step.to > step.from && step.to <= 1, "to", step.to, "must be a share above `from` and at most 1");
+        require(step.from >= 0 && step.from < 1, "from", step.from, "must be a fraction from 0 to below 1");
+        require(step.to > step.from && step.to <= 1, "to", step.to,
+                "must be a fraction above `from` and at most 1");
         require(step.lead >= 0 && std::isfinite(step.lead), "lead [s]", step.lead, "must be finite and >= 0");
         require(step.longest > 0, "longest [s]", step.longest, "must be > 0");
     }
@@ -47,10 +48,11 @@ struct Check {
     void operator()(const Taper& step) const
     {
         if (step.seconds) positive("seconds", *step.seconds);
-        if (step.share)
-            require(*step.share > 0 && *step.share <= 0.5, "share", *step.share, "must be > 0 and <= 0.5");
-        require(step.seconds.has_value() != step.share.has_value(), "taper",
-                step.seconds ? "both seconds and a share" : "no length", "give either seconds or a share");
+        if (step.fraction)
+            require(*step.fraction > 0 && *step.fraction <= 0.5, "fraction", *step.fraction,
+                    "must be > 0 and <= 0.5");
+        require(step.seconds.has_value() != step.fraction.has_value(), "taper",
+                step.seconds ? "both seconds and a fraction" : "no length", "give either seconds or a fraction");
     }
     void operator()(const Butterworth& step) const
     {

@@ -41,7 +41,7 @@ void apply(const Butterworth& step, const std::string& place, ProcessedRecord& r
     for (Channel& channel : record.channels) channel.samples = filtered(step, channel.time_step, channel.samples);
     std::string sentence = "Butterworth " + band_text(step) + ", order " + std::to_string(step.order);
     sentence += step.zero_phase ? ", zero-phase (forward and backward, -6 dB at a corner; ends extended by " +
-                                      figure(extension_of(step)) + " s of fading and cut again)"
+                                      figure(extension_of(step)) + " s of fading, then removed)"
                                 : ", causal (-3 dB at a corner)";
     record.sentences.push_back(sentence);
 }

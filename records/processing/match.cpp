@@ -22,7 +22,7 @@ void apply(const Match& step, const std::string& place, ProcessedRecord& record)
                                    figure(step.settings.shortest) + " to " + figure(step.settings.longest) +
                                    " s: within " + figure(100 * report.worst) + " % (worst at " +
                                    figure(report.worst_period) + " s), time step " + figure(channel.time_step) +
-                                   " s, at rest in the end");
+                                   " s, at rest at the end");
     }
 }
 

@@ -43,7 +43,7 @@ void make_even(ProcessedRecord& record)
         if (channel.times.empty()) continue;
         channel = resampled_evenly(channel);
         record.sentences.push_back(
-            "component \"" + channel.component + "\": uneven samples resampled along straight lines to " +
+            "component \"" + channel.component + "\": uneven samples interpolated linearly to " +
             std::to_string(channel.samples.size()) + " at " + figure(channel.time_step) + " s");
     }
 }
@@ -55,7 +55,7 @@ void require_finite(const std::vector<Channel>& channels, const std::string& pla
         for (const double sample : channel.samples) {
             if (!std::isfinite(sample))
                 throw InputError(place, "component \"" + channel.component + "\" is not finite after this step",
-                                 "check the record's unit and the step's figures");
+                                 "check the record's unit and the parameters of the step");
         }
     }
 }

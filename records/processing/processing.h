@@ -19,10 +19,10 @@ struct TimeWindow {
     double end = std::numeric_limits<double>::infinity();  // s; infinity: to the last sample
 };
 
-/// Keeps the time in which the joint Arias intensity of all channels (the sum of theirs) grows from one share to
-/// the other: one window for all.
+/// Keeps the time in which the joint Arias intensity of all channels (the sum of theirs) grows from one fraction
+/// to the other: one window for all.
 struct AriasWindow {
-    double from = 0.001, to = 0.99;                            // shares of the intensity
+    double from = 0.001, to = 0.99;                            // fractions of the intensity
     double lead = 0;                                           // s kept before
     double longest = std::numeric_limits<double>::infinity();  // s, lead included; the end is cut
 };
@@ -38,8 +38,8 @@ struct RemoveBaseline {
 
 /// Multiplies both ends by half a cosine wave, from zero at the outermost sample. One of the two is given.
 struct Taper {
-    std::optional<double> seconds = {};  // of each end
-    std::optional<double> share = {};    // of the duration, each end; at most 0.5
+    std::optional<double> seconds = {};   // of each end
+    std::optional<double> fraction = {};  // of the duration, each end; at most 0.5
 };
 
 /// Butterworth filter: second-order sections by the bilinear transform, its corners prewarped. A low pass has only

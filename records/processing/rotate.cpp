@@ -48,8 +48,8 @@ void require_rotatable(const Channel& first, const Channel& second, const std::s
     if (std::abs(std::sin(radians(*second.azimuth - *first.azimuth))) < std::sin(radians(10)))
         throw InputError(
             place,
-            "azimuths " + figure(*first.azimuth) + " and " + figure(*second.azimuth) + " deg, nearly on one line",
-            "two sensors at 10 deg or more to each other");
+            "azimuths " + figure(*first.azimuth) + " and " + figure(*second.azimuth) + " deg, nearly parallel",
+            "two sensors at least 10 deg apart");
 }
 
 /// Degrees by which the sensors miss a right angle.
@@ -80,8 +80,8 @@ void apply(const Rotate& step, const std::string& place, ProcessedRecord& record
                            figure(compass(step.x_azimuth)) + " deg and y at " +
                            figure(compass(step.x_azimuth - 90)) + " deg";
     if (skew(first, second) > 0.5)
-        sentence +=
-            "; the sensors are " + figure(skew(first, second)) + " deg off a right angle, which is allowed for";
+        sentence += "; the sensors are " + figure(skew(first, second)) +
+                    " deg off a right angle, which is taken into account";
     const double z1 = radians(*first.azimuth), z2 = radians(*second.azimuth);
     const double x = radians(step.x_azimuth), y = x - std::numbers::pi / 2, angle = std::sin(z2 - z1);
     for (std::size_t i = 0; i < first.samples.size(); ++i) {

@@ -41,7 +41,7 @@ Largest measured(const std::vector<Channel>& channels, const std::string& compon
     }
     if (!is_found) throw InputError(place, "component \"" + component + "\"", "one of the record's: " + names);
     if (!(largest.value > 0))
-        throw InputError(place, "a record without motion", "one that can be scaled to a value");
+        throw InputError(place, "a record without motion", "a record that can be scaled to a value");
     return largest;
 }
 

@@ -104,7 +104,8 @@ void apply(const AriasWindow& step, const std::string& place, ProcessedRecord& r
     const double available = longest_duration(record.channels);
     const auto arias_at = [&](double time) { return joint_arias_at(record.channels, cumulated, time); };
     const double whole = arias_at(available);
-    if (!(whole > 0)) throw InputError(place, "a record without any acceleration", "a record that moves");
+    if (!(whole > 0))
+        throw InputError(place, "a record without any acceleration", "a record with some acceleration");
     const auto time_of = [&](double share) {
         double early = 0, late = available;
         for (int i = 0; i < 60; ++i) {

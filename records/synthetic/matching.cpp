@@ -254,11 +254,11 @@ void check(const Channel& seed, const TargetSpectrum& target, const MatchSetting
         if (!good) faults.push_back({"matching " + target.name, found, expected});
     };
     const double duration = static_cast<double>(seed.samples.size() - 1) * seed.time_step;
-    require(seed.quantity == Quantity::acceleration && has_unit(seed), "a seed that is no acceleration",
+    require(seed.quantity == Quantity::acceleration && has_unit(seed), "a seed that is not an acceleration",
             "give an acceleration with its unit");
     require(settings.shortest > 0 && settings.longest > settings.shortest && settings.periods >= 10,
             to_text(settings.shortest) + " to " + to_text(settings.longest) + " s",
-            "periods must ascend from above 0");
+            "periods must be > 0 and ascending");
     require(duration >= 4 * settings.longest, "a seed of " + to_text(duration) + " s",
             "it must last four of the longest periods, " + to_text(4 * settings.longest) + " s");
     require(seed.time_step <= 0.25 * settings.shortest, "a time step of " + to_text(seed.time_step) + " s",

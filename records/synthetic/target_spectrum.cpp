@@ -84,7 +84,7 @@ TargetSpectrum tabulated_spectrum(std::string name, std::vector<double> periods,
         const bool ascends =
             periods[i] >= 0 && (i == 0 || periods[i] > periods[i - 1]) && std::isfinite(periods[i]);
         if (!ascends)
-            faults.push_back({name, "period " + to_text(periods[i]) + " s", "periods must ascend from 0"});
+            faults.push_back({name, "period " + to_text(periods[i]) + " s", "periods must be > 0 and ascending"});
         if (!(accelerations[i] > 0) || !std::isfinite(accelerations[i]))
             faults.push_back({name, "acceleration " + to_text(accelerations[i]) + " m/s2", "must be > 0"});
     }

@@ -56,7 +56,7 @@ TEST(CaseFile, friction_may_depend_on_the_speed_of_slip)
     const std::string descending =
         "friction: 30 deg, friction_at_speed: [{speed: 2 m/s, friction: 25 deg}, {speed: 1 m/s, friction: 20 "
         "deg}]";
-    EXPECT_NE(faults_of(with(two_boxes, "friction: 30 deg", descending)).find("speeds must ascend"),
+    EXPECT_NE(faults_of(with(two_boxes, "friction: 30 deg", descending)).find("speeds must be in ascending order"),
               std::string::npos);
 }
 
@@ -212,7 +212,7 @@ TEST(CaseFile, the_published_iteration_refuses_what_it_does_not_know)
 {
     const std::string published = with(two_boxes, "time_step: 2 ms}", "time_step: 2 ms, open_close: published}");
     ASSERT_EQ(faults_of(published), "no fault");
-    for (const std::string key : {"cohesion: 1 MPa", "tensile_strength: 1 kPa", "dashpot: 1 ms"}) {
+    for (const std::string key : {"cohesion: 1 MPa", "tensile_strength: 1 kPa", "relaxation_time: 1 ms"}) {
         const std::string joint = with(published, "friction: 30 deg}", "friction: 30 deg, " + key + "}");
         EXPECT_NE(faults_of(joint).find("case.yaml:12: stages[1]: open_close: published has no cohesion"),
                   std::string::npos)
@@ -225,6 +225,58 @@ TEST(CaseFile, the_published_iteration_refuses_what_it_does_not_know)
         EXPECT_NE(faults_of(stage).find("has no meaning here; the published iteration has"), std::string::npos)
             << faults_of(stage);
     }
+}
+
+std::string with_joint(const std::string& keys)
+{
+    return with(two_boxes, "friction: 30 deg}", "friction: 30 deg, " + keys + "}");
+}
+
+double relaxation_time(const Case& the_case)
+{
+    return the_case.model.joints.at(0).dashpot;
+}
+
+TEST(RenamedKeys, are_read_under_their_former_name_with_a_warning)
+{
+    const Case now = read(with_joint("relaxation_time: 1 ms"));
+    EXPECT_DOUBLE_EQ(relaxation_time(now), 1e-3);
+    EXPECT_TRUE(now.warnings.empty());
+    const Case before = read(with_joint("dashpot: 1 ms"));
+    EXPECT_DOUBLE_EQ(relaxation_time(before), 1e-3);
+    ASSERT_EQ(before.warnings.size(), 1);
+    EXPECT_TRUE(before.warnings[0].ends_with(
+        "case.yaml:5: joints.dry.dashpot: this key is now called relaxation_time; the former name is accepted in "
+        "this release only"))
+        << before.warnings[0];
+    EXPECT_EQ(faults_of(with_joint("dashpot: -1 ms")), "case.yaml:5: joints.dry.dashpot: -1 ms; must be >= 0");
+    EXPECT_EQ(faults_of(with_joint("relaxation_time: 1 ms, dashpot: 1 ms")),
+              "case.yaml:5: joints.dry.dashpot: the former name of relaxation_time, which is given too; keep "
+              "relaxation_time");
+}
+
+TEST(RenamedKeys, are_warned_of_once)
+{
+    const Case both =
+        read(with_joint("dashpot: 1 ms}\n  wet: {friction: 20 deg, dashpot: 2 ms"), {"default_joint=dry"});
+    EXPECT_DOUBLE_EQ(both.model.joints.at(1).dashpot, 2e-3);
+    EXPECT_EQ(both.warnings.size(), 1);
+}
+
+TEST(RenamedKeys, may_be_set_under_either_name)
+{
+    for (const std::string in_the_file : {"dashpot", "relaxation_time"})
+        for (const std::string set : {"dashpot", "relaxation_time"}) {
+            const std::string text = with_joint(in_the_file + ": 1 ms");
+            const Case changed = read(text, {"joints.dry." + set + "=2 ms"});
+            EXPECT_DOUBLE_EQ(relaxation_time(changed), 2e-3) << in_the_file << ", " << set;
+            EXPECT_EQ(changed.warnings.size(), set == "dashpot" ? 1 : 0) << in_the_file << ", " << set;
+            EXPECT_DOUBLE_EQ(relaxation_time(read(text, {"joints.dry." + set + "=null"})), 0);
+        }
+    EXPECT_EQ(
+        read(two_boxes, {"joints.dry.dashpot=2 ms"}).warnings.at(0),
+        "--set joints.dry.dashpot: this key is now called relaxation_time; the former name is accepted in this "
+        "release only");
 }
 
 TEST(Patterns, stars_and_question_marks)

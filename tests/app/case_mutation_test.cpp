@@ -20,7 +20,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_memory = 1U << 29U;  // bytes at once; 200 000 blocks take less
+constexpr std::size_t max_memory = 1U << 29U;  // bytes at once; 200 000 blocks take less
 
 const fs::path seeds = fs::path(VOUSSOIR_CASES).parent_path() / "tests/fuzz/seeds";
 
@@ -30,7 +30,7 @@ bool accepts(const fs::path& file, const std::string& text)
     std::ofstream(file, std::ios::binary) << text;
     std::string wrong;
     try {
-        const LimitedRequests limit(most_memory);
+        const LimitedRequests limit(max_memory);
         check_accepted(read_case(file, {}));
         return true;
     } catch (const InputError& error) {

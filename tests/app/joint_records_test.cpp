@@ -77,26 +77,24 @@ TEST_F(JointRecords, leave_y_out_of_a_planar_scene_with_a_warning)
     EXPECT_NEAR(motion_along(2, the_case).motion->acceleration(0.03), 2, 1e-12);
     const bool is_told =
         std::any_of(the_case.warnings.begin(), the_case.warnings.end(), [](const std::string& warning) {
-            return warning.find("foundation.motion: the motion along y is left out") != std::string::npos;
+            return warning.find("foundation.motion: the motion along y is ignored") != std::string::npos;
         });
     EXPECT_TRUE(is_told);
     EXPECT_EQ(
         faults_of(with(planar, three_records + ", x_azimuth: 10 deg", "records: [a.txt], unit: g, axes: [y]")),
-        "case.yaml:10: foundation.motion: no record along x or z; turn or name them otherwise");
+        "case.yaml:10: foundation.motion: no record along x or z; rotate them or assign other axes");
 }
 
 TEST_F(JointRecords, must_say_where_they_point)
 {
     EXPECT_EQ(faults_of(moved_by("{records: [a.txt], unit: g}")),
-              "case.yaml:9: foundation.motion.records: channel 1 does not say where it points; give azimuths: [0 "
-              "deg, 90 "
-              "deg, up], or axes: [x, y, z], one for each channel");
+              "case.yaml:9: foundation.motion.records: channel 1 has no direction; give azimuths: [0 deg, 90 deg, "
+              "up], or axes: [x, y, z], one for each channel");
     EXPECT_EQ(faults_of(moved_by("{records: [a.txt, b.txt], unit: g, azimuths: [0 deg, 90 deg, up]}")),
               "case.yaml:9: foundation.motion.azimuths: 3 directions for 2 channels; give one for each channel");
     EXPECT_EQ(faults_of(moved_by("{records: [a.txt, b.txt], unit: g, azimuths: [0 deg, 5 deg]}")),
-              "case.yaml:9: foundation.motion: azimuths 0 and 5 deg, nearly on one line; two sensors at 10 deg or "
-              "more to "
-              "each other");
+              "case.yaml:9: foundation.motion: azimuths 0 and 5 deg, nearly parallel; two sensors at least 10 deg "
+              "apart");
     EXPECT_EQ(faults_of(moved_by("{records: [a.txt, b.txt], unit: g, axes: [x, x]}")),
               "case.yaml:9: foundation.motion.axes[1]: a second channel along x; give each channel its own axis");
     EXPECT_EQ(faults_of(moved_by("{records: [a.txt, b.txt], unit: g, axes: [x, y], x_azimuth: 0 deg}")),
@@ -154,10 +152,9 @@ TEST_F(JointRecords, differ_from_one_support_to_the_other)
 TEST_F(JointRecords, of_several_columns_need_a_component_when_one_is_asked_for)
 {
     folder_.write("table.txt", "0.00 0 0 0\n0.01 1 2 3\n0.02 0 0 0\n");
-    EXPECT_EQ(
-        faults_of(moved_by("{x: {record: table.txt, unit: g}}")),
-        "case.yaml:9: foundation.motion.x.record: 3 channels in the record; say which with component: column 2, "
-        "column 3, column 4");
+    EXPECT_EQ(faults_of(moved_by("{x: {record: table.txt, unit: g}}")),
+              "case.yaml:9: foundation.motion.x.record: 3 channels in the record; select one with component: "
+              "column 2, column 3, column 4");
     const Case the_case = read(moved_by("{x: {record: table.txt, unit: g, component: 3}}"));
     EXPECT_NEAR(only_motion(the_case).peak_acceleration(), 3 * gravity, 1e-12);
 }

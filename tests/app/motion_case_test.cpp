@@ -112,10 +112,9 @@ TEST_F(MotionCase, figures_of_waves_that_cannot_be_are_refused)
               "mean cosine?");
     EXPECT_EQ(faults_of(moved_by("{x: {noise: {acceleration: 1 m/s2, duration: 6 s, seed: -1}}}")),
               "case.yaml:9: foundation.motion.x.noise.seed: \"-1\"; expected a whole number from 0 to 1000000000");
-    EXPECT_EQ(
-        faults_of(moved_by("{x: {sine: {acceleration: 1 m/s2, frequency: 5 Hz, duration: 1 s}, scale: 2}}")),
-        "case.yaml:9: foundation.motion.x.scale: has no meaning here; a sine is what its figures say: change "
-        "them, or take a ramped_sine");
+    EXPECT_EQ(faults_of(moved_by("{x: {sine: {acceleration: 1 m/s2, frequency: 5 Hz, duration: 1 s}, scale: 2}}")),
+              "case.yaml:9: foundation.motion.x.scale: has no meaning here; a sine is defined by its parameters: "
+              "change these, or use a ramped_sine");
 }
 
 // ---- processing and faults
@@ -135,12 +134,12 @@ TEST_F(JointRecords, faults_of_processing_name_the_step_and_its_line)
     EXPECT_EQ(fault("[{taper: 1 m}]"),
               place + "[0].taper: \"1 m\" has the wrong dimension; expected a time such as 2 ms");
     EXPECT_EQ(fault("[{window: {arias: [5 %]}}]"),
-              place + "[0].window.arias: 1 entries; write two shares, [0.1 %, 99 %]");
+              place + "[0].window.arias: 1 entries; write two fractions, [0.1 %, 99 %]");
     EXPECT_EQ(fault("mean"), place + ": \"mean\"; expected a list of steps, [mean, {taper: 1 s}]");
     EXPECT_EQ(fault("[{mean: 1, taper: 1 ms}]"),
-              place + "[0].mean: has no meaning here; write it as a word, without figures");
+              place + "[0].mean: has no meaning here; write it as a single word, without parameters");
     EXPECT_EQ(fault("[{scale: 2, taper: 1 ms}]"),
-              place + "[0]: two steps in one entry; write each as an entry of its own: their order counts");
+              place + "[0]: two steps in one entry; write each as a separate entry: the order matters");
     EXPECT_EQ(fault("[window]"), place + "[0]: step window without figures; write {window: ...}");
     EXPECT_EQ(fault("[{rotate: {x_azimuth: 1 deg}}]").find(place + "[0]: rotation of components"), 0);
     EXPECT_EQ(

@@ -76,7 +76,7 @@ TEST(PlanarCase, a_flat_box_turns_from_x_to_z)
             .model;
     EXPECT_TRUE(model.blocks[0].moments.centroid.isApprox(Eigen::Vector3d(1.5, 0, -1), 1e-14));
     EXPECT_NE(faults_of(two_outlines, {"blocks[0].box.rotate={axis: [0, 1, 0], angle: 1 deg}"})
-                  .find("turns in the plane"),
+                  .find("is rotated in the plane"),
               std::string::npos);
 }
 
@@ -92,10 +92,9 @@ TEST(PlanarCase, a_box_turned_about_y_is_the_turned_outline)
 
 TEST(PlanarCase, stones_of_another_depth_are_refused)
 {
-    EXPECT_EQ(
-        faults_of(two_boxes, rigid),
-        "case.yaml:8: blocks[1].box: from y = -0.5 m to 0.5 m, but floor from y = -1 m to 1 m; the stones of a "
-        "planar scene have one extent along y: draw them so, or as polygons [x, z]");
+    EXPECT_EQ(faults_of(two_boxes, rigid),
+              "case.yaml:8: blocks[1].box: from y = -0.5 m to 0.5 m, but floor from y = -1 m to 1 m; all stones "
+              "of a planar scene must have the same extent along y; change them, or use polygons [x, z]");
 }
 
 TEST(PlanarCase, stones_turned_out_of_the_plane_are_refused)
@@ -160,7 +159,7 @@ TEST(PlanarCase, vectors_have_two_components_or_a_y_that_says_nothing)
     EXPECT_EQ(*spatial.output.histories[0].point, Eigen::Vector3d(0.5, 0, 1));
     EXPECT_TRUE(flat.warnings.empty());
     ASSERT_EQ(spatial.warnings.size(), 1);
-    EXPECT_NE(spatial.warnings[0].find("y = 0.2 m is left away"), std::string::npos);
+    EXPECT_NE(spatial.warnings[0].find("y = 0.2 m is ignored"), std::string::npos);
 }
 
 TEST(PlanarCase, plane_strain_unless_the_case_says_stress)
@@ -180,7 +179,7 @@ TEST(PlanarCase, a_spatial_scene_takes_nothing_planar)
               "--set plane: has no meaning here; it belongs to kinematics: planar_deformable");
     EXPECT_EQ(faults_of(two_boxes, {"blocks[1]={polygon: {name: stone, corners: [[0, 0], [1, 0], [1, 1]]}}",
                                     "output.histories=null"}),
-              "--set blocks[1]: blocks[1].polygon: a polygon in a spatial scene; draw a box or a mesh, or set "
+              "--set blocks[1]: blocks[1].polygon: a polygon in a spatial scene; use a box or a mesh, or set "
               "kinematics: planar_rigid or planar_deformable");
     EXPECT_NE(faults_of(two_boxes, {"blocks[1].box.lower=[0, 0]"}).find("expected three components [x, y, z]"),
               std::string::npos);

@@ -78,7 +78,7 @@ TEST(YamlCursor, reports_everything_at_once_with_places)
                   "case.yaml:3: stone.density: \"3 Pa\" has the wrong dimension; expected a density such as "
                   "2400 kg/m3",
                   "case.yaml:2: stone.yuong: unknown key; did you mean young?",
-                  "case.yaml:4: stone.density: written a second time (first in line 3); keep one of them"}));
+                  "case.yaml:4: stone.density: given twice (first in line 3); keep one of them"}));
 }
 
 TEST(YamlCursor, takes_defaults_aloud)
@@ -118,8 +118,8 @@ TEST(Overrides, say_what_cannot_be_done)
     YamlNode root = parse_yaml("stages: [{type: static}]\ntitle: x\n", "case.yaml");
     EXPECT_EQ(override_faults("stages[5].a=1", root),
               "--set stages[5].a: no position [5]; the list has 1 entries, from [0]");
-    expect_start(override_faults("title.a=1", root), "--set title.a: no way to a in \"x\"; ");
-    expect_start(override_faults("stages.type=1", root), "--set stages.type: no way to type in a list; ");
+    expect_start(override_faults("title.a=1", root), "--set title.a: cannot set a in \"x\"; ");
+    expect_start(override_faults("stages.type=1", root), "--set stages.type: cannot set type in a list; ");
     for (const char* setting : {"title", "=1", "a..b=1", "a.=1", ".a=1", "a[=1", "a[-1]=1", "a[1]b=1", "[0]=1"})
         EXPECT_NE(override_faults(setting, root).find("not a setting"), std::string::npos) << setting;
     EXPECT_NE(override_faults("a=[1", root).find("--set a: not valid YAML"), std::string::npos);

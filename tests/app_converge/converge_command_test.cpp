@@ -82,8 +82,8 @@ TEST_F(ConvergeCommand, refuses_bad_input_in_a_sentence_and_writes_nothing)
     expect_refusal(incline_ + " --threshold a=1..2 --quantity largest", "excludes");
     expect_refusal(incline_ + " --bracket 1", "--threshold");
     for (const std::string bracket : {"1e-20", "3"})
-        expect_refusal(incline_ + " --threshold a=1..2 --bracket " + bracket, "a share from 1e-06 to 0.5");
-    expect_refusal(incline_ + " --threshold a=1..2 --collapse-displacement none", "needs a collapse");
+        expect_refusal(incline_ + " --threshold a=1..2 --bracket " + bracket, "a fraction from 1e-06 to 0.5");
+    expect_refusal(incline_ + " --threshold a=1..2 --collapse-displacement none", "requires a collapse criterion");
     expect_refusal(incline_ + " --set 'stages[0]={type: static}'", "none is dynamic");
 }
 

@@ -73,13 +73,13 @@ TEST(Estimate, refuses_what_shows_no_order)
         EXPECT_EQ(found.errors.back(), 0);
         return found.no_order;
     };
-    EXPECT_EQ(reason({1, 2, 1.5, 1.75}), "the differences change direction");
-    EXPECT_EQ(reason({1, 2, 2.5, 3.5}), "the differences do not fall");
-    EXPECT_EQ(reason({1, 2, 2.9, 3.7}), "the differences hardly fall");
-    EXPECT_EQ(reason({1, 9, 9.9, 9.9001}), "the differences fall faster than by order 6");
+    EXPECT_EQ(reason({1, 2, 1.5, 1.75}), "the differences change sign");
+    EXPECT_EQ(reason({1, 2, 2.5, 3.5}), "the differences do not decrease");
+    EXPECT_EQ(reason({1, 2, 2.9, 3.7}), "the differences hardly decrease");
+    EXPECT_EQ(reason({1, 9, 9.9, 9.9001}), "the differences decrease faster than order 6");
     EXPECT_EQ(reason({1, 2, 2.2, 2.3}), "the order changes from 2.32 to 1.00");
     EXPECT_EQ(reason({2, 2, 2, 2}), "the runs agree to rounding");
-    EXPECT_EQ(reason({1, 2}), "an order takes three runs");
+    EXPECT_EQ(reason({1, 2}), "an order requires three runs");
 }
 
 // Three times the last difference at a ratio of 2, more at a smaller one, and no less than the difference before.

@@ -141,7 +141,7 @@ TEST(Threshold, that_is_not_between_the_values_is_a_failure_of_the_setting)
         EXPECT_FALSE(converge_figures(study)[0].notes.empty());
         return series.rows[0].failure;
     };
-    EXPECT_EQ(failure("joints.dry.friction=50 deg..46 deg"), "stands even at joints.dry.friction = 46 deg");
+    EXPECT_EQ(failure("joints.dry.friction=50 deg..46 deg"), "still stands at joints.dry.friction = 46 deg");
     EXPECT_EQ(failure("joints.dry.friction=40 deg..30 deg"), "collapses already at joints.dry.friction = 40 deg");
 }
 

@@ -138,7 +138,7 @@ TEST(Ensemble, a_run_that_gives_up_leaves_nothing_to_judge)
     text.replace(text.find("type: static"), 12, "type: static, max_static_steps: 1");
     const EnsembleStudy study = study_of(text);
     EXPECT_FALSE(study.agrees());
-    EXPECT_NE(verdict_of(study).find("gave up"), std::string::npos) << verdict_of(study);
+    EXPECT_NE(verdict_of(study).find("failed to converge"), std::string::npos) << verdict_of(study);
     const nlohmann::json json = nlohmann::json::parse(ensemble_json(study));
     EXPECT_TRUE(json["measures"][0]["medians"][0].is_null());
 }

@@ -20,7 +20,7 @@ TEST(LeftOut, ABareRigidCaseLeavesOutNearlyAll)
 {
     const auto words = left_out(synthetic::tower(Kinematics::spatial_rigid));
     for (const char* word :
-         {"strains", "mesh importers", "ground motion", "body accelerations", "cohesion", "contact dashpots",
+         {"strains", "mesh importers", "ground motion", "body accelerations", "cohesion", "contact damping",
           "kinetic damping", "viscous boundaries", "histories", "renderer"}) {
         EXPECT_TRUE(names(words, word)) << word;
     }

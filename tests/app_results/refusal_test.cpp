@@ -90,7 +90,7 @@ TEST(Refusal, ResultsThatAreNone)
     const std::filesystem::path path = folder.path() / "results.h5";
     EXPECT_NE(sentence_of([&] { ResultsReader{path}; }).find("No such file"), std::string::npos);
     std::ofstream(path) << "These are no results.";
-    EXPECT_NE(sentence_of([&] { ResultsReader{path}; }).find("not a whole HDF5 file"), std::string::npos);
+    EXPECT_NE(sentence_of([&] { ResultsReader{path}; }).find("not a complete HDF5 file"), std::string::npos);
     Hdf5File::create(path).make_group("/other");
     EXPECT_NE(sentence_of([&] { ResultsReader{path}; }).find("no attribute format"), std::string::npos);
 }

@@ -91,16 +91,16 @@ TEST(ResumeRefusal, WhateverHasChanged)
     kill_and_wait(running(folder));
     const auto resume = run_of(folder, {"--resume"});
     folder.write("record.txt", "0.00 0.0\n0.01 1.0\n0.02 -1.1\n0.03 0.0\n");
-    expect_refusal(folder, resume, "changed since are a record");
+    expect_refusal(folder, resume, "changed since: a record");
     write_files(folder);
     folder.write("stones.obj", cube("floor", 0, 1, 1) + cube("stone", 1, 2.001, 9));
-    expect_refusal(folder, resume, "changed since are a mesh file");
+    expect_refusal(folder, resume, "changed since: a mesh file");
     write_files(folder);
     folder.write("case.yaml", of_files + "# a remark\n");
-    expect_refusal(folder, resume, "changed since are the case file");
+    expect_refusal(folder, resume, "changed since: the case file");
     write_files(folder);
     expect_refusal(folder, run_of(folder, {"--resume", "--set", "joints.dry.friction=26 deg"}),
-                   "changed since are --set");
+                   "changed since: --set");
     EXPECT_EQ(differences({"0.1", 1, 2, 3, 4}, {"0.2", 1, 2, 3, 4}), "the program (it was version 0.1)");
 }
 

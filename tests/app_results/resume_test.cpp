@@ -86,13 +86,13 @@ TEST(Resume, TimesAddUpAndTheEndedRunSaysSo)
     kill(child, SIGINT);
     const Ended interrupted = finish(folder, child);
     ASSERT_EQ(interrupted.exit_code, 4) << interrupted.errors;
-    EXPECT_NE(interrupted.errors.find("--resume goes on"), std::string::npos) << interrupted.errors;
+    EXPECT_NE(interrupted.errors.find("--resume to continue"), std::string::npos) << interrupted.errors;
     const double before = load_restart(restart_file_in(results)).wall_time;
     EXPECT_GT(before, 0.2 * reference.wall_time);
 
     const Ended resumed = voussoir(folder, resume);
     ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
-    EXPECT_NE(resumed.output.find("goes on from stage '"), std::string::npos) << resumed.output;
+    EXPECT_NE(resumed.output.find("continues from stage '"), std::string::npos) << resumed.output;
     const auto summary = nlohmann::json::parse(contents(results / "summary.json"));
     EXPECT_GT(summary["wall_time_s"].get<double>(), before);
     EXPECT_GT(summary["cpu_time_s"].get<double>(), 0);

@@ -59,7 +59,7 @@ TEST(Scarcity, AFullDiskInTheMiddleOfARun)
         EXPECT_NE(ended.errors.find("cannot be written: File too large"), std::string::npos) << ended.errors;
         if (!fs::exists(restart_file_in(results))) continue;  // full before the first frame
         EXPECT_EQ(ended.exit_code, 1);
-        EXPECT_NE(ended.errors.find("--resume goes on from there"), std::string::npos) << ended.errors;
+        EXPECT_NE(ended.errors.find("--resume continues from there"), std::string::npos) << ended.errors;
         EXPECT_FALSE(fs::exists(results / "results.h5.next")) << "takes room on the full disk";
         expect_nothing_lost(folder, reference, results);
         ++resumed;
@@ -97,7 +97,7 @@ TEST(Scarcity, MemoryThatRunsOutDuringTheRun)
     const Ended ended = finish(folder, child);
     EXPECT_EQ(ended.exit_code, 1) << ended.errors;
     EXPECT_NE(ended.errors.find("out of memory"), std::string::npos) << ended.errors;
-    EXPECT_NE(ended.errors.find("--resume goes on from there"), std::string::npos) << ended.errors;
+    EXPECT_NE(ended.errors.find("--resume continues from there"), std::string::npos) << ended.errors;
     expect_nothing_lost(folder, reference, results);
 }
 

@@ -111,7 +111,8 @@ TEST(Summary, TellsWhatFellWasCrushedAndOverlapped)
     EXPECT_EQ(json["deepest_overlap"], (nlohmann::json{{"blocks", {second, third}},
                                                        {"depth_m", 0.01},
                                                        {"forgiven_m", 0.006},
-                                                       {"share_of_width", 0.02},
+                                                       {"fraction_of_width", 0.02},
+                                                       {"share_of_width", 0.02},  // former name
                                                        {"time_s", 0.4}}));
 }
 

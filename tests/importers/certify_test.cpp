@@ -122,7 +122,7 @@ TEST(Certify, RefusesASurfaceThatCrossesItself)
 {
     PolygonSurface cube = triangulated(unit_cube());
     cube.vertices[6] = {-0.5, -0.5, -0.5};  // the corner (1, 1, 1) pulled through the opposite one
-    expect_refused(certify(cube), "it crosses itself");
+    expect_refused(certify(cube), "it intersects itself");
 }
 
 TEST(Certify, RefusesOneSidedBranchingAndSplitSurfaces)
@@ -132,7 +132,7 @@ TEST(Certify, RefusesOneSidedBranchingAndSplitSurfaces)
         one_sided.vertices.emplace_back(std::cos(i), std::sin(i * i), std::cos(3. * i * i));
     one_sided.faces = {{0, 1, 2}, {0, 1, 3}, {0, 2, 4}, {0, 3, 5}, {0, 4, 5},
                        {1, 2, 5}, {1, 3, 4}, {1, 4, 5}, {2, 3, 4}, {2, 3, 5}};
-    expect_refused(certify(one_sided), "no choice of directions");
+    expect_refused(certify(one_sided), "its faces cannot be oriented consistently");
 
     PolygonSurface branching = unit_cube();
     branching.vertices.emplace_back(0.5, -1, 0);

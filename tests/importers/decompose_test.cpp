@@ -20,7 +20,7 @@ struct Case {
     const char* name;
     PolygonSurface surface;
     double volume;
-    std::size_t most_parts;
+    std::size_t max_parts;
 };
 
 double sector_volume()
@@ -88,7 +88,7 @@ TEST(Decompose, FillsTheSolidWithConvexPartsThatDoNotOverlap)
             EXPECT_FALSE(stone.convex);
             EXPECT_NEAR(stone.moments.volume, each.volume, 1e-12 * each.volume);
             EXPECT_GT(stone.parts.size(), 1U);
-            EXPECT_LE(stone.parts.size(), each.most_parts);
+            EXPECT_LE(stone.parts.size(), each.max_parts);
             const Moments sum = moments_of(stone.parts);
             EXPECT_NEAR(sum.volume, each.volume, 1e-9 * each.volume);
             EXPECT_LT((sum.centroid - stone.moments.centroid).norm(), 1e-9);
@@ -160,7 +160,7 @@ TEST(Decompose, ApproximatesARoughStoneAndStatesTheVolumeError)
 
 TEST(Decompose, RefusesAStoneThatNeedsTooManyParts)
 {
-    const Certificate stone = certify(dented_ball(0.2), {.most_parts = 6});
+    const Certificate stone = certify(dented_ball(0.2), {.max_parts = 6});
     EXPECT_NE(stone.reason.find("needs more than 6 convex parts"), std::string::npos) << stone.reason;
     EXPECT_TRUE(stone.parts.empty());
     EXPECT_TRUE(stone.closed);

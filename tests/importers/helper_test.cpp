@@ -105,7 +105,7 @@ TEST_F(Helper, ThatFailsOrTalksNonsenseIsARefusal)
     pretend("echo 'no luck' >&2; exit 3");
     EXPECT_NE(refusal().find("exit code 3 (it said: no luck)"), std::string::npos);
     pretend("cat > /dev/null; echo hello");
-    EXPECT_NE(refusal().find("makes no sense"), std::string::npos);
+    EXPECT_NE(refusal().find("its answer is invalid"), std::string::npos);
     pretend("cat > /dev/null; echo '{\"origin\": [0, 0, 0], \"meshes\": [], \"overlaps\": []}'");
     EXPECT_NE(refusal().find("another number of files"), std::string::npos);
     setenv("VOUSSOIR_BIN_DIR", "/nowhere", 1);

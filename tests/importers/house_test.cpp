@@ -162,8 +162,8 @@ TEST(HouseRefusal, NamesWhatMakesNoHouse)
               "openings[0]: its lintel would reach from 0.2 m to 1.8 m along house_south; both bearings must lie "
               "between 0.4 m and 4.6 m");
     EXPECT_EQ(refusal([](House& house) { house.openings[3].opening.sill = 1; }),
-              "openings[1]: the sill of openings[3] and the sill of openings[1] lie 0.05 m apart in height; bring "
-              "them to one level or at least a third of a course, 0.116667 m, apart")
+              "openings[1]: the sill of openings[3] and the sill of openings[1] lie 0.05 m apart in height; give "
+              "them the same level, or separate them by at least a third of a course, 0.116667 m, apart")
         << "all walls have the same courses";
     EXPECT_EQ(refusal([](House& house) { house.wall_thickness = 0; }), "wall_thickness: 0 m; must be > 0 m");
 }

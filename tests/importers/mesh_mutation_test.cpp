@@ -18,14 +18,14 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t most_memory = 20'000'000;  // bytes at once; the files have less than 2 kB
+constexpr std::size_t max_memory = 20'000'000;  // bytes at once; the files have less than 2 kB
 
 bool accepts(const std::filesystem::path& file, const std::string& content)
 {
     std::ofstream(file, std::ios::binary) << content;
     std::string wrong;
     try {
-        const LimitedRequests limit(most_memory);
+        const LimitedRequests limit(max_memory);
         check_accepted(read_mesh(file));
         return true;
     } catch (const InputError& error) {

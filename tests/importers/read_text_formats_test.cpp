@@ -228,7 +228,7 @@ TEST(ReadMesh, RefusesCompressedFilesByTheirContent)
 {
     const TemporaryFolder folder;
     EXPECT_NE(refusal(folder.write("a.obj", "\x1F\x8B\x08 and more")).find("gzip"), std::string::npos);
-    EXPECT_NE(refusal(folder.write("a.bin", std::string(100, '\x01'))).find("no mesh file"), std::string::npos);
+    EXPECT_NE(refusal(folder.write("a.bin", std::string(100, '\x01'))).find("not a mesh file"), std::string::npos);
 }
 
 }  // namespace

@@ -93,8 +93,8 @@ TEST(WallRefusal, NamesEveryParameterThatMakesNoWall)
     EXPECT_EQ(refusal([](Wall& wall) {
                   wall.openings = {{1, 0, 1, 2}, {1.5, 0.5, 1, 1}};
               }),
-              "openings[1]: openings[0] and openings[1] overlap; leave wall between them\n"
-              "openings[1]: openings[0] and the lintel over openings[1] overlap; leave wall between them");
+              "openings[1]: openings[0] and openings[1] overlap; leave some wall between them\n"
+              "openings[1]: openings[0] and the lintel over openings[1] overlap; leave some wall between them");
     EXPECT_EQ(refusal([](Wall& wall) {
                   wall.openings = {{0.2, 0, 1, 2}};
               }),
@@ -107,17 +107,17 @@ TEST(WallRefusal, NamesEveryParameterThatMakesNoWall)
     EXPECT_EQ(refusal([](Wall& wall) {
                   wall.openings = {{1, 0, 1, 2}, {2.3, 0, 1, 2}};
               }),
-              "openings[1]: the lintel over openings[0] and the lintel over openings[1] overlap; leave wall "
+              "openings[1]: the lintel over openings[0] and the lintel over openings[1] overlap; leave some wall "
               "between them");
     EXPECT_EQ(refusal([](Wall& wall) {
                   wall.openings = {{1, 0, 1, 2}, {4, 0, 1, 2.05}};
               }),
-              "openings[1]: the head of openings[0] and the head of openings[1] lie 0.05 m apart in height; bring "
-              "them to one level or at least a third of a course, 0.0833333 m, apart");
+              "openings[1]: the head of openings[0] and the head of openings[1] lie 0.05 m apart in height; give "
+              "them the same level, or separate them by at least a third of a course, 0.0833333 m, apart");
     EXPECT_EQ(refusal([](Wall& wall) {
                   wall.openings = {{0.1, 0, 1, 3}};
               }),
-              "openings: only 0.1 m of wall between 0 m and 0.1 m; leave nothing, or at least a third of a block, "
+              "openings: only 0.1 m of wall between 0 m and 0.1 m; leave no wall, or at least a third of a block, "
               "0.166667 m");
     EXPECT_EQ(refusal([](Wall& wall) { wall.imperfection.joint = 0.1; }),
               "imperfection.joint: 0.1 m; must be >= 0 m and less than a quarter of the thickness of the wall or "

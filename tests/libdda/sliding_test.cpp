@@ -166,18 +166,18 @@ TEST_P(Sliding, a_tower_that_trembles_divides_a_step_only_so_often)
     begin_stage(model, 0, state);
     Stage stage = shaking(0.3, 1e-3);
     std::int64_t grid = 0;
-    int parts = 0, most_parts = 0;
+    int parts = 0, max_parts = 0;
     RunObserver observer;
     observer.step = [&](const State& now, const StepReport& step, const RunReport&) {
         parts += step.divided;
-        most_parts = std::max(most_parts, parts);
+        max_parts = std::max(max_parts, parts);
         if (now.grid != grid) parts = 0;
         grid = now.grid;
     };
     const RunReport report = run(model, {stage}, state, observer);
     EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
     EXPECT_GT(report.divided_steps, 0);
-    EXPECT_LE(most_parts, 8);
+    EXPECT_LE(max_parts, 8);
     EXPECT_LT(report.steps, 1000);
     EXPECT_LT(report.energy.relative_residual(), 1e-4);
 }

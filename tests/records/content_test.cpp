@@ -66,7 +66,7 @@ TEST(Content, NamesWhatIsNoRecord)
     expect_in(refusal(std::string("PK\x03\x04\x14\0\0\0", 8)), "a zip archive");
     expect_in(refusal(gzipped("a.EW" + std::string(253, '\0') + "ustar" + std::string(300, '\0'))),
               "a tar archive");
-    expect_in(refusal("<!DOCTYPE html>\n<html>404</html>\n"), "a page of the web");
+    expect_in(refusal("<!DOCTYPE html>\n<html>404</html>\n"), "a web page");
     expect_in(refusal("<?xml version=\"1.0\"?>\n<FDSNStationXML/>\n"), "an XML file");
     expect_in(refusal(peer + std::string(1, '\0') + "\n"), ":7: a text with a byte 0 in it");
     expect_in(refusal("t,a\n0,1,\n1,2,\n"), ":2: \"0,1,\" begins with a number but is no row of them");

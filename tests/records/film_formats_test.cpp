@@ -42,7 +42,7 @@ TEST(Usc, RefusesDamage)
     expect_in(refusal(with(usc("UP"), "=      4 ", "=   9999 ")), "announces 9999 samples but the file holds 4");
     expect_in(refusal(with(usc("UP"), "   .013", "   .003")), "time 0.003 s after 0.004 s");
     expect_in(refusal(with(usc("UP"), "-.049", "  NaN")), "sample nan");
-    expect_in(refusal(usc("UP"), {.time_step = 0.01}), "leave it out");
+    expect_in(refusal(usc("UP"), {.time_step = 0.01}), "omit it");
     expect_in(refusal(usc("UP").substr(0, 150)), "the file is cut short");
 }
 

@@ -115,7 +115,7 @@ TEST(Miniseed, RefusesDamage)
 {
     const std::string good = record("HNE", 0, 0, 3, {1, 2, 3}) + record("HNE", 0, 3, 3, {1, 2, 3});
     expect_in(refusal(good.substr(0, 900)), ", byte 512: ");
-    expect_in(refusal(record("HNE", 0, 0, 4, {1, NAN})), "no finite number");
+    expect_in(refusal(record("HNE", 0, 0, 4, {1, NAN})), "not a finite number");
     std::string many = record("HNE", 0, 0, 3, {1, 2, 3});
     put(many, 30, 60000, 2);  // announces more samples than a record can hold
     expect_in(refusal(many), ", byte 0: ");

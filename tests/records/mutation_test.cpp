@@ -20,7 +20,7 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t most_memory = 20'000'000;  // bytes; the files have less than 10 kB
+constexpr std::size_t max_memory = 20'000'000;  // bytes; the files have less than 10 kB
 
 std::vector<std::filesystem::path> seeds()
 {
@@ -42,7 +42,7 @@ bool accepts(const std::string& content, const ReadOptions& options)
     bool accepted = false;
     std::string wrong;
     try {
-        const LimitedRequests limit(most_memory);
+        const LimitedRequests limit(max_memory);
         check_accepted(parse_record("damaged", content, options));
         accepted = true;
     } catch (const InputError& error) {

@@ -131,7 +131,7 @@ TEST(Baseline, LeavesNothingOfItselfAndSaysWhatItTook)
 TEST(TaperStep, IsZeroAtTheEndsAndOneInside)
 {
     const Channel constant = of_samples(std::vector<double>(1001, 2.0), 0.01);
-    for (const Taper& taper : {Taper{.seconds = 1.0}, Taper{.share = 0.1}}) {
+    for (const Taper& taper : {Taper{.seconds = 1.0}, Taper{.fraction = 0.1}}) {
         const Channel tapered = processed(constant, {taper});
         EXPECT_EQ(tapered.samples.front(), 0);
         EXPECT_EQ(tapered.samples.back(), 0);
@@ -220,7 +220,7 @@ TEST(Resampling, OfUnevenSamplesComesFirstAndIsSaid)
     const ProcessedRecord record = process({uneven}, {RemoveMean{}});
     EXPECT_NEAR(record.channels[0].time_step, 0.1, 1e-12);
     ASSERT_EQ(record.sentences.size(), 2);
-    expect_in(record.sentences[0], "uneven samples resampled along straight lines to 6 at 0.1 s");
+    expect_in(record.sentences[0], "uneven samples interpolated linearly to 6 at 0.1 s");
 }
 
 // ---- scaling
@@ -309,7 +309,7 @@ TEST(Rotation, AllowsForSkewSensors)
         ASSERT_NEAR(record.channels[1].samples[i], north.samples[i], 1e-12);
     }
     expect_in(record.sentences[0], "15 deg off a right angle");
-    expect_in(faults_of({sensor(20), sensor(203)}, {Rotate{0}}), "nearly on one line");
+    expect_in(faults_of({sensor(20), sensor(203)}, {Rotate{0}}), "nearly parallel");
     expect_in(faults_of({sensor(20), east}, {Rotate{0}}), "unknown azimuth");
     Channel shorter = sensor(110);
     shorter.samples.pop_back();
@@ -373,7 +373,7 @@ TEST_F(RealRecords, LAquilaGoesThroughAUsualProcessing)
         channels.push_back(read_record(data_folder() / file, {}).channels[0]);
     }
     const ProcessedRecord record =
-        process(channels, {AriasWindow{0.001, 0.99, 2, 40}, RemoveBaseline{1}, Taper{.share = 0.05},
+        process(channels, {AriasWindow{0.001, 0.99, 2, 40}, RemoveBaseline{1}, Taper{.fraction = 0.05},
                            Butterworth{4, 0.05, 30.0}, Resample{0.01}, CorrectEnd{}});
     EXPECT_EQ(record.sentences.size(), 6);
     EXPECT_GT(record.start, 20);

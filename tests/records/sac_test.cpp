@@ -57,7 +57,7 @@ TEST_F(RealRecords, SacFilesAreListedWithoutAUnit)
         EXPECT_EQ(record.channels.at(0).component, expected_[name]["component"].get<std::string>());
         EXPECT_EQ(record.channels.at(0).is_vertical, name.find("HNZ") != std::string::npos);
         EXPECT_EQ(record.channels.at(0).time_step, 0.02);
-        expect_in(record.remarks.at(0), "acceleration but names no unit");
+        expect_in(record.remarks.at(0), "acceleration but states no unit");
         EXPECT_EQ(read_record(data_folder() / name, in_g()).channels.at(0).unit_in_file, "g");
     }
 }

@@ -96,7 +96,7 @@ TEST(StartTime, ComponentsAreCutToTheirCommonBeginning)
     EXPECT_EQ(together.channels[1].samples, second.samples);
     ASSERT_EQ(together.sentences.size(), 1);
     EXPECT_EQ(together.sentences[0],
-              "component \"x\": 1 s cut, to begin with the last component at 2020-01-01T00:00:01");
+              "component \"x\": 1 s cut, to start with the last component at 2020-01-01T00:00:01");
     EXPECT_TRUE(process(together.channels, {}).sentences.empty()) << "already in step";
     // A window does not lose the start.
     const ProcessedRecord later = process({first}, {TimeWindow{1, 2}});
@@ -122,7 +122,7 @@ TEST(StartTime, ThatNobodyKnowsIsToldWhenItMatters)
     for (const Channel& other : {known, longer}) {
         const ProcessedRecord record = process({other, unknown}, {});
         ASSERT_EQ(record.sentences.size(), 1);
-        expect_in(record.sentences[0], "\"y\" do not say when they begin");
+        expect_in(record.sentences[0], "\"y\" have no start time");
         EXPECT_EQ(record.channels[0].samples, other.samples);
     }
 }

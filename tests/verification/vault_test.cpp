@@ -104,7 +104,7 @@ std::optional<ImportedMesh> read_vault(double metres_per_unit)
     const std::filesystem::path file = data / "meshes/masonry/crossvault.obj";
     if (!std::filesystem::exists(file)) return {};
     const Geometry geometry = import_geometry({{.file = file, .metres_per_unit = metres_per_unit}}, {});
-    for (const Overlap& overlap : geometry.overlaps) EXPECT_LT(overlap.share, 0.01) << overlap.stone_a;
+    for (const Overlap& overlap : geometry.overlaps) EXPECT_LT(overlap.fraction, 0.01) << overlap.stone_a;
     return geometry.meshes.at(0);
 }
 

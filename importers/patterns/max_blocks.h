@@ -4,8 +4,8 @@
 #include <cstddef>
 
 // The fuzz targets are built with less: there a block takes fifty times as long.
-#ifndef VOUSSOIR_MOST_BLOCKS
-#define VOUSSOIR_MOST_BLOCKS 200'000
+#ifndef VOUSSOIR_MAX_BLOCKS
+#define VOUSSOIR_MAX_BLOCKS 200'000
 #endif
 
 namespace voussoir
@@ -13,6 +13,6 @@ namespace voussoir
 
 /// Blocks of a wall, of a house and of all of a case: more are a slip of the pen, and would fill the memory before
 /// the run begins.
-inline constexpr std::size_t most_blocks = VOUSSOIR_MOST_BLOCKS;
+inline constexpr std::size_t max_blocks = VOUSSOIR_MAX_BLOCKS;
 
 }  // namespace voussoir
