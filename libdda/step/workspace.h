@@ -12,10 +12,11 @@ namespace voussoir
 class Workspace
 {
  public:
+    /// @param model whose kinematics decide what is worked on
     explicit Workspace(const Model& model);
     ~Workspace();
-    Workspace(Workspace&&) noexcept;
-    Workspace& operator=(Workspace&&) noexcept;
+    Workspace(Workspace&&) noexcept;             ///< Moved.
+    Workspace& operator=(Workspace&&) noexcept;  ///< Moved.
 
     struct Implementation;  // per kinematics: step/work.h
     std::unique_ptr<Implementation> implementation;
