@@ -92,6 +92,7 @@ function(voussoir_library name)
   endif()
   add_library(voussoir_${name} ${type} ${ARGN})
   add_library(voussoir::${name} ALIAS voussoir_${name})
+  set_property(GLOBAL APPEND PROPERTY voussoir_libraries voussoir_${name})
   # Of who embeds an installed library no warning and no flag is asked.
   target_link_libraries(voussoir_${name} PUBLIC $<BUILD_INTERFACE:voussoir_flags>)
   if(type STREQUAL SHARED)
