@@ -23,16 +23,16 @@ bool is_there(const fs::path& path)
 [[noreturn]] void refuse_other_engine(const fs::path& folder, const EngineVersion& before,
                                       const EngineVersion& now)
 {
-    throw InputError(folder.string(),
-                     "begun by another engine (" + in_words(before) + "; this is " + in_words(now) + ")",
-                     "resume with that one, take this one by --other-engine, or start anew without --resume");
+    throw InputError(
+        folder.string(), "begun by another engine (" + in_words(before) + "; this is " + in_words(now) + ")",
+        "resume with that engine, add --other-engine to continue with this one, or start again without --resume");
 }
 
 std::string mixed_engines(const EngineVersion& before, const EngineVersion& now, double time)
 {
     return fmt::format(
-        "two engines made this run: {}, up to t = {:g} s; {} from there on, by --other-engine: "
-        "neither alone gives the same bits",
+        "two engines made this run: {}, up to t = {:g} s; {} from there on (--other-engine): "
+        "neither of them alone gives identical results",
         in_words(before), time, in_words(now));
 }
 
@@ -59,8 +59,7 @@ Restart restart_of(const Case& the_case, const fs::path& folder, bool other_engi
         throw InputError(folder.string(), "not the run of this case; changed since: " + changed,
                          "resume with the original input, or start again without --resume");
     check_fits(restart, the_case, restart_file_in(folder));
-    if (is_other)
-        restart.position.report.warnings.push_back(mixed_engines(before, now.engine, restart.state.time));
+    if (is_other) restart.remarks.push_back(mixed_engines(before, now.engine, restart.state.time));
     return restart;
 }
 

@@ -20,6 +20,7 @@
 #include "app/render/snapshots.h"
 #include "app/results/results_writer.h"
 #include "app/results/run_lock.h"
+#include "app/words/diagnosis_words.h"
 #include "libdda/analysis/energies.h"
 #include "libdda/errors.h"
 
@@ -102,7 +103,7 @@ RunReport run_unbroken(const Case& the_case, Start& start, ResultsWriter& writer
     }
 }
 
-void print_report(const RunReport& report, double wall_time)
+void print_report(const Case& the_case, const RunReport& report, double wall_time)
 {
     fmt::print("{}: {} steps for {:g} s of motion in {:.1f} s of wall time\n", name_of(report.outcome),
                report.steps, report.simulated_time, wall_time);
@@ -118,7 +119,8 @@ void print_report(const RunReport& report, double wall_time)
         e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3,
         (e.damping_kinetic + e.damping_contact + e.fracture) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3);
-    for (const std::string& warning : report.warnings) fmt::print("  warning: {}\n", warning);
+    for (const std::string& warning : warnings_of(report, the_case.model, the_case.stages))
+        fmt::print("  warning: {}\n", warning);
 }
 
 void print_files(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& pictures)
@@ -150,9 +152,10 @@ int exit_code_of(Outcome outcome)
 }
 
 /// "gave_up: stage 'earthquake' gave up at ..."
-std::string in_words(const RunReport& report)
+std::string outcome_in_words(const RunReport& report, const Case& the_case)
 {
-    return std::string(name_of(report.outcome)) + (report.message.empty() ? "" : ": " + report.message);
+    const std::string message = message_of(report, the_case.model, the_case.stages);
+    return std::string(name_of(report.outcome)) + (message.empty() ? "" : ": " + message);
 }
 
 /// Runs, writes and draws. @returns the exit code
@@ -177,11 +180,11 @@ int run_from(const Case& the_case, const std::filesystem::path& folder, const st
     const bool drawn = goes_on || draw(the_case, writer->results_file(), folder, pictures);
     if (!goes_on) writer->end(report);
     if (!quiet) {
-        print_report(report, saver.times().wall);
+        print_report(the_case, report, saver.times().wall);
         print_files(folder, pictures);
     }
-    if (!report.message.empty())
-        fmt::print(stderr, "{}{}\n", in_words(report),
+    if (report.diagnosis)
+        fmt::print(stderr, "{}{}\n", outcome_in_words(report, the_case),
                    goes_on ? "; run the same command with --resume to continue" : "");
     const int code = exit_code_of(report.outcome);
     return code == exit_done && !drawn ? exit_failure : code;
@@ -210,9 +213,14 @@ int run_command(const RunArguments& arguments)
         tell_what_is_replaced(folder, arguments.quiet);
     if (restart && restart->ended) {
         fmt::print("{}: there is nothing to resume, the run has ended: {}\n", folder.string(),
-                   in_words(restart->position.report));
+                   outcome_in_words(restart->position.report, the_case));
         return exit_code_of(restart->position.report.outcome);
     }
+    if (restart)
+        for (const std::string& remark : restart->remarks) {
+            the_case.warnings.push_back(remark);
+            fmt::print(stderr, "warning: {}\n", remark);
+        }
     try {
         return run_from(the_case, folder, restart, stopwatch, arguments.quiet);
     } catch (const RunBroken& broken) {

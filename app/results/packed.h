@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -56,6 +57,13 @@ class Packer
     {
         field(static_cast<std::uint64_t>(values.size()));
         for (const T& value : values) entry(*this, value);
+    }
+    /// @param entry packs it: entry(packer, value)
+    template <typename T, typename Entry>
+    void maybe(const std::optional<T>& value, const Entry& entry)
+    {
+        field(value.has_value());
+        if (value) entry(*this, *value);
     }
     template <typename T>
     void list(const std::vector<T>& values)
@@ -117,6 +125,15 @@ class Unpacker
         field(size);
         values.clear();
         for (; whole && size > 0; --size) entry(*this, values.emplace_back());
+    }
+    /// @param entry reads it: entry(unpacker, value)
+    template <typename T, typename Entry>
+    void maybe(std::optional<T>& value, const Entry& entry)
+    {
+        bool is_there = false;
+        field(is_there);
+        value.reset();
+        if (is_there) entry(*this, value.emplace());
     }
     template <typename T>
     void list(std::vector<T>& values)

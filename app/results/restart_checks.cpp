@@ -24,7 +24,9 @@ bool is_sound(const RunReport& report)
                             report.linear_iterations,
                             report.factor_entries};
     return report.outcome >= Outcome::completed && report.outcome <= Outcome::interrupted &&
-           std::all_of(counts.begin(), counts.end(), is_count);
+           std::all_of(counts.begin(), counts.end(), is_count) &&
+           (!report.diagnosis || is_whole(*report.diagnosis)) &&
+           std::all_of(report.warnings.begin(), report.warnings.end(), is_whole);
 }
 
 bool is_sound(const RunPosition& at)
@@ -43,6 +45,22 @@ bool fits(const State& state, const RunPosition& at, const Stage& stage)
         return at.load_increments <= stage.gravity_increments && at.static_steps <= stage.max_static_steps;
     return state.stage_time >= 0 && state.stage_time <= stage.duration * (1 + rounding) &&
            std::abs(state.stage_time - static_cast<double>(state.grid) * step) <= step * (1 + rounding);
+}
+
+/// What was said of the run is said of blocks and stages that there are.
+bool fits(const Diagnosis& diagnosis, const Case& the_case)
+{
+    const auto blocks = static_cast<int>(the_case.model.blocks.size());
+    return diagnosis.stage < static_cast<int>(the_case.stages.size()) &&
+           std::all_of(diagnosis.blocks.begin(), diagnosis.blocks.end(),
+                       [&](int block) { return block >= 0 && block < blocks; });
+}
+
+bool told_fits(const RunReport& report, const Case& the_case)
+{
+    return (!report.diagnosis || fits(*report.diagnosis, the_case)) &&
+           std::all_of(report.warnings.begin(), report.warnings.end(),
+                       [&](const Diagnosis& warning) { return fits(warning, the_case); });
 }
 
 bool fits(const RunReport& report, const Model& model)
@@ -70,6 +88,7 @@ bool is_sound(const Restart& restart)
 
 bool fits(const Restart& restart, const Case& the_case)
 {
+    if (!told_fits(restart.position.report, the_case)) return false;
     if (restart.ended) return true;
     const auto stage = static_cast<std::size_t>(restart.state.stage);
     return stage < the_case.stages.size() && fits(restart.state, restart.position, the_case.stages[stage]) &&

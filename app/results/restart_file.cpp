@@ -26,13 +26,22 @@ void ledger_fields(Archive& archive, Ledger& ledger)
                    start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given);
 }
 
+template <typename Archive, typename SomeDiagnosis>
+void diagnosis_fields(Archive& archive, SomeDiagnosis& diagnosis)
+{
+    auto& [kind, stage, blocks, values] = diagnosis;
+    archive.fields(kind, stage);
+    archive.list(blocks);
+    archive.list(values);
+}
+
 template <typename Archive, typename Report>
 void report_fields(Archive& archive, Report& report)
 {
-    auto& [outcome, message, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
+    auto& [outcome, diagnosis, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
            factorisations, linear_iterations, factor_entries, simulated_time, max_penetration, deepest,
            static_unbalanced, energy, fallen, crushed, seconds, warnings] = report;
-    archive.fields(outcome, message, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
+    archive.fields(outcome, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
                    factorisations, linear_iterations, factor_entries, simulated_time, max_penetration,
                    static_unbalanced, seconds);
     ledger_fields(archive, energy);
@@ -46,7 +55,9 @@ void report_fields(Archive& archive, Report& report)
         auto& [block_a, block_b, strength, first_time, worst_time, worst_stress] = entry;
         to.fields(block_a, block_b, strength, first_time, worst_time, worst_stress);
     });
-    archive.list(warnings);
+    const auto told = [](auto& to, auto& entry) { diagnosis_fields(to, entry); };
+    archive.maybe(diagnosis, told);
+    archive.list(warnings, told);
 }
 
 template <typename Archive, typename Position>
@@ -66,6 +77,7 @@ void restart_fields(Archive& archive, SomeRestart& restart)
     auto& [version, commit, dirty, sources, compiled] = from.engine;
     archive.fields(version, commit, dirty, sources, compiled.instruction_set, compiled.compiler, compiled.eigen);
     archive.fields(from.text, from.overrides, from.blocks, from.motions);
+    archive.list(restart.remarks);
     archive.fields(restart.ended, restart.history_rows, restart.wall_time, restart.cpu_time);
     position_fields(archive, restart.position);
     state_fields(archive, restart.state);

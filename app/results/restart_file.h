@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/results/fingerprint.h"
 #include "libdda/run/run.h"
@@ -12,7 +14,8 @@ namespace voussoir
 /// All that a run carries from one step to the next, and how much of its results was written by then.
 struct Restart {
     Fingerprint computed_from;
-    bool ended = false;  // the run came to its end and all of it is written: nothing is left to do
+    std::vector<std::string> remarks;  // warnings beside those of the engine: other engines that took part
+    bool ended = false;                // the run came to its end and all of it is written: nothing is left to do
     State state;
     RunPosition position;                // position.frames: frames of results.h5 that belong to the run
     std::int64_t history_rows = 0;       // lines of histories.csv that do

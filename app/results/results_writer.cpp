@@ -110,6 +110,7 @@ struct ResultsWriter::Implementation {
     void read_back(const Restart& from, std::vector<double>& lines)
     {
         restart.history_rows = from.history_rows;
+        restart.remarks = from.remarks;
         joint_rows = joint_rows_in(results(), from.position.frames);
         if (!histories.columns.empty())
             lines = Hdf5File::open(results()).read_rows<double>("/histories/values", 0,

@@ -1,11 +1,13 @@
 #include "app/results/summary.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/results/energy_terms.h"
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
 #include "app/version/version.h"
+#include "app/words/diagnosis_words.h"
 #include "libdda/analysis/crushing.h"
 
 namespace voussoir
@@ -108,14 +110,15 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
 {
     const Model& model = the_case.model;
     std::vector<std::string> warnings = the_case.warnings;
-    warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+    for (std::string& warning : warnings_of(report, model, the_case.stages))
+        warnings.push_back(std::move(warning));
     Json json;
     json["case"] = the_case.file.string();
     json["title"] = the_case.title;
     json["voussoir_version"] = engine_version().version;
     json["engine"] = Json::parse(engine_json());
     json["outcome"] = name_of(report.outcome);
-    json["message"] = report.message;
+    json["message"] = message_of(report, model, the_case.stages);
     json["kinematics"] = name_of(model.kinematics);
     if (is_planar(model.kinematics)) json["thickness_m"] = model.thickness;
     if (model.kinematics == Kinematics::planar_deformable) json["plane"] = name_of(model.plane);

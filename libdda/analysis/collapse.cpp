@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <sstream>
 
 namespace voussoir
 {
@@ -105,17 +104,15 @@ bool all_have_left(const Model& model, const RunReport& report)
     return !report.fallen.empty() && gone == model.blocks.size();
 }
 
-std::string fallen_in_words(const Model& model, const RunReport& report)
+std::optional<Diagnosis> diagnosis_of_fallen(const RunReport& report)
 {
-    constexpr std::size_t most = 5;
-    if (report.fallen.empty()) return {};
-    std::ostringstream words;
-    words << report.fallen.size() << " of " << model.blocks.size() << " blocks have fallen: ";
-    for (std::size_t i = 0; i < std::min(most, report.fallen.size()); ++i)
-        words << (i > 0 ? ", " : "") << "'" << model.blocks[report.fallen[i].block].name << "' at "
-              << report.fallen[i].time << " s";
-    if (report.fallen.size() > most) words << ", ...";
-    return words.str();
+    if (report.fallen.empty()) return std::nullopt;
+    Diagnosis diagnosis{DiagnosisKind::fallen, -1, {}, {}};
+    for (const FallenBlock& fallen : report.fallen) {
+        diagnosis.blocks.push_back(fallen.block);
+        diagnosis.values.push_back(fallen.time);
+    }
+    return diagnosis;
 }
 
 }  // namespace voussoir

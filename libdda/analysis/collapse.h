@@ -1,9 +1,10 @@
 // Collapse is a result: which blocks have fallen, and when.
 #pragma once
 
-#include <string>
+#include <optional>
 #include <vector>
 
+#include "libdda/model/diagnosis.h"
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
 #include "libdda/model/state.h"
@@ -32,7 +33,7 @@ void note_fallen(const Model& model, const CollapseWatch& watch, const Eigen::Ve
 /// Whether every block that could fall has left the domain: nothing more can happen.
 bool all_have_left(const Model& model, const RunReport& report);
 
-/// "12 of 30 blocks have fallen: 'cap' at 1.2 s, ...": the first ones by name. @returns empty when none has
-std::string fallen_in_words(const Model& model, const RunReport& report);
+/// Which blocks have fallen and when, if any have: why a run has ended, or a warning.
+std::optional<Diagnosis> diagnosis_of_fallen(const RunReport& report);
 
 }  // namespace voussoir

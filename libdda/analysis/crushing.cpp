@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 
 #include "libdda/analysis/joint_resultants.h"
 
@@ -48,18 +47,18 @@ void note_crushing(const Model& model, const State& state, RunReport& report)
     }
 }
 
-std::string crushed_in_words(const Model& model, const RunReport& report)
+std::optional<Diagnosis> crushed_warning(const RunReport& report)
 {
-    if (report.crushed.empty()) return {};
+    if (report.crushed.empty()) return std::nullopt;
     const CrushedJoint& worst = *std::max_element(
         report.crushed.begin(), report.crushed.end(), [](const CrushedJoint& a, const CrushedJoint& b) {
             return a.worst_stress / a.strength < b.worst_stress / b.strength;
         });
-    std::ostringstream words;
-    words << report.crushed.size() << " joints exceed their compressive strength, worst '"
-          << model.blocks[worst.block_a].name << "' on '" << model.blocks[worst.block_b].name
-          << "': " << worst.worst_stress / worst.strength << " times at " << worst.worst_time << " s";
-    return words.str();
+    return Diagnosis{
+        DiagnosisKind::crushed_joints,
+        -1,
+        {worst.block_a, worst.block_b},
+        {static_cast<double>(report.crushed.size()), worst.worst_stress / worst.strength, worst.worst_time}};
 }
 
 }  // namespace voussoir

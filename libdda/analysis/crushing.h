@@ -1,8 +1,9 @@
 // Joints whose edge stress exceeds the strength of their stones. No block breaks: the exceedance is a result.
 #pragma once
 
-#include <string>
+#include <optional>
 
+#include "libdda/model/diagnosis.h"
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
 #include "libdda/model/state.h"
@@ -16,7 +17,7 @@ bool has_compressive_strength(const Model& model);
 /// Updates report.crushed from the joints of the state: see JointResultant::edge_stress.
 void note_crushing(const Model& model, const State& state, RunReport& report);
 
-/// "3 joints exceed their compressive strength, worst ...". @returns empty when none does
-std::string crushed_in_words(const Model& model, const RunReport& report);
+/// A warning when joints have exceeded their compressive strength: how many, and the worst of them.
+std::optional<Diagnosis> crushed_warning(const RunReport& report);
 
 }  // namespace voussoir

@@ -40,7 +40,7 @@ DryJoints dry_joints(const Model& model, const ContactSetIn<D>& contacts)
 
 }  // namespace
 
-std::optional<std::string> dry_joints_warning(const Model& model, const State& start)
+std::optional<Diagnosis> dry_joints_warning(const Model& model, const State& start)
 {
     if (start.step > 0) return std::nullopt;  // bonds are made at the start alone; what is dry now may have broken
     if (std::none_of(model.joints.begin(), model.joints.end(),
@@ -51,13 +51,8 @@ std::optional<std::string> dry_joints_warning(const Model& model, const State& s
     const DryJoints dry = is_planar(model.kinematics) ? dry_joints(model, touching.planar_contacts)
                                                       : dry_joints(model, touching.contacts);
     if (dry.count == 0) return std::nullopt;
-    std::ostringstream words;
-    words << dry.count << " contacts have cohesion or tensile strength but gape at a corner, the widest by "
-          << dry.widest << " m between '" << model.blocks[dry.block_a].name << "' and '"
-          << model.blocks[dry.block_b].name
-          << "': they are dry from the start; close them in the model to within a ten-thousandth of the stones' "
-             "size";
-    return words.str();
+    return Diagnosis{
+        DiagnosisKind::dry_joints, -1, {dry.block_a, dry.block_b}, {static_cast<double>(dry.count), dry.widest}};
 }
 
 }  // namespace voussoir

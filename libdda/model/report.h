@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
+#include <optional>
 #include <string_view>
 #include <vector>
+
+#include "libdda/model/diagnosis.h"
 
 namespace voussoir
 {
@@ -147,7 +149,7 @@ struct DeepestOverlap {
 /// What a run did.
 struct RunReport {
     Outcome outcome = Outcome::completed;                          // how it ended
-    std::string message;                                           // why, and the remedy, when not completed
+    std::optional<Diagnosis> diagnosis;                            // why, when not completed
     std::int64_t steps = 0, step_cuts = 0, unconverged_steps = 0;  // counts
     std::int64_t divided_steps = 0;                                // that ended where a sliding joint turned round
     std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;  // counts
@@ -160,7 +162,7 @@ struct RunReport {
     std::vector<FallenBlock> fallen;                              // in the order in which they fell
     std::vector<CrushedJoint> crushed;                            // in the order in which they were first crushed
     std::array<double, static_cast<int>(Part::count)> seconds{};  // wall time by part
-    std::vector<std::string> warnings;                            // a sentence each
+    std::vector<Diagnosis> warnings;                              // in the order in which they arose
 };
 
 }  // namespace voussoir

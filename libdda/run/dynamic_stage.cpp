@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <string>
 
 namespace voussoir
 {
@@ -28,17 +26,12 @@ struct Grid {
     double time(std::int64_t n) const { return n == steps ? duration : static_cast<double>(n) * time_step; }
 };
 
-std::string explain_repeated_cuts(const RunProgress& progress, const Stage& stage, const StepReport& step)
+Diagnosis too_many_cuts(const Stage& stage, const State& state, const StepReport& step)
 {
-    std::ostringstream message;
-    message << "stage '" << stage.name << "' stopped at t = " << progress.state.time << " s: a nominal step of "
-            << stage.control.time_step << " s needed more than " << most_parts_of_step << " cut ones, the last of "
-            << step.time_step << " s";
-    if (step.worst_block >= 0)
-        message << "; block '" << progress.model.blocks[step.worst_block].name
-                << "' settles worst: look at its joints; a lower contact_stiffness, a dashpot or a larger "
-                   "force_tolerance may help";
-    return message.str();
+    Diagnosis diagnosis{DiagnosisKind::too_many_cuts, state.stage, {}, {}};
+    if (step.worst_block >= 0) diagnosis.blocks = {step.worst_block};
+    diagnosis.values = {state.time, stage.control.time_step, most_parts_of_step, step.time_step};
+    return diagnosis;
 }
 
 /// Ends the run when enough has fallen; true then.
@@ -49,7 +42,7 @@ bool has_collapsed(const Stage& stage, RunProgress& progress)
         stage.stop_after_fallen > 0 && static_cast<int>(report.fallen.size()) >= stage.stop_after_fallen;
     if (!enough && !all_have_left(progress.model, report)) return false;
     report.outcome = Outcome::collapsed;
-    report.message = fallen_in_words(progress.model, report);
+    report.diagnosis = diagnosis_of_fallen(report);
     return true;
 }
 
@@ -76,7 +69,7 @@ bool step_on_grid(const Stage& stage, const Stage& undivided, const Grid& grid, 
     const bool on_grid = step.time_step == left;
     at.divisions = on_grid ? 0 : at.divisions + step.divided;
     at.parts = on_grid ? 0 : at.parts + !step.divided;
-    if (at.parts > most_parts_of_step) return give_up(explain_repeated_cuts(progress, stage, step), progress);
+    if (at.parts > most_parts_of_step) return give_up(too_many_cuts(stage, progress.state, step), progress);
     if (on_grid) {
         state.stage_time = next;
         ++state.grid;

@@ -1,6 +1,6 @@
 #include "libdda/run/progress.h"
 
-#include <sstream>
+#include <utility>
 
 #include "libdda/analysis/crushing.h"
 #include "libdda/analysis/diagnosis.h"
@@ -26,16 +26,14 @@ void add_step(const StepReport& step, RunReport& report)
 }
 
 /// Takes back a step after which to go on would be nonsense, and says why; false then.
-bool is_sound(const Stage& stage, RunProgress& progress)
+bool is_sound(RunProgress& progress)
 {
     note_overlap(progress.model, progress.widths, progress.state, progress.report);
-    const auto wrong = diagnose(progress.model, progress.state, progress.report);
+    auto wrong = diagnose(progress.model, progress.state, progress.report);
     if (!wrong) return true;
-    std::ostringstream message;
-    message << "stage '" << stage.name << "' stopped at t = " << progress.state.time << " s: " << *wrong;
     progress.state = progress.before;
     progress.report.energy = progress.energy_before;
-    return give_up(message.str(), progress);
+    return give_up(std::move(*wrong), progress);
 }
 
 /// Notes crushed joints and fallen blocks.
@@ -48,10 +46,10 @@ void note_damage(const Stage& stage, RunProgress& progress)
 
 }  // namespace
 
-bool give_up(const std::string& message, RunProgress& progress)
+bool give_up(Diagnosis diagnosis, RunProgress& progress)
 {
     progress.report.outcome = Outcome::gave_up;
-    progress.report.message = message;
+    progress.report.diagnosis = std::move(diagnosis);
     return false;
 }
 
@@ -63,9 +61,9 @@ bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& 
     if (step.outcome != StepOutcome::converged) {
         progress.report.step_cuts += step.cuts;
         ++progress.report.unconverged_steps;
-        return give_up(explain(progress.model, stage, progress.state, step), progress);
+        return give_up(explain(stage, progress.state, step), progress);
     }
-    if (!is_sound(stage, progress)) return false;
+    if (!is_sound(progress)) return false;
     add_step(step, progress.report);
     if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
     note_damage(stage, progress);
@@ -91,7 +89,7 @@ bool goes_on(RunProgress& progress)
 {
     if (!progress.observer.stop || !progress.observer.stop()) return true;
     progress.report.outcome = Outcome::interrupted;
-    progress.report.message = "stopped on request";
+    progress.report.diagnosis = Diagnosis{DiagnosisKind::interrupted, -1, {}, {}};
     return false;
 }
 

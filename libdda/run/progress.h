@@ -1,7 +1,6 @@
 // A run under way: what the loops over its stages carry along, and what they all do.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "libdda/analysis/collapse.h"
@@ -33,8 +32,8 @@ struct RunProgress {
     EnergyLedger energy_before = {};
 };
 
-/// Ends the run with a message. @returns false
-bool give_up(const std::string& message, RunProgress& progress);
+/// Ends the run. @returns false
+bool give_up(Diagnosis diagnosis, RunProgress& progress);
 
 /// One step of at most h [s], judged and counted; false when it gave up.
 bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step);

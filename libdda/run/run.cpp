@@ -1,6 +1,5 @@
 #include "libdda/run/run.h"
 
-#include <string>
 #include <utility>
 
 #include "libdda/analysis/crushing.h"
@@ -28,7 +27,7 @@ void begin_run(RunProgress& progress)
     progress.widths = least_widths(model);
     progress.judges_crushing = has_compressive_strength(model);
     report.outcome = Outcome::completed;
-    report.message.clear();
+    report.diagnosis.reset();
     if (is_new)
         if (const auto warning = dry_joints_warning(model, progress.state)) report.warnings.push_back(*warning);
     if (progress.position.frames == 0) show(progress);
@@ -59,14 +58,13 @@ bool run_stage(const Stage& stage, RunProgress& progress)
 }
 
 /// What is said at the end of every run, however it ended.
-void add_last_warnings(const Model& model, RunReport& report)
+void add_last_warnings(RunReport& report)
 {
-    if (const auto warning = energy_warning(report.energy)) report.warnings.push_back(*warning);
-    if (const auto warning = overlap_warning(model, report)) report.warnings.push_back(*warning);
-    const std::string crushed = crushed_in_words(model, report);
-    if (!crushed.empty()) report.warnings.push_back(crushed);
-    const std::string fallen = fallen_in_words(model, report);
-    if (!fallen.empty() && fallen != report.message) report.warnings.push_back(fallen);
+    if (auto warning = energy_warning(report.energy)) report.warnings.push_back(std::move(*warning));
+    if (auto warning = overlap_warning(report)) report.warnings.push_back(std::move(*warning));
+    if (auto warning = crushed_warning(report)) report.warnings.push_back(std::move(*warning));
+    if (auto warning = diagnosis_of_fallen(report); warning && warning != report.diagnosis)
+        report.warnings.push_back(std::move(*warning));
 }
 
 }  // namespace
@@ -89,7 +87,7 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
         if (s != state.stage || state.stage_time == 0) enter_stage(s, stages[s], progress);
         if (!run_stage(stages[s], progress)) break;
     }
-    add_last_warnings(model, progress.report);
+    add_last_warnings(progress.report);
     return std::move(progress.report);
 }
 

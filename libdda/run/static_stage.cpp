@@ -1,7 +1,6 @@
 #include "libdda/run/static_stage.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace voussoir
 {
@@ -11,15 +10,14 @@ namespace
 
 constexpr double inexactness = 1e-2;  // residual a static step may keep, as a share of its unbalanced force
 
-bool give_up_resting(const Stage& stage, RunProgress& progress)
+bool give_up_resting(RunProgress& progress)
 {
-    std::ostringstream message;
-    message << "stage '" << stage.name << "' found no equilibrium in " << progress.position.static_steps
-            << " steps: the unbalanced force is still " << progress.report.static_unbalanced
-            << " of a block's load; the structure may be a mechanism under its own weight, or it needs a "
-               "larger time_step in this stage to come to rest";
     ++progress.report.unconverged_steps;
-    return give_up(message.str(), progress);
+    return give_up({DiagnosisKind::no_equilibrium,
+                    progress.state.stage,
+                    {},
+                    {static_cast<double>(progress.position.static_steps), progress.report.static_unbalanced}},
+                   progress);
 }
 
 /// One step at rest under `loaded`; false when the run ends here.
@@ -55,7 +53,7 @@ bool run_static(const Stage& stage, RunProgress& progress)
     for (; at.load_increments < stage.gravity_increments; ++at.load_increments) {
         loaded.gravity = stage.gravity * (at.load_increments + 1) / stage.gravity_increments;
         while (at.quiet_steps < 2) {
-            if (at.static_steps == stage.max_static_steps) return give_up_resting(stage, progress);
+            if (at.static_steps == stage.max_static_steps) return give_up_resting(progress);
             if (!step_at_rest(stage, loaded, progress)) return false;
         }
         at.static_steps = at.quiet_steps = 0;

@@ -12,6 +12,7 @@
 #include "app/results/packed.h"
 #include "app/results/restart_file.h"
 #include "app/results/state_file.h"
+#include "app/words/diagnosis_words.h"
 #include "libdda/errors.h"
 #include "tests/app/results/synthetic.h"
 #include "tests/fuzz/damaged_results.h"
@@ -76,6 +77,8 @@ void read_restart(const fs::path& folder, const std::string& payload)
     const Restart restart = load_restart(folder / "restart");
     check_points(restart.state);
     check_fits(restart, tower, folder / "restart");
+    message_of(restart.position.report, tower.model, tower.stages);
+    warnings_of(restart.position.report, tower.model, tower.stages);
     if (restart.ended) return;
     // What a run looks up.
     tower.stages.at(static_cast<std::size_t>(restart.state.stage));

@@ -103,7 +103,7 @@ std::vector<HalfArchJoint> half_arch(const Model& model)
 TEST(BridgeStatics, EveryJointOfTheHalfArchIsInEquilibrium)
 {
     const Solved solved = solve_self_weight(1);
-    ASSERT_EQ(solved.report.outcome, Outcome::completed) << solved.report.message;
+    ASSERT_EQ(solved.report.outcome, Outcome::completed) << ::testing::PrintToString(solved.report.diagnosis);
     ASSERT_EQ(solved.joints.size(), 94U);
     const std::vector<int> order = order_of_arch(solved.model);
     double arch_weight = 0, worst = 0;

@@ -77,7 +77,7 @@ Followed follow(Scene& scene, const GroundOfStation& ground)
         }
     };
     result.report = run(scene.model, {scene.stage}, scene.state, observer);
-    EXPECT_EQ(result.report.outcome, Outcome::completed) << result.report.message;
+    EXPECT_EQ(result.report.outcome, Outcome::completed) << ::testing::PrintToString(result.report.diagnosis);
     EXPECT_EQ(scene.state.stage_time, scene.stage.duration);
     return result;
 }

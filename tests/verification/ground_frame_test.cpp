@@ -81,7 +81,7 @@ std::vector<Vector3d> path(Frame frame, Kinematics kinematics, Integrator integr
     };
     State state = initial_state(model);
     const RunReport report = run(model, {testing::static_stage(0.1), stage}, state, observer);
-    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     return places;
 }
 

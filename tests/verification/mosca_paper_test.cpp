@@ -124,7 +124,7 @@ TEST(MoscaPaper, SequenceOfThePaperUnderBothReadingsOfItsAbutments)
         std::printf("%-40s %9.2f %9.2f %9.1f %9.2f %9.2f %9.2f %9.1f %8.1f %8.2f\n", name, 1e3 * a.crown_down,
                     1e3 * a.crown_lift, 1e3 * a.abutment_end, 1e3 * a.span_change, a.compression / 1e6,
                     a.record_compression / 1e6, a.tension / 1e3, a.highest_x, a.central_share);
-        EXPECT_EQ(a.report.outcome, Outcome::completed) << a.report.message;
+        EXPECT_EQ(a.report.outcome, Outcome::completed) << ::testing::PrintToString(a.report.diagnosis);
         EXPECT_LT(a.report.energy.relative_residual(), 1e-3);
         if (reading.abutments == Abutments::prescribed) {
             // The ground's own displacement, from rest: A/w^2 (w t - sin w t) at the end of one period.

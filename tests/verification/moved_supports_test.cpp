@@ -103,7 +103,7 @@ Opened move_supports(Kinematics kinematics, double young, double left, double ri
     };
     State state = initial_state(model);
     const RunReport report = run(model, {testing::static_stage(0.1), stage}, state, observer);
-    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     EXPECT_EQ(state.stage_time, 5);
     return result;
 }

@@ -83,7 +83,7 @@ VaultRun run_vault(const ImportedMesh& mesh, double friction)
     const State start = state;
     const RunReport report = run(model, {rest, wait}, state, {});
     VaultRun result;
-    result.message = report.message;
+    result.message = ::testing::PrintToString(report.diagnosis);
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b)
         result.largest_move = std::max(
             result.largest_move,
@@ -138,7 +138,7 @@ TEST(CrossVault, ComesToRestWhateverTheRounding)
         const auto [model, span] = make_vault(*mesh, 0.6);
         State state = initial_state(model);
         const RunReport report = run(model, {self_weight(std::sqrt(span / 9.81))}, state, {});
-        EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+        EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
         EXPECT_LE(report.steps, 30);
     }
 }

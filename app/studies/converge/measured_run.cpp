@@ -3,6 +3,7 @@
 #include <ctime>
 #include <utility>
 
+#include "app/words/diagnosis_words.h"
 #include "libdda/run/run.h"
 
 namespace voussoir
@@ -69,7 +70,7 @@ MeasuredRun run_setting(const Case& the_case, const ConvergeSetting& setting,
     };
     const RunReport report = run(changed.model, changed.stages, state, observer);
     if (stopped) throw Interrupted();
-    if (report.outcome == Outcome::gave_up) result.failure = report.message;
+    if (report.outcome == Outcome::gave_up) result.failure = message_of(report, changed.model, changed.stages);
     result.cost.steps = report.steps;
     result.cost.step_cuts = report.step_cuts;
     result.cost.iterations = report.open_close_iterations;

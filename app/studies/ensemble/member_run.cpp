@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/words/diagnosis_words.h"
 #include "importers/process/thread_time.h"
 #include "libdda/analysis/joint_openings.h"
 #include "libdda/contact/initial_contacts.h"
@@ -101,8 +102,8 @@ MemberRun run_member(const Case& member, const ConvergeSetting& setting, double 
     const RunReport report = run(changed.model, changed.stages, state, observer);
     result.cpu = thread_time() - start;
     result.cpu_dynamic = thread_time() - rest;
-    if (report.outcome == Outcome::gave_up) result.failure = report.message;
-    result.warnings = report.warnings;
+    if (report.outcome == Outcome::gave_up) result.failure = message_of(report, changed.model, changed.stages);
+    result.warnings = warnings_of(report, changed.model, changed.stages);
     result.steps = report.steps;
     result.step_cuts = report.step_cuts;
     result.iterations = report.open_close_iterations;

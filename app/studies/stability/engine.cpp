@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/words/diagnosis_words.h"
 #include "importers/process/thread_time.h"
 #include "libdda/analysis/diagnosis.h"
 
@@ -15,10 +16,10 @@ namespace
 {
 
 /// Only what the run says of the worth of its figures; what it says of the scene excuses no error.
-void note_warnings(const Model& model, const RunReport& report, CellRun& cell)
+void note_warnings(const Model& model, const std::vector<Stage>& stages, const RunReport& report, CellRun& cell)
 {
-    for (const auto& warning : {energy_warning(report.energy), overlap_warning(model, report)})
-        if (warning) cell.warning += (cell.warning.empty() ? "" : "; ") + *warning;
+    for (const auto& warning : {energy_warning(report.energy), overlap_warning(report)})
+        if (warning) cell.warning += (cell.warning.empty() ? "" : "; ") + in_words(*warning, model, stages);
 }
 
 }  // namespace
@@ -34,8 +35,8 @@ bool run_counted(const Model& model, const std::vector<Stage>& stages, State& st
     cell.iterations += report.open_close_iterations;
     cell.energy_residual = report.energy.relative_residual();
     cell.max_penetration = std::max(cell.max_penetration, report.max_penetration);
-    if (report.outcome == Outcome::gave_up) cell.diagnosis = report.message;
-    note_warnings(model, report, cell);
+    if (report.outcome == Outcome::gave_up) cell.diagnosis = message_of(report, model, stages);
+    note_warnings(model, stages, report, cell);
     return report.outcome != Outcome::gave_up;
 }
 
@@ -43,7 +44,7 @@ std::string run_reference(const Model& model, const std::vector<Stage>& stages, 
                           const RunObserver& observer)
 {
     const RunReport report = run(model, stages, state, observer);
-    return report.outcome == Outcome::gave_up ? report.message : "";
+    return report.outcome == Outcome::gave_up ? message_of(report, model, stages) : "";
 }
 
 std::string cell_name(const std::string& scene, const std::vector<std::string>& parts)

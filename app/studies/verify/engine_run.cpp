@@ -6,6 +6,7 @@
 
 #include "app/studies/scenes/scene_blocks.h"
 #include "app/studies/verify/picture.h"
+#include "app/words/diagnosis_words.h"
 #include "libdda/run/run.h"
 
 namespace voussoir
@@ -33,13 +34,16 @@ Stage stage_of(const SlidingScene& scene, const SceneSetting& setting, StageType
     return stage;
 }
 
-void count(const RunReport& report, VerifyResult& result)
+/// Runs one stage from the state and counts into `result`, which says why it did not come to its end.
+void run_stage(const Model& model, const Stage& stage, State& state, const RunObserver& observer,
+               VerifyResult& result)
 {
+    const RunReport report = run(model, {stage}, state, observer);
     result.steps += report.steps;
     result.step_cuts += report.step_cuts;
     result.iterations += report.open_close_iterations;
     result.simulated_time += report.simulated_time;
-    if (report.outcome != Outcome::completed) result.failure = report.message;
+    if (report.outcome != Outcome::completed) result.failure = message_of(report, model, {stage});
 }
 
 void watch(const SlidingScene& scene, const Eigen::Vector3d& start, RunObserver& observer, History& history)
@@ -59,14 +63,14 @@ EngineRun run_engine(const SlidingScene& scene, const SceneSetting& setting)
     const std::clock_t start = std::clock();
     const Model& model = scene.model;
     State state = initial_state(model);
-    count(run(model, {stage_of(scene, setting, StageType::static_equilibrium)}, state, {}), run_out.result);
+    run_stage(model, stage_of(scene, setting, StageType::static_equilibrium), state, {}, run_out.result);
     if (run_out.result.failure.empty()) {
         state.stage = 0;
         begin_stage(model, 0, state);
         set_velocity(model, state, scene.block, scene.start_velocity);
         RunObserver observer;
         watch(scene, pose_of(model.kinematics, state, scene.block).centroid, observer, run_out.history);
-        count(run(model, {stage_of(scene, setting, StageType::dynamic)}, state, observer), run_out.result);
+        run_stage(model, stage_of(scene, setting, StageType::dynamic), state, observer, run_out.result);
     }
     run_out.result.cpu_time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     return run_out;

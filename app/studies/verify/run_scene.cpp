@@ -3,6 +3,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "app/words/diagnosis_words.h"
+
 namespace voussoir
 {
 
@@ -17,7 +19,7 @@ RunReport run_scene(const StagedScene& scene, State& state, const RunObserver& o
     result.steps += report.steps;
     result.step_cuts += report.step_cuts;
     result.iterations += report.open_close_iterations;
-    if (report.outcome == Outcome::gave_up) result.failure = report.message;
+    if (report.outcome == Outcome::gave_up) result.failure = message_of(report, scene.model, scene.stages);
     return report;
 }
 

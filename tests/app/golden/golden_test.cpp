@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Golden, EveryScene, ::testing::ValuesIn(scenes()), [](c
     return name;
 });
 
-TEST_P(EveryScene, comes_to_its_end_with_contacts_and_work_done)
+TEST_P(EveryScene, ComesToItsEndWithContactsAndWorkDone)
 {
     Scene scene = GetParam().make();
     State end;
@@ -83,7 +83,7 @@ TEST_P(EveryScene, comes_to_its_end_with_contacts_and_work_done)
 }
 
 // In every hash, that of the state and that of the report.
-TEST_P(EveryScene, hash_moves_with_the_last_bit_of_a_density)
+TEST_P(EveryScene, HashMovesWithTheLastBitOfADensity)
 {
     Scene scene = GetParam().make();
     State end, other;
@@ -108,7 +108,7 @@ int for_scenes(const std::string& name, const Expectation& expect)
     return count;
 }
 
-TEST(GoldenScenes, knock_and_cut_steps)
+TEST(GoldenScenes, KnockAndCutSteps)
 {
     EXPECT_EQ(for_scenes("knocks",
                          [](const Course& course) {
@@ -119,7 +119,7 @@ TEST(GoldenScenes, knock_and_cut_steps)
               4);
 }
 
-TEST(GoldenScenes, rock_after_they_settled)
+TEST(GoldenScenes, RockAfterTheySettled)
 {
     EXPECT_EQ(for_scenes("column",
                          [](const Course& course) {
@@ -133,7 +133,7 @@ TEST(GoldenScenes, rock_after_they_settled)
               4);
 }
 
-TEST(GoldenScenes, break_are_crushed_and_damped)
+TEST(GoldenScenes, BreakAreCrushedAndDamped)
 {
     EXPECT_EQ(for_scenes("mortar",
                          [](const Course& course) {
@@ -147,7 +147,7 @@ TEST(GoldenScenes, break_are_crushed_and_damped)
               4);
 }
 
-TEST(GoldenScenes, are_solved_by_both_solvers)
+TEST(GoldenScenes, AreSolvedByBothSolvers)
 {
     EXPECT_EQ(for_scenes("column by cholmod",
                          [](const Course& course) {
@@ -161,7 +161,7 @@ TEST(GoldenScenes, are_solved_by_both_solvers)
               2);
 }
 
-TEST(GoldenScenes, go_by_the_published_iteration)
+TEST(GoldenScenes, GoByThePublishedIteration)
 {
     EXPECT_EQ(for_scenes("published",
                          [](const Course& course) {
@@ -172,7 +172,7 @@ TEST(GoldenScenes, go_by_the_published_iteration)
               2);
 }
 
-TEST(GoldenScenes, tumble_over_edges_and_fall)
+TEST(GoldenScenes, TumbleOverEdgesAndFall)
 {
     EXPECT_EQ(for_scenes("tumbling", [](const Course& course) { EXPECT_TRUE(course.edges_met); }), 2);
     EXPECT_EQ(for_scenes("ledge",
@@ -184,7 +184,7 @@ TEST(GoldenScenes, tumble_over_edges_and_fall)
 }
 
 // The loops of the wall run on two threads; on one they must give the same bits.
-TEST(GoldenScenes, do_not_depend_on_threads)
+TEST(GoldenScenes, DoNotDependOnThreads)
 {
     for (const NamedScene& each : scenes()) {
         if (each.name != "wall, spatial rigid") continue;
@@ -201,7 +201,7 @@ TEST(GoldenScenes, do_not_depend_on_threads)
     FAIL() << "no wall";
 }
 
-TEST(Behaviour, is_of_all_hashes_and_names)
+TEST(Behaviour, IsOfAllHashesAndNames)
 {
     const std::vector<SceneHashes> all{{"a", 1, 2}, {"b", 3, 4}};
     EXPECT_EQ(behaviour(all).size(), 12U);

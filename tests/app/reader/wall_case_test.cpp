@@ -180,7 +180,7 @@ TEST(WallCase, TheShippedHouseStandsUnderItsOwnWeight)
     const Case the_case = read_case(shipped("house.yaml"), {"foundation.motion=null", "stages[1]=null"});
     State state = initial_state(the_case.model);
     const RunReport report = run(the_case.model, the_case.stages, state, {});
-    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     EXPECT_LT(report.steps, 20);
     double weight = 0;
     for (int block = 1; block < static_cast<int>(the_case.model.blocks.size()); ++block)

@@ -14,6 +14,7 @@
 #include "app/results/restart_file.h"
 #include "app/results/results_writer.h"
 #include "app/results/state_file.h"
+#include "app/words/diagnosis_words.h"
 #include "libdda/errors.h"
 #include "libdda/run/run.h"
 #include "tests/app/results/synthetic.h"
@@ -52,7 +53,7 @@ Restart sound_restart(const Case& the_case)
     restart.position.report.steps = 250;
     restart.position.report.fallen = {{1, 0.4, false}};
     restart.position.report.crushed = {{0, 1, 1e6, 0.1, 0.2, 2e6}};
-    restart.position.report.warnings = {"a warning"};
+    restart.position.report.warnings = {{DiagnosisKind::dry_joints, -1, {0, 1}, {1, 1e-3}}};
     restart.history_rows = 2;
     return restart;
 }
@@ -91,6 +92,8 @@ class DamagedRestart : public testing::TestWithParam<Kinematics>
             const LimitedRequests limit(20'000'000);
             const Restart restart = load_restart(file_);
             check_fits(restart, the_case_, file_);
+            message_of(restart.position.report, the_case_.model, the_case_.stages);
+            warnings_of(restart.position.report, the_case_.model, the_case_.stages);
             if (!restart.ended) go_on(restart);
         } catch (const InputError& error) {
             EXPECT_EQ(error.faults.size(), 1U);
@@ -263,6 +266,22 @@ TEST_P(DamagedRestart, WhatWouldLeadOutsideArraysOrCountsIsRefused)
     EXPECT_TRUE(report([](RunReport& r) { r.fallen[0].block = -1; }));
     EXPECT_TRUE(report([](RunReport& r) { r.crushed[0].block_a = huge_int; }));
     EXPECT_TRUE(report([](RunReport& r) { r.crushed[0].block_b = 2; }));
+    // What was said of the run is put into words: of blocks and stages that there are.
+    const auto told = [&](const Diagnosis& diagnosis) {
+        const bool as_warning = report([&](RunReport& r) { r.warnings.push_back(diagnosis); });
+        EXPECT_EQ(as_warning, report([&](RunReport& r) { r.diagnosis = diagnosis; })) << diagnosis;
+        EXPECT_EQ(as_warning,
+                  refused([&](Restart& r) { r = {}, r.ended = true, r.position.report.diagnosis = diagnosis; }));
+        return as_warning;
+    };
+    EXPECT_FALSE(told({DiagnosisKind::ground_jump, 1, {1}, {0.1}}));
+    EXPECT_TRUE(told({DiagnosisKind::ground_jump, 2, {1}, {0.1}}));
+    EXPECT_TRUE(told({DiagnosisKind::ground_jump, -1, {1}, {0.1}}));
+    EXPECT_TRUE(told({DiagnosisKind::ground_jump, 1, {2}, {0.1}}));
+    EXPECT_TRUE(told({DiagnosisKind::ground_jump, 1, {-1}, {0.1}}));
+    EXPECT_TRUE(told({DiagnosisKind::ground_jump, 1, {}, {0.1}}));
+    EXPECT_TRUE(told({DiagnosisKind::ground_jump, 1, {1}, {}}));
+    EXPECT_TRUE(told({static_cast<DiagnosisKind>(200), 1, {1}, {0.1}}));
     EXPECT_TRUE(at([](RunPosition& p) { p.frames = -1; }));
     EXPECT_TRUE(at([](RunPosition& p) { p.multiples = huge; }));
     EXPECT_TRUE(refused([](Restart& r) { r.history_rows = -1; }));

@@ -23,7 +23,7 @@ std::string contents(const fs::path& file)
     return text.str();
 }
 
-TEST(EngineVersion, is_told_in_words)
+TEST(EngineVersion, IsToldInWords)
 {
     EngineVersion engine{"0.2.0", "8951b6b97059", Dirty::no, "0123456789ab", {"x86-64", "g++ 1", "3.4.0"}};
     const std::string rest = ", sources 0123456789ab, x86-64, g++ 1, Eigen 3.4.0";
@@ -36,7 +36,7 @@ TEST(EngineVersion, is_told_in_words)
     EXPECT_EQ(in_words(engine), "0.2.0, commit not known" + rest);
 }
 
-TEST(EngineVersion, is_that_of_the_project)
+TEST(EngineVersion, IsThatOfTheProject)
 {
     const EngineVersion engine = engine_version();
     EXPECT_EQ(engine.version, VOUSSOIR_PROJECT_VERSION);
@@ -99,14 +99,14 @@ class VersionScript : public ::testing::Test
     TemporaryFolder folder_;
 };
 
-TEST_F(VersionScript, knows_no_commit_outside_a_checkout)
+TEST_F(VersionScript, KnowsNoCommitOutsideACheckout)
 {
     EXPECT_EQ(built_from()[0], "");
     EXPECT_EQ(built_from()[1], "unknown");
     EXPECT_EQ(built_from()[2].size(), 12U);
 }
 
-TEST_F(VersionScript, sees_commits_and_changes)
+TEST_F(VersionScript, SeesCommitsAndChanges)
 {
     if (run("git --version") != 0) GTEST_SKIP() << "git is not installed";
     ASSERT_EQ(git("init -q"), 0);
@@ -135,7 +135,7 @@ TEST_F(VersionScript, sees_commits_and_changes)
     EXPECT_EQ(built_from(), second);
 }
 
-TEST_F(VersionScript, leaves_the_file_alone_where_nothing_changed)
+TEST_F(VersionScript, LeavesTheFileAloneWhereNothingChanged)
 {
     built_from();
     const auto written = fs::last_write_time(output()) - std::chrono::hours(1);
@@ -147,7 +147,7 @@ TEST_F(VersionScript, leaves_the_file_alone_where_nothing_changed)
     EXPECT_NE(fs::last_write_time(output()), written);
 }
 
-TEST_F(VersionScript, takes_no_commit_of_the_checkout_around_it)
+TEST_F(VersionScript, TakesNoCommitOfTheCheckoutAroundIt)
 {
     if (run("git --version") != 0) GTEST_SKIP() << "git is not installed";
     ASSERT_EQ(run("git init -q '" + folder_.path().string() + "'"), 0);
@@ -156,7 +156,7 @@ TEST_F(VersionScript, takes_no_commit_of_the_checkout_around_it)
     EXPECT_EQ(built_from()[0], "");
 }
 
-TEST_F(VersionScript, knows_the_commit_of_an_archive)
+TEST_F(VersionScript, KnowsTheCommitOfAnArchive)
 {
     if (run("git --version") != 0) GTEST_SKIP() << "git is not installed";
     ASSERT_EQ(git("init -q"), 0);

@@ -20,7 +20,7 @@ std::uint64_t hash_after_shaking(const Model& model, Stage stage, int threads, s
     stage.control.threads = threads;
     State state = initial_state(model);
     const RunReport report = run_quietly(model, {stage}, state);
-    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     EXPECT_GT(report.energy.friction, 0);
     patches = state.contacts.patches.size() + state.planar_contacts.patches.size();
     return hash_of(state);
@@ -157,7 +157,7 @@ TEST_P(Determinism, AnInterruptedRunGoesOnAsIfNothingHadBeen)
     stage.control.max_open_close = 5;  // so that impacts cut steps
     State whole = scene.state, part = scene.state;
     const RunReport report = run_quietly(scene.model, {stage}, whole);
-    ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+    ASSERT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     EXPECT_GT(report.step_cuts, 0);
     for (const int stop : {7, 25, 40}) {
         RunObserver observer;

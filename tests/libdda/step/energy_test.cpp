@@ -127,7 +127,7 @@ TEST_P(Energy, OfSpringsThatArePressedAtTheStart)
     EXPECT_NEAR(report.energy.redetection, 0, 1e-4 * 500);  // areas change with the strain
     EXPECT_GT(report.energy.kinetic, 0.8 * report.energy.start_contact);
     EXPECT_LT(report.energy.relative_residual(), 1e-6);
-    EXPECT_TRUE(report.warnings.empty()) << report.warnings.front();
+    EXPECT_TRUE(report.warnings.empty()) << ::testing::PrintToString(report.warnings);
 }
 
 // Blocks that rock, slide and knock, shaken: the balance of everything, and how it reacts to a falsified term.
@@ -141,7 +141,7 @@ TEST_P(Energy, ResidualIsSmallAndNoticesAMissingTerm)
         stage.control.force_tolerance = 1e-8;
         stage.damping.rate = 0.2;
         const RunReport report = run_quietly(scene.model, {stage}, scene.state);
-        ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+        ASSERT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
         const EnergyLedger& e = report.energy;
         std::printf(
             "shaken blocks: gravity %.0f, foundation %.0f, friction %.0f, dashpot %.0f, damping %.0f, algorithmic "

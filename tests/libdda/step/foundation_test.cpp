@@ -57,7 +57,7 @@ TEST_P(Foundations, HeldBlocksStandWhereTheGroundIs)
             EXPECT_EQ(pose_of(model.kinematics, now, 0).map, Eigen::Matrix3d::Identity());
         };
         const RunReport report = run(model, {stage}, state, observer);
-        EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+        EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
         EXPECT_GT(cuts, 0);
         EXPECT_EQ(state.stage_time, 0.5);
     }
@@ -78,7 +78,7 @@ TEST_P(Foundations, FreeComponentFollowsItsBodyAcceleration)
         stage.body_accelerations = {{box, 0, sine(amplitude, frequency)}};
         State state = initial_state(model);
         const RunReport report = run_quietly(model, {stage}, state);
-        EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+        EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
         const Vector3d moved = centroid(model, state, box) - model.blocks[box].moments.centroid;
         errors[i] = std::abs(moved.x() - exact) / exact;
         EXPECT_EQ(moved.y(), 0);

@@ -213,7 +213,7 @@ TEST(Integrator, TakesOneIterationWhereNoContactChanges)
             run_quietly(model, {static_stage(0.1)}, state);
             begin_stage(model, 0, state);
             const RunReport report = run_quietly(model, {shaking}, state);
-            ASSERT_EQ(report.outcome, Outcome::completed) << report.message;
+            ASSERT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
             EXPECT_LE(report.open_close_iterations, report.steps + 5) << dissipation;
         }
 }

@@ -31,7 +31,7 @@ Ending end_of(Kinematics kinematics, const Telling& telling, LinearSolverKind so
     stage.control.force_tolerance = 1e-11;
     stage.control.linear_solver = solver;
     const RunReport report = run_quietly(scene.model, {stage}, scene.state);
-    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     Ending end;
     for (int b = 0; b < 5; ++b) {
         const Pose pose = pose_of(kinematics, scene.state, scene.place[b]);

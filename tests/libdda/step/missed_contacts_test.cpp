@@ -36,7 +36,7 @@ TEST_P(MissedContacts, AStoneAboveAShelfComesToRestOnIt)
         const Model model = stone_above_shelf(GetParam(), gap);
         State state = initial_state(model);
         const RunReport report = run_quietly(model, {static_stage(1)}, state);
-        ASSERT_EQ(report.outcome, Outcome::completed) << gap << ": " << report.message;
+        ASSERT_EQ(report.outcome, Outcome::completed) << gap << ": " << ::testing::PrintToString(report.diagnosis);
         EXPECT_NEAR(centroid(model, state, 1).z(), side / 2, 1e-5) << gap;
         EXPECT_LT(report.deepest.share, 0.01) << gap;
     }
@@ -56,7 +56,7 @@ TEST_P(MissedContacts, AStoneThatIsPushedHardStopsAtAThinWall)
     stage.body_accelerations = {{ball, 0, push}};
     State state = initial_state(model);
     const RunReport report = run_quietly(model, {stage}, state);
-    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     EXPECT_LT(centroid(model, state, ball).x(), 1) << "on the near side";
 }
 

@@ -167,7 +167,7 @@ TEST(Planar, RigidWallMovesLikeTheSpatialOne)
     const Wall plane(Kinematics::planar_rigid, PlaneCondition::strain, 0.4);
     const Wall space(Kinematics::spatial_rigid, PlaneCondition::strain, 0.4);
     ASSERT_EQ(plane.report.outcome, Outcome::completed);
-    ASSERT_EQ(space.report.outcome, Outcome::completed) << space.report.message;
+    ASSERT_EQ(space.report.outcome, Outcome::completed) << ::testing::PrintToString(space.report.diagnosis);
     const double apart = largest_distance(plane, space), slid = largest_slide(plane);
     std::printf("rigid wall, planar against spatial: %.1e m apart, %.1e m slid\n", apart, slid);
     EXPECT_GT(slid, 1e-4);

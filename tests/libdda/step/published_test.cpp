@@ -38,7 +38,7 @@ TEST_P(Published, InclineIsWithinAFewPercent)
     const double exact = 0.5 * slope_acceleration(), error = std::abs(centroid(model, state, 1).x() / exact - 1);
     std::printf("published, incline: relative error %.1e, %lld cuts\n", error,
                 static_cast<long long>(report.step_cuts));
-    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     EXPECT_LT(error, 0.03);
     EXPECT_LT(report.energy.relative_residual(), 1e-6);
 }

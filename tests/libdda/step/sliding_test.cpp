@@ -175,7 +175,7 @@ TEST_P(Sliding, ATowerThatTremblesDividesAStepOnlySoOften)
         grid = now.grid;
     };
     const RunReport report = run(model, {stage}, state, observer);
-    EXPECT_EQ(report.outcome, Outcome::completed) << report.message;
+    EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     EXPECT_GT(report.divided_steps, 0);
     EXPECT_LE(max_parts, 8);
     EXPECT_LT(report.steps, 1000);

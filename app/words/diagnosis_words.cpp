@@ -1,0 +1,257 @@
+#include "app/words/diagnosis_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr double good_share = 0.001;  // overlap by a block's width that a stiffer contact is to bring about
+
+/// A diagnosis and the names of what it speaks of.
+struct Subject {
+    const Diagnosis& diagnosis;
+    const Model& model;
+    const std::vector<Stage>& stages;
+
+    double value(std::string_view name) const { return value_of(diagnosis, name); }
+    std::string block(std::size_t i) const { return "'" + model.blocks[diagnosis.blocks[i]].name + "'"; }
+    std::string stage() const { return "stage '" + stages[diagnosis.stage].name + "'"; }
+    /// "stage 'motion' stopped at t = 0.25 s: "
+    std::string stopped() const { return fmt::format("{} stopped at t = {:g} s: ", stage(), value("time_s")); }
+};
+
+std::string fallen(const Subject& subject)
+{
+    constexpr std::size_t most = 5;
+    const Diagnosis& diagnosis = subject.diagnosis;
+    const std::size_t count = diagnosis.blocks.size();
+    std::string words = fmt::format("{} of {} blocks have fallen: ", count, subject.model.blocks.size());
+    for (std::size_t i = 0; i < std::min(most, count); ++i)
+        words += fmt::format("{}{} at {:g} s", i > 0 ? ", " : "", subject.block(i), diagnosis.values[i]);
+    return count > most ? words + ", ..." : words;
+}
+
+std::string cause_of(DiagnosisKind kind)
+{
+    switch (kind) {
+        case DiagnosisKind::inverted_block:
+            return "would be turned inside out: its stone is too soft for its load, or the step too long for the "
+                   "blow it gets; try a smaller time_step, a higher modulus or a rigid scene";
+        case DiagnosisKind::singular_system:
+            return "is in a system of equations that cannot be solved: stiffnesses or masses differ by too many "
+                   "orders of magnitude; look at the contact_stiffness and the size of that block's neighbours";
+        case DiagnosisKind::inaccurate_solution:
+            return "has forces that rounding drowns: its contacts or its stone are too stiff for its mass and the "
+                   "step, or the coordinates too large; try a lower contact_stiffness or a larger time_step, and "
+                   "coordinates near the origin";
+        case DiagnosisKind::chatter:
+            return "has contacts that keep switching between open, sticking and sliding; try a larger "
+                   "force_tolerance, a smaller time_step or a dashpot in its joints, and look for overlapping or "
+                   "extremely stiff neighbours";
+        default:
+            return "keeps an unbalanced force; try a smaller time_step or a larger force_tolerance";
+    }
+}
+
+std::string cut_to_the_least(const Subject& subject)
+{
+    const std::string words = fmt::format(
+        "{} gave up at t = {:g} s: the time step was cut {:.0f} times to below {:g} s", subject.stage(),
+        subject.value("time_s"), subject.value("cuts"), subject.value("min_time_step_s"));
+    const DiagnosisKind kind = subject.diagnosis.kind;
+    if (subject.diagnosis.blocks.empty()) return words + "; try a smaller time_step";
+    const std::string force =
+        kind == DiagnosisKind::inverted_block
+            ? ""
+            : fmt::format(" keeps an unbalanced force of {:g} of its load and", subject.value("unbalanced"));
+    return fmt::format("{}; block {}{} {}", words, subject.block(0), force, cause_of(kind));
+}
+
+std::string too_many_cuts(const Subject& subject)
+{
+    const std::string words = fmt::format(
+        "{}a nominal step of {:g} s needed more than {:.0f} cut ones, the last of {:g} s", subject.stopped(),
+        subject.value("time_step_s"), subject.value("cut_steps"), subject.value("last_step_s"));
+    if (subject.diagnosis.blocks.empty()) return words;
+    return fmt::format(
+        "{}; block {} settles worst: look at its joints; a lower contact_stiffness, a dashpot or a larger "
+        "force_tolerance may help",
+        words, subject.block(0));
+}
+
+std::string no_equilibrium(const Subject& subject)
+{
+    return fmt::format(
+        "{} found no equilibrium in {:.0f} steps: the unbalanced force is still {:g} of a block's load; the "
+        "structure "
+        "may be a mechanism under its own weight, or it needs a larger time_step in this stage to come to rest",
+        subject.stage(), subject.value("steps"), subject.value("unbalanced"));
+}
+
+/// "blocks 'a' and 'b' overlap by 0.02 m, 4 % of the thinner one's width", and the remedy: a stiffer contact, or,
+/// where contacts were forgiven most of it, a shorter step and a look at them.
+/// @param why of contacts that are too soft
+std::string overlap(const Subject& subject, const std::string& what, const std::string& why)
+{
+    const double depth = subject.value("depth_m"), share = subject.value("share");
+    const double forgiven = subject.value("forgiven_m");
+    const std::string words = fmt::format(
+        "blocks {} and {} {} by {:g} m, {:g} % of the thinner one's width, at t = {:g} s: ", subject.block(0),
+        subject.block(1), what, depth, 100 * share, subject.value("overlap_time_s"));
+    if (2 * forgiven > depth)
+        return fmt::format(
+            "{}{:g} m of it is without stress, because their contact was found late or goes to and fro between "
+            "two "
+            "faces; try a smaller time_step, and look at edges and corners that bear",
+            words, forgiven);
+    return fmt::format("{}{}; give the joint a contact_stiffness {:g} times as large", words, why,
+                       std::ceil(share / good_share));
+}
+
+std::string energy_unaccounted(double share)
+{
+    return fmt::format(
+        "{:g} % of the energy is unaccounted for: do not trust this run; try a smaller time_step or "
+        "force_tolerance",
+        100 * share);
+}
+
+std::string energy_from_contacts(double share)
+{
+    return fmt::format(
+        "{:g} % of the energy came from contacts whose area grew, or that were found late, while they were "
+        "pressed "
+        "together: blocks were thrown harder than they should be; try a smaller time_step, and look for edges and "
+        "corners that carry blows",
+        100 * share);
+}
+
+/// @param what became of the energy
+std::string wrong_energy(const Subject& subject, const std::string& what)
+{
+    return fmt::format(
+        "{:g} % of the energy has {}; the fastest block is {} with {:g} m/s: the forces are not solved well "
+        "enough for "
+        "the step; try a smaller time_step or a smaller force_tolerance",
+        100 * subject.value("share"), what, subject.block(0), subject.value("speed_m_s"));
+}
+
+std::string ground_jump(const Subject& subject)
+{
+    return fmt::format(
+        "{} starts with a blow: the ground of block {} changes its velocity by {:g} m/s at once; let motions "
+        "start and "
+        "end at rest (taper, end_correction), or make one stage of two",
+        subject.stage(), subject.block(0), subject.value("velocity_jump_m_s"));
+}
+
+std::string dry_joints(const Subject& subject)
+{
+    return fmt::format(
+        "{:.0f} contacts have cohesion or tensile strength but gape at a corner, the widest by {:g} m between {} "
+        "and "
+        "{}: they are dry from the start; close them in the model to within a ten-thousandth of the stones' size",
+        subject.value("joints"), subject.value("widest_gap_m"), subject.block(0), subject.block(1));
+}
+
+std::string crushed_joints(const Subject& subject)
+{
+    return fmt::format("{:.0f} joints exceed their compressive strength, worst {} on {}: {:g} times at {:g} s",
+                       subject.value("joints"), subject.block(0), subject.block(1),
+                       subject.value("stress_to_strength"), subject.value("time_s"));
+}
+
+/// Why a step was taken back that had converged.
+std::string stop_in_words(const Subject& subject)
+{
+    switch (subject.diagnosis.kind) {
+        case DiagnosisKind::deep_overlap:
+            return overlap(subject, "overlap", "the contact is too soft for its load or its impact");
+        case DiagnosisKind::no_number:
+            return fmt::format(
+                "block {} has a place or velocity that is no number; look at its mass, its joints and its motion",
+                subject.block(0));
+        case DiagnosisKind::energy_no_number:
+            return fmt::format(
+                "an energy is no number; the fastest block is {}; look at its joints' stiffness and its motion",
+                subject.block(0));
+        case DiagnosisKind::energy_from_nowhere:
+            return wrong_energy(subject, "appeared from nowhere");
+        case DiagnosisKind::energy_vanished:
+            return wrong_energy(subject, "vanished");
+        default:
+            return energy_from_contacts(subject.value("share"));
+    }
+}
+
+std::string end_in_words(const Subject& subject)
+{
+    switch (subject.diagnosis.kind) {
+        case DiagnosisKind::interrupted:
+            return "stopped on request";
+        case DiagnosisKind::fallen:
+            return fallen(subject);
+        case DiagnosisKind::inverted_block:
+        case DiagnosisKind::singular_system:
+        case DiagnosisKind::inaccurate_solution:
+        case DiagnosisKind::chatter:
+        case DiagnosisKind::unbalanced:
+            return cut_to_the_least(subject);
+        case DiagnosisKind::too_many_cuts:
+            return too_many_cuts(subject);
+        case DiagnosisKind::no_equilibrium:
+            return no_equilibrium(subject);
+        default:
+            return subject.stopped() + stop_in_words(subject);
+    }
+}
+
+std::string warning_in_words(const Subject& subject)
+{
+    switch (subject.diagnosis.kind) {
+        case DiagnosisKind::energy_unaccounted:
+            return energy_unaccounted(subject.value("share"));
+        case DiagnosisKind::energy_given:
+            return energy_from_contacts(subject.value("share"));
+        case DiagnosisKind::overlap:
+            return overlap(
+                subject, "overlapped",
+                "contacts so soft are part of the answer, and the integrator damps their vibration, newmark "
+                "most");
+        case DiagnosisKind::ground_jump:
+            return ground_jump(subject);
+        case DiagnosisKind::dry_joints:
+            return dry_joints(subject);
+        default:
+            return crushed_joints(subject);
+    }
+}
+
+}  // namespace
+
+std::string in_words(const Diagnosis& diagnosis, const Model& model, const std::vector<Stage>& stages)
+{
+    const Subject subject{diagnosis, model, stages};
+    const bool is_end = diagnosis.kind <= DiagnosisKind::energy_from_contacts;
+    return is_end ? end_in_words(subject) : warning_in_words(subject);
+}
+
+std::string message_of(const RunReport& report, const Model& model, const std::vector<Stage>& stages)
+{
+    return report.diagnosis ? in_words(*report.diagnosis, model, stages) : "";
+}
+
+std::vector<std::string> warnings_of(const RunReport& report, const Model& model, const std::vector<Stage>& stages)
+{
+    std::vector<std::string> warnings;
+    for (const Diagnosis& warning : report.warnings) warnings.push_back(in_words(warning, model, stages));
+    return warnings;
+}
+
+}  // namespace voussoir
