@@ -20,6 +20,7 @@ NAMESPACES = {
     "libdda/solve/": "voussoir::solve",
     "libdda/step/": "voussoir::step",
     "libdda/step/advance.": "voussoir",
+    "libdda/step/work.": "voussoir",
     "libdda/step/workspace.": "voussoir",
     "records/": "voussoir::records",
     "records/formats/": "voussoir::records::formats",
