@@ -52,6 +52,11 @@ TEST_F(EnsembleCommand, WritesTableJsonPageAndPicture)
     EXPECT_TRUE(json["engine"].contains("commit"));
     EXPECT_EQ(json["settings"][1]["time_step_s"], 1e-3);
     EXPECT_EQ(json["measures"][0]["values"].size(), 3u);
+    for (const std::string loss :
+         {"algorithmic", "friction", "damping"}) {  // under its former name for one release
+        EXPECT_TRUE(json["runs"][0][loss + "_fraction"].is_number()) << loss;
+        EXPECT_EQ(json["runs"][0][loss + "_share"], json["runs"][0][loss + "_fraction"]) << loss;
+    }
     const std::string page = contents(folder_ / "made/ensemble.md");
     EXPECT_NE(page.find("stone.yaml --vary '" + testing::vary_friction + "' --jobs 2 -o made`"), std::string::npos)
         << page;
