@@ -1,4 +1,5 @@
-// voussoir-golden: prints, as JSON, the engine, the hashes of what the golden scenes end in and what else they depend on. scripts/golden_hashes compares them with those on record.
+// voussoir-golden: prints, as JSON, the engine, the hashes of what the golden scenes end in and what else they
+// depend on. scripts/golden_hashes compares them with those on record.
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
