@@ -42,6 +42,7 @@ FOREIGN_RULES = (
     ("nlohmann-json", r"nlohmann/", ("app/", "importers/mesh/", "tests/"), False),
     ("fmt", r"fmt/", ("app/",), False),
     ("CLI11", r"CLI/", ("app/",), False),
+    ("voussoir as installed", r"voussoir/", ("tests/package/libraries/",), False),
 )
 TESTS_OF = {"libdda/solve/": ("tests/libdda",), "libdda/": ("tests/libdda",),
             "importers/mesh/": ("tests/importers",), "importers/exact/": ("tests/importers",),
