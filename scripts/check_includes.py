@@ -97,6 +97,7 @@ FOREIGN_RULES = (
     ("fmt", r"fmt/", ("app/", "importers/assembly/"), False),
     ("utf8cpp", r"utf8(\.h$|/)", ("libdda/text/",), False),
     ("CLI11", r"CLI/", ("app/", "records/generate_main.cpp"), False),
+    ("voussoir as installed", r"voussoir/", ("tests/package/libraries/",), False),
 )
 TESTS_OF = {"libdda/solve/": ("tests/libdda/solve/",), "libdda/": ("tests/libdda/",),
             "importers/mesh/": ("tests/importers/mesh/", "tests/importers/helper/"),

@@ -125,6 +125,8 @@ def main():
     pages = {"voussoir": program_help, **{f"voussoir-{name}": help_ for name, help_ in commands.items()}}
     (folder / "man1").mkdir(parents=True, exist_ok=True)
     (folder / "completions").mkdir(exist_ok=True)
+    for old in (folder / "man1").glob("voussoir*.1.gz"):  # of a command that is no more
+        old.unlink()
     for title, help_ in pages.items():
         see_also = [page for page in pages if page != title] if title == "voussoir" else ["voussoir"]
         page = manual_page(title, help_, version, see_also)
