@@ -70,7 +70,12 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
     auto arguments = std::make_shared<ImportArguments>();
     CLI::App* command =
         app.add_subcommand("import", "Certify mesh files: stones, contacts, gaps, overlaps, advice");
-    command->add_option("mesh", arguments->files, "Mesh files")->required()->type_name("MESH");
+    command->add_option("mesh", arguments->files, "Mesh files")->type_name("MESH");
+    command->add_flag("--formats", arguments->formats, "List the formats that are read, and by whom");
+    command
+        ->add_option("--reader", arguments->reader, "Who reads the files: ours, where there is one, else assimp")
+        ->check(CLI::IsMember(mesh_reader_names))
+        ->capture_default_str();
     command->add_option("--unit", arguments->unit, "Unit of the files: m, cm, mm, ft, in (as they say, else m)")
         ->type_name("UNIT");
     command->add_option("--up", arguments->up, "Axis of the files that points up (as they say, else z)")
@@ -93,7 +98,10 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
                      "Move facing faces together that stand apart by at most this: 25mm")
         ->type_name("LENGTH");
     add_certificate(*command, arguments->json, arguments->folder);
-    command->callback([arguments, &chosen] { chosen = [arguments] { return import_command(*arguments); }; });
+    command->callback([arguments, &chosen] {
+        if (arguments->files.empty() && !arguments->formats) throw CLI::RequiredError("mesh");
+        chosen = [arguments] { return import_command(*arguments); };
+    });
 }
 
 void add_record(CLI::App& app, std::function<int()>& chosen)
