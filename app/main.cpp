@@ -75,7 +75,11 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<ImportArguments>();
     CLI::App* command = app.add_subcommand("import", "Check mesh files: stones, contacts, gaps, overlaps, advice");
-    command->add_option("mesh", arguments->files, "Mesh files")->required()->type_name("MESH");
+    command->add_option("mesh", arguments->files, "Mesh files")->type_name("MESH");
+    command->add_flag("--formats", arguments->formats, "List the supported formats and the reader of each");
+    command->add_option("--reader", arguments->reader, "Reader of the files: automatic, own or assimp")
+        ->check(CLI::IsMember(mesh_reader_names))
+        ->capture_default_str();
     command
         ->add_option("--unit", arguments->unit,
                      "Unit of the files: m, cm, mm, ft, in (as stated in the files, otherwise m)")
@@ -101,7 +105,10 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
                      "Close gaps between facing faces up to this width: 25mm")
         ->type_name("LENGTH");
     add_certificate(*command, arguments->json, arguments->folder);
-    command->callback([arguments, &chosen] { chosen = [arguments] { return import_command(*arguments); }; });
+    command->callback([arguments, &chosen] {
+        if (arguments->files.empty() && !arguments->formats) throw CLI::RequiredError("mesh");
+        chosen = [arguments] { return import_command(*arguments); };
+    });
 }
 
 void add_record(CLI::App& app, std::function<int()>& chosen)

@@ -46,6 +46,8 @@ struct ImportArguments {
     std::string stones = "detect";    // of stone_level_names
     double planarity = 1e-5, volume_error = 0.01;
     std::optional<std::string> close_joints;  // a length
+    std::string reader = "auto";              // of mesh_reader_names
+    bool formats = false;                     // list what is read, import nothing
     std::optional<std::filesystem::path> json, folder;
 };
 

@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -7,6 +7,7 @@
 #include "app/commands/outputs.h"
 #include "app/words/quantity.h"
 #include "importers/helper/geometry.h"
+#include "importers/helper/wire.h"
 #include "libdda/errors.h"
 
 namespace voussoir
@@ -35,6 +36,8 @@ MeshRequest request_of(const ImportArguments& arguments)
     request.up = arguments.up.value_or(0);
     const auto level = std::find(stone_level_names.begin(), stone_level_names.end(), arguments.stones);
     request.stones = static_cast<StoneLevel>(level - stone_level_names.begin());
+    const auto reader = std::find(mesh_reader_names.begin(), mesh_reader_names.end(), arguments.reader);
+    request.reader = static_cast<MeshReader>(reader - mesh_reader_names.begin());
     request.planarity = arguments.planarity;
     request.volume_error = arguments.volume_error;
     return request;
@@ -115,10 +118,25 @@ void write_folder(const ImportArguments& arguments, const std::vector<CertifiedF
     }
 }
 
+int list_formats(const ImportArguments& arguments)
+{
+    const std::vector<MeshFormat> formats = list_mesh_formats();
+    if (arguments.json) write_json_text(*arguments.json, to_json(formats));
+    if (arguments.json && *arguments.json == "-") return exit_done;
+    fmt::print("{:<34} {:<21} {:<9} {}\n", "format", "extensions", "read by", "lost");
+    for (const MeshFormat& format : formats) {
+        const std::string extensions = fmt::format("{}", fmt::join(format.extensions, " "));
+        fmt::print("{:<34} {:<21} {:<9} {}\n", format.name, extensions, format.own ? "voussoir" : "assimp",
+                   format.lost.empty() ? "nothing" : format.lost);
+    }
+    return exit_done;
+}
+
 }  // namespace
 
 int import_command(const ImportArguments& arguments)
 {
+    if (arguments.formats) return list_formats(arguments);
     MeshRequest request = request_of(arguments);
     expect_writable(arguments.json, arguments.folder);
     std::vector<CertifiedFile> files;

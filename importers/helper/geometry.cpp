@@ -1,6 +1,7 @@
 #include "importers/helper/geometry.h"
 
 #include <exception>
+#include <stdexcept>
 
 #include "importers/helper/wire.h"
 #include "importers/process/child_process.h"
@@ -76,6 +77,14 @@ Geometry import_geometry(const std::vector<MeshRequest>& requests, const Geometr
     }
     geometry.meshes = std::move(merged);
     return geometry;
+}
+
+std::vector<MeshFormat> list_mesh_formats()
+{
+    const ChildAnswer answer = ask_child(helper_folder() / "voussoir-geometry", formats_request(),
+                                         GeometryLimits{}.seconds, most_answer_bytes);
+    if (answer.failure.empty()) return formats_from_json(answer.output);
+    throw std::runtime_error("the geometry helper gave no answer: " + answer.failure);
 }
 
 }  // namespace voussoir

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "importers/mesh/marked_feature.h"
+#include "importers/mesh/mesh_formats.h"
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 
@@ -61,6 +62,9 @@ enum class StoneLevel { detect, file, object, group, node, component };
 /// The names above, in their order.
 extern const std::vector<std::string> stone_level_names;
 
+/// The names of MeshReader's values, in their order.
+extern const std::vector<std::string> mesh_reader_names;
+
 /// A mesh file to be read and certified.
 struct MeshRequest {
     std::filesystem::path file;  // to be read
@@ -70,6 +74,7 @@ struct MeshRequest {
     double planarity = 1e-5;     // share of a stone's diagonal by which a face may bulge and count as flat
     double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
     double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
+    MeshReader reader = MeshReader::automatic;
 };
 
 /// What the helper may take.
@@ -82,5 +87,8 @@ struct GeometryLimits {
 /// answer. Refusals are in the answer; a helper that dies, hangs or answers nonsense is a refusal of the files
 /// with the reason.
 Geometry import_geometry(const std::vector<MeshRequest>& requests, const GeometryLimits& limits);
+
+/// The formats that the helper reads. @throws std::runtime_error when it gives no answer
+std::vector<MeshFormat> list_mesh_formats();
 
 }  // namespace voussoir

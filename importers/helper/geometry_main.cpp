@@ -23,6 +23,14 @@ void limit_resources(const voussoir::GeometryLimits& limits)
     voussoir::limit_own_memory(limits.bytes);
 }
 
+std::string answer_to(const std::string& text)
+{
+    if (text == voussoir::formats_request()) return voussoir::to_json(voussoir::mesh_formats());
+    const voussoir::HelperRequest request = voussoir::request_from_json(text);
+    limit_resources(request.limits);
+    return voussoir::to_json(voussoir::import_meshes(request.meshes));
+}
+
 }  // namespace
 
 int main(int argc, char**)
@@ -33,10 +41,7 @@ int main(int argc, char**)
     }
     try {
         const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-        const voussoir::HelperRequest request = voussoir::request_from_json(text);
-        limit_resources(request.limits);
-        const std::string answer = voussoir::to_json(voussoir::import_meshes(request.meshes));
-        std::cout << answer << std::flush;
+        std::cout << answer_to(text) << std::flush;
         return std::cout ? 0 : 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

@@ -109,7 +109,7 @@ std::vector<PolygonSurface> read(const MeshRequest& request, ImportedMesh& mesh)
     mesh.file = request.file.string();
     try {
         check(request);
-        MeshFile content = read_mesh(request.file, {stones_by(request.stones)});
+        MeshFile content = read_mesh(request.file, {stones_by(request.stones), request.reader});
         mesh.repairs = content.repairs;
         const char up = settle_frame(request, content, mesh);
         judge_rounding(content, mesh);

@@ -181,6 +181,15 @@ json to_json_value(const ImportedMesh& mesh)
             {"stones", std::move(stones)}};
 }
 
+/// @throws InputError when it names no reader
+MeshReader reader_from(const json& value)
+{
+    const auto name = std::find(mesh_reader_names.begin(), mesh_reader_names.end(), value.get<std::string>());
+    if (name == mesh_reader_names.end())
+        throw InputError("mesh", value.dump() + " is no reader", "the request was damaged on the way");
+    return static_cast<MeshReader>(name - mesh_reader_names.begin());
+}
+
 ImportedMesh mesh_from(const json& value)
 {
     ImportedMesh mesh;
@@ -198,6 +207,7 @@ ImportedMesh mesh_from(const json& value)
 }  // namespace
 
 const std::vector<std::string> stone_level_names{"detect", "file", "object", "group", "node", "component"};
+const std::vector<std::string> mesh_reader_names{"auto", "own", "assimp"};
 
 std::string to_json(const HelperRequest& request)
 {
@@ -209,7 +219,8 @@ std::string to_json(const HelperRequest& request)
                           {"stones", static_cast<int>(mesh.stones)},
                           {"planarity", mesh.planarity},
                           {"volume_error", mesh.volume_error},
-                          {"close_joints", mesh.close_joints}});
+                          {"close_joints", mesh.close_joints},
+                          {"reader", mesh_reader_names.at(static_cast<std::size_t>(mesh.reader))}});
     try {
         return json{{"meshes", meshes}, {"seconds", request.limits.seconds}, {"bytes", request.limits.bytes}}
             .dump();
@@ -228,8 +239,33 @@ HelperRequest request_from_json(const std::string& text)
                                   static_cast<char>(mesh.at("up").get<int>()),
                                   static_cast<StoneLevel>(mesh.at("stones").get<int>()),
                                   mesh.at("planarity").get<double>(), mesh.at("volume_error").get<double>(),
-                                  mesh.at("close_joints").get<double>()});
+                                  mesh.at("close_joints").get<double>(), reader_from(mesh.at("reader"))});
     return request;
+}
+
+std::string formats_request()
+{
+    return R"({"formats":true})";
+}
+
+std::string to_json(const std::vector<MeshFormat>& formats)
+{
+    json list = json::array();
+    for (const MeshFormat& format : formats)
+        list.push_back({{"name", format.name},
+                        {"extensions", format.extensions},
+                        {"reader", format.own ? "voussoir" : "assimp"},
+                        {"lost", format.lost}});
+    return dump(list);
+}
+
+std::vector<MeshFormat> formats_from_json(const std::string& text)
+{
+    std::vector<MeshFormat> formats;
+    for (const json& format : json::parse(text))
+        formats.push_back({format.at("name"), format.at("extensions").get<std::vector<std::string>>(),
+                           format.at("reader").get<std::string>() == "voussoir", format.at("lost")});
+    return formats;
 }
 
 std::string to_json(const Geometry& geometry)

@@ -20,6 +20,13 @@ std::string to_json(const HelperRequest& request);
 /// @throws std::exception when the text is not what to_json wrote
 HelperRequest request_from_json(const std::string& text);
 
+/// What asks the helper for the formats that it reads, in place of a HelperRequest.
+std::string formats_request();
+std::string to_json(const std::vector<MeshFormat>& formats);
+
+/// @throws std::exception when the text is not what to_json wrote
+std::vector<MeshFormat> formats_from_json(const std::string& text);
+
 std::string to_json(const Geometry& geometry);
 
 /// Trusts nothing: every polyhedron is made, and so checked, again.

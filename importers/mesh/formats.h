@@ -81,10 +81,11 @@ MeshFile read_compas(const MeshSource& source);
 MeshFile read_gltf(const MeshSource& source);
 MeshFile read_collada(const MeshSource& source);
 MeshFile read_dxf(const MeshSource& source, const ReadOptions& options);
-MeshFile read_3ds(const MeshSource& source);
 MeshFile read_3mf(const MeshSource& source);
-MeshFile read_amf(const MeshSource& source);
 MeshFile read_ifc(const MeshSource& source);
+
+/// Any format that assimp reads, by the extension that it knows it by.
+MeshFile read_assimp(const MeshSource& source, const std::string& extension);
 
 /// Whether binary STL is meant: the count in the header fits the length of the file.
 bool is_binary_stl(std::string_view bytes);
@@ -92,5 +93,9 @@ bool is_binary_stl(std::string_view bytes);
 /// The parts of a zip archive whose names end in `ending`, by name.
 /// @throws InputError when the archive is damaged or unpacks to more than 1 GiB
 std::map<std::string, std::string> unzipped(const MeshSource& archive, const std::string& ending);
+
+/// The same file with the content of the part whose name ends in `ending`.
+/// @throws InputError when there is none, or as above
+MeshSource unpacked(const MeshSource& archive, const std::string& ending);
 
 }  // namespace voussoir

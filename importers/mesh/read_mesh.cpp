@@ -1,9 +1,8 @@
 #include "importers/mesh/read_mesh.h"
 
-#include <algorithm>
-#include <cstdint>
 #include <fstream>
 
+#include "importers/mesh/file_kind.h"
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
@@ -13,99 +12,9 @@ namespace voussoir
 namespace
 {
 
-enum class Kind { unknown, obj, stl, ply, off, gltf, compas, collada, amf, archive, max_3ds, dxf, ifc };
-
-/// What cannot be read but is met often, by how it begins.
-void refuse_known_strangers(const MeshSource& source)
+MeshFile read_kind(const FileKind& kind, const MeshSource& source, const ReadOptions& options)
 {
-    const std::string_view bytes = source.bytes;
-    const std::string_view start = trim(bytes.substr(0, 4096));
-    const auto refuse = [&](const char* found, const char* expected) {
-        throw InputError(source.place, found, expected);
-    };
-    if (bytes.starts_with("\x1F\x8B")) refuse("this file is compressed (gzip)", "unpack it");
-    if (bytes.starts_with("7z\xBC\xAF") || bytes.starts_with("Rar!") || bytes.starts_with("BZh") ||
-        bytes.starts_with("\xFD"
-                          "7zXZ"))
-        refuse("this file is compressed", "unpack it");
-    if (bytes.starts_with("Kaydara FBX")) refuse("FBX is not read", "convert it to glTF, COLLADA or OBJ");
-    if (bytes.starts_with("BLENDER")) refuse("Blender's own files are not read", "export it as OBJ or glTF");
-    if (bytes.starts_with("AC10") && bytes.size() > 6) refuse("this is a DWG file", "save it as text DXF");
-    if (start.starts_with("ISO-10303-21") && bytes.find("IFC") == std::string_view::npos)
-        refuse("STEP files are not read", "export the stones as OBJ or STL");
-}
-
-Kind kind_of_xml(std::string_view text)
-{
-    if (text.find("<COLLADA") != text.npos) return Kind::collada;
-    return text.find("<amf") != text.npos || text.find("<AMF") != text.npos ? Kind::amf : Kind::unknown;
-}
-
-Kind kind_of_json(std::string_view text)
-{
-    const bool asset = text.find("\"asset\"") != text.npos;
-    return asset && (text.find("\"meshes\"") != text.npos || text.find("\"nodes\"") != text.npos) ? Kind::gltf
-                                                                                                  : Kind::compas;
-}
-
-bool is_off_keyword(std::string_view word)
-{
-    const std::size_t end = word.find("OFF");
-    return end != word.npos && word.substr(0, end).find_first_not_of("STCN4n") == word.npos;
-}
-
-/// A line that only OBJ has among the first that are neither empty nor comments.
-bool looks_like_obj(std::string_view text)
-{
-    Lines lines(text.substr(0, 1 << 16));
-    int looked_at = 0;
-    for (std::string_view line; looked_at < 50 && lines.next(line);) {
-        const std::vector<std::string_view> word = words(line);
-        if (word.empty() || word[0].starts_with('#')) continue;
-        ++looked_at;
-        Eigen::Vector3d x;
-        if (word[0] == "v" && parse_point(word, 1, x)) return true;
-    }
-    return false;
-}
-
-Kind kind_by_content(std::string_view bytes)
-{
-    const std::string_view start = trim(bytes.substr(0, 4096));
-    const std::vector<std::string_view> word = words(start.substr(0, 256));
-    if (bytes.starts_with("PK\x03\x04")) return Kind::archive;
-    if (bytes.starts_with("glTF")) return Kind::gltf;
-    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::ply;
-    if (bytes.starts_with("AutoCAD Binary DXF")) return Kind::dxf;
-    if (start.starts_with("ISO-10303-21")) return Kind::ifc;
-    if (bytes.size() > 6 && bytes.starts_with("MM") && load<std::uint32_t>(&bytes[2]) == bytes.size())
-        return Kind::max_3ds;
-    if (is_binary_stl(bytes)) return Kind::stl;
-    if (word.empty()) return Kind::unknown;
-    if (start.starts_with('<')) return kind_of_xml(bytes.substr(0, 1 << 16));
-    if (start.starts_with('{') || start.starts_with('[')) return kind_of_json(bytes);
-    if (lower_case(word[0]) == "solid" && lower_case(start).find("facet") != std::string::npos) return Kind::stl;
-    if (is_off_keyword(word[0])) return Kind::off;
-    if (word.size() > 1 && word[0] == "0" && word[1] == "SECTION") return Kind::dxf;
-    if (word[0] == "999" && bytes.find("SECTION") != bytes.npos) return Kind::dxf;
-    return looks_like_obj(bytes) ? Kind::obj : Kind::unknown;
-}
-
-Kind kind_by_name(const std::filesystem::path& path)
-{
-    const std::string extension = lower_case(path.extension().string());
-    const std::map<std::string, Kind> known{{".obj", Kind::obj},     {".stl", Kind::stl},     {".ply", Kind::ply},
-                                            {".off", Kind::off},     {".gltf", Kind::gltf},   {".glb", Kind::gltf},
-                                            {".json", Kind::compas}, {".dae", Kind::collada}, {".amf", Kind::amf},
-                                            {".3mf", Kind::archive}, {".3ds", Kind::max_3ds}, {".dxf", Kind::dxf},
-                                            {".ifc", Kind::ifc}};
-    const auto found = known.find(extension);
-    return found == known.end() ? Kind::unknown : found->second;
-}
-
-MeshFile read_kind(Kind kind, const MeshSource& source, const ReadOptions& options)
-{
-    switch (kind) {
+    switch (kind.kind) {
         case Kind::obj:
             return read_obj(source, options);
         case Kind::stl:
@@ -120,21 +29,46 @@ MeshFile read_kind(Kind kind, const MeshSource& source, const ReadOptions& optio
             return read_compas(source);
         case Kind::collada:
             return read_collada(source);
-        case Kind::amf:
-            return read_amf(source);
         case Kind::archive:
-            return kind_by_name(source.path) == Kind::amf ? read_amf(source) : read_3mf(source);
-        case Kind::max_3ds:
-            return read_3ds(source);
+            return read_3mf(source);
         case Kind::dxf:
             return read_dxf(source, options);
         case Kind::ifc:
             return read_ifc(source);
+        case Kind::assimp:
+            return read_assimp(source, kind.extension);
         case Kind::unknown:
             break;
     }
     throw InputError(source.place, "this is not a mesh file in a supported format",
-                     "give OBJ, STL, PLY, OFF, glTF, COLLADA, DXF, 3DS, 3MF, AMF, IFC or COMPAS JSON");
+                     "`voussoir import --formats` lists the supported formats");
+}
+
+/// @throws InputError when the reader that is asked for does not read such files
+MeshFile read_by(MeshReader reader, const FileKind& kind, const MeshSource& source, const ReadOptions& options)
+{
+    const bool assimp_only = kind.kind == Kind::ifc || kind.kind == Kind::assimp;
+    if (reader == MeshReader::own && assimp_only)
+        throw InputError(source.place, "this format is read by assimp only (" + kind.extension + ")",
+                         "leave out `--reader own`");
+    if (reader != MeshReader::assimp || kind.kind == Kind::unknown) return read_kind(kind, source, options);
+    if (kind.extension.empty())
+        throw InputError(source.place, "assimp does not read this format", "leave out `--reader assimp`");
+    return read_assimp(source, kind.extension);
+}
+
+/// What the file is, if its content tells, else its name; of archives the name tells what is packed in them.
+FileKind judged(const FileKind& named, const FileKind& found)
+{
+    const bool packed = found.kind == Kind::archive && named.kind != Kind::unknown;
+    return found.kind == Kind::unknown || packed ? named : found;
+}
+
+/// Whether what stands in an archive is a file of the format by itself: 3MF is an archive of its own kind.
+bool is_packed(const MeshSource& source, const FileKind& kind)
+{
+    return source.bytes.starts_with("PK") &&
+           (kind.kind == Kind::collada || kind.kind == Kind::ifc || kind.extension == "amf");
 }
 
 MeshFile read_source(MeshSource& source, const ReadOptions& options)
@@ -146,12 +80,13 @@ MeshFile read_source(MeshSource& source, const ReadOptions& options)
     }
     if (source.bytes.starts_with("\xEF\xBB\xBF")) source.bytes.erase(0, 3);
     refuse_known_strangers(source);
-    const Kind named = kind_by_name(source.path), found = kind_by_content(source.bytes);
-    const Kind kind = found == Kind::unknown ? named : found;
-    if (found != Kind::unknown && named != Kind::unknown && named != found &&
-        !(found == Kind::archive && named == Kind::amf) && !(found == Kind::gltf && named == Kind::compas))
+    const FileKind named = kind_by_name(source.path), found = kind_by_content(source.bytes);
+    const FileKind kind = judged(named, found);
+    if (is_packed(source, kind)) source = unpacked(source, "." + kind.extension);
+    const bool other = named.kind != Kind::unknown && kind.kind != named.kind;
+    if (other && !(kind.kind == Kind::gltf && named.kind == Kind::compas))
         repairs.push_back("the content does not match the file name, and was read by its own format");
-    MeshFile mesh = read_kind(kind, source, options);
+    MeshFile mesh = read_by(options.reader, kind, source, options);
     mesh.repairs.insert(mesh.repairs.begin(), repairs.begin(), repairs.end());
     return mesh;
 }

@@ -59,4 +59,14 @@ std::map<std::string, std::string> unzipped(const MeshSource& archive, const std
     return parts;
 }
 
+MeshSource unpacked(const MeshSource& archive, const std::string& ending)
+{
+    std::map<std::string, std::string> parts = unzipped(archive, ending);
+    if (parts.empty())
+        throw InputError(archive.place, "this archive holds no " + ending + " file", "it was packed by mistake");
+    MeshSource content = archive;
+    content.bytes = std::move(parts.begin()->second);
+    return content;
+}
+
 }  // namespace voussoir

@@ -40,6 +40,21 @@ TEST(DamagedAnswers, AreNotBelievedOrHold)
     EXPECT_LT(believed, tried);
 }
 
+TEST(DamagedRequests, ThatNameNoReader)
+{
+    MeshRequest wanted;
+    wanted.file = "a.obj";
+    wanted.reader = MeshReader::assimp;
+    const std::string sound = to_json(HelperRequest{{wanted}, {}});
+    EXPECT_EQ(request_from_json(sound).meshes.at(0).reader, MeshReader::assimp);
+    const std::size_t place = sound.find("\"assimp\"");
+    ASSERT_NE(place, std::string::npos);
+    for (const char* bad : {"\"asimp\"", "\"\"", "2", "-1", "true", "null"}) {
+        std::string request = sound;
+        EXPECT_THROW(request_from_json(request.replace(place, 8, bad)), std::exception) << bad;
+    }
+}
+
 // Pictures draw the surfaces of refused stones by these numbers.
 TEST(DamagedAnswers, CornersThatAreNotThere)
 {
@@ -61,6 +76,9 @@ TEST(DamagedMeshes, LeaveTheProgramAlive)
     setenv("VOUSSOIR_BIN_DIR", VOUSSOIR_BINARIES, 1);
     const TemporaryFolder folder;
     std::vector<fs::path> seeds = files_in(VOUSSOIR_MESH_SEEDS);
+    const std::vector<fs::path> of_assimp = files_in(fs::path(VOUSSOIR_MESH_SEEDS).parent_path() / "assimp");
+    ASSERT_GE(of_assimp.size(), 7U);
+    seeds.insert(seeds.end(), of_assimp.begin(), of_assimp.end());
     const char* variable = std::getenv("VOUSSOIR_DATA");
     const fs::path ifc = fs::path(variable != nullptr ? variable : VOUSSOIR_DEFAULT_DATA) /
                          "meshes/building/wall-with-opening-and-window.ifc";

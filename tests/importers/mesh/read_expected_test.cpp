@@ -197,7 +197,7 @@ TEST(ReadExpected, UnitsAndAxesOfTheFilesAreTold)
          {Known{"awkward/cube_UTF16LE.dae", 0.01, 'y'}, Known{"awkward/blue_cube.dae", 1, 'z'},
           Known{"awkward/box.3mf", 0.001, 'z'}, Known{"awkward/nested.glb", 1, 'y'},
           Known{"awkward/test1.amf", 0.001, {}}, Known{"masonry/wall.obj", {}, {}},
-          Known{"awkward/PinkEggFromLW.dxf", {}, 'z'}, Known{"awkward/fels.3ds", {}, {}},
+          Known{"awkward/PinkEggFromLW.dxf", {}, 'z'}, Known{"awkward/fels.3ds", {}, 'z'},
           Known{"building/wall-with-opening-and-window.ifc", 0.001, 'z'}}) {
         const MeshFile mesh = read_mesh(folder / "meshes" / known.file);
         EXPECT_EQ(mesh.metres_per_unit.has_value(), known.metres.has_value()) << known.file;

@@ -1,4 +1,4 @@
-// 3MF and AMF: units, transforms, components.
+// 3MF: units, transforms, components.
 #include <gtest/gtest.h>
 
 #include "tests/importers/mesh/read_shapes.h"
@@ -73,33 +73,6 @@ TEST(Read3mf, RefusesCirclesMissingObjectsAndDamage)
         to_3mf("meter", "<object id=\"1\">" + mesh_3mf() + "</object>", "<item objectid=\"1\"/>");
     EXPECT_EQ(refusal(folder.write("good.3mf", good)), "");
     EXPECT_NE(refusal(folder.write("cut.3mf", good.substr(0, 1000))).find("cut off"), std::string::npos);
-}
-
-TEST(ReadAmf, ReadsUnitsVolumesNamesAndConstellations)
-{
-    const TemporaryFolder folder;
-    const std::string text =
-        "<?xml version=\"1.0\"?>\n<amf unit=\"inch\"><object id=\"0\"><metadata type=\"name\">clé</metadata><mesh>"
-        "<vertices><vertex><coordinates><x>0</x><y>0</y><z>0</z></coordinates></vertex><vertex><coordinates><x>1"
-        "</x><y>0</y><z>0</z></coordinates></vertex><vertex><coordinates><x>0</x><y>1</y><z>0</z></coordinates>"
-        "</vertex><vertex><coordinates><x>0</x><y>0</y><z>6</z></coordinates></vertex></vertices><volume "
-        "materialid=\"1\"><triangle><v1>0</v1><v2>2</v2><v3>1</v3></triangle><triangle><v1>0</v1><v2>1</v2><v3>3"
-        "</v3></triangle></volume><volume materialid=\"2\"><triangle><v1>1</v1><v2>2</v2><v3>3</v3></triangle>"
-        "<triangle><v1>0</v1><v2>3</v2><v3>2</v3></triangle></volume></mesh></object><constellation id=\"1\">"
-        "<instance objectid=\"0\"><deltax>5</deltax><rz>90</rz></instance><instance objectid=\"0\"/>"
-        "</constellation></amf>";
-    for (const auto& file :
-         {folder.write("plain.amf", text), folder.write("packed.amf", to_zip({{"a.amf", text}}))}) {
-        const MeshFile read = read_mesh(file);
-        ASSERT_EQ(read.surfaces.size(), 2U);
-        EXPECT_EQ(read.surfaces[0].name, "clé");
-        EXPECT_NEAR(volume_of(read.surfaces[0]), 1, 1e-12);
-        EXPECT_TRUE(lowest_of(read.surfaces[0]).isApprox(Eigen::Vector3d(4, 0, 0)));
-        EXPECT_EQ(read.metres_per_unit, 0.0254);
-    }
-    std::string circle = text;
-    circle.replace(circle.find("objectid=\"0\""), 12, "objectid=\"1\"");
-    EXPECT_NE(refusal(folder.write("circle.amf", circle)), "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// glTF, COLLADA, DXF, 3DS, COMPAS: nodes, instances, mirrored transforms, circles.
+// glTF, COLLADA, DXF, COMPAS: nodes, instances, mirrored transforms, circles.
 #include <gtest/gtest.h>
 
 #include "tests/importers/mesh/read_shapes.h"
@@ -236,34 +236,6 @@ TEST(ReadDxf, RefusesCirclesCutFilesAndBinary)
     EXPECT_NE(refusal(folder.write("cut.dxf", dxf("0 SECTION\n2 ENTITIES\n" + polyface("a")))).find("cut off"),
               std::string::npos);
     EXPECT_NE(refusal(folder.write("b.dxf", "AutoCAD Binary DXF\r\n\x1A")).find("binary DXF"), std::string::npos);
-}
-
-std::string chunk_3ds(int kind, const std::string& content)
-{
-    return bytes_of(static_cast<std::uint16_t>(kind)) + bytes_of(static_cast<std::uint32_t>(6 + content.size())) +
-           content;
-}
-
-TEST(Read3ds, ReadsEveryObject)
-{
-    const TemporaryFolder folder;
-    const PolygonSurface cube = triangulated(unit_cube());
-    std::string points = bytes_of(std::uint16_t{8}), faces = bytes_of(std::uint16_t{12});
-    for (const Eigen::Vector3d& x : cube.vertices)
-        for (int i = 0; i < 3; ++i) points += bytes_of(static_cast<float>(x[i]));
-    for (const std::vector<int>& face : cube.faces) {
-        for (const int v : face) faces += bytes_of(static_cast<std::uint16_t>(v));
-        faces += bytes_of(std::uint16_t{7});
-    }
-    const std::string mesh = chunk_3ds(0x4100, chunk_3ds(0x4110, points) + chunk_3ds(0x4120, faces));
-    const std::string file =
-        chunk_3ds(0x4D4D, chunk_3ds(0x3D3D, chunk_3ds(0x4000, std::string("left\0", 5) + mesh) +
-                                                chunk_3ds(0x4000, std::string("right\0", 6) + mesh)));
-    const MeshFile read = read_mesh(folder.write("two.3ds", file));
-    ASSERT_EQ(read.surfaces.size(), 2U);
-    EXPECT_EQ(read.surfaces[1].name, "right");
-    EXPECT_EQ(volume_of(read.surfaces[1]), 1);
-    EXPECT_NE(refusal(folder.write("cut.3ds", file.substr(0, 300))).find("bytes long"), std::string::npos);
 }
 
 std::string compas_mesh(const std::string& type)
