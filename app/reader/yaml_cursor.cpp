@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/reader/asked_keys.h"
+#include "app/reader/renamed_keys.h"
 #include "app/words/nearest_word.h"
 
 namespace voussoir

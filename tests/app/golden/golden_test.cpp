@@ -75,7 +75,8 @@ TEST_P(EveryScene, ComesToItsEndWithContactsAndWorkDone)
     Scene scene = GetParam().make();
     State end;
     const RunReport report = run_scene(scene, end);
-    EXPECT_NE(report.outcome, Outcome::gave_up) << report.message;
+    EXPECT_NE(report.outcome, Outcome::gave_up)
+        << (report.diagnosis ? ::testing::PrintToString(*report.diagnosis) : "");
     EXPECT_GE(report.steps, 10);
     EXPECT_GT(report.open_close_iterations, report.steps);
     EXPECT_LT(report.energy.relative_residual(), 0.01);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "app/reader/case_file.h"
 #include "app/studies/converge/quantity.h"
 #include "app/studies/converge/recorder.h"
 #include "app/studies/converge/sample.h"

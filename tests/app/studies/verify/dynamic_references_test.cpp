@@ -103,8 +103,6 @@ TEST(Rebound, OfThePapersScheme)
 // In every point of the chart exactly the mode of the chart keeps all its own conditions.
 TEST(ModeChart, ModesKeepTheConditionsOfRigidBodies)
 {
-    using ChartCase;
-    using ChartKind;
     int counts[4] = {};
     for (const ChartCase& point : chart_points(ChartKind::pseudo_static, 400, 7)) {
         const auto& [psi, delta, phi] = point.chart;
