@@ -38,7 +38,7 @@ void add_certificate(CLI::App& command, std::optional<std::filesystem::path>& js
 
 void add_run(CLI::App& app, std::function<int()>& chosen)
 {
-    auto arguments = std::make_shared<RunArguments>();
+    auto arguments = std::make_shared<app::commands::RunArguments>();
     CLI::App* command = app.add_subcommand("run", "Run a case and write its results");
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
     command->add_option("-o,--output", arguments->folder, "Folder for the results (results/<case name>)")
@@ -57,28 +57,30 @@ void add_run(CLI::App& app, std::function<int()>& chosen)
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
-    command->callback([arguments, &chosen] { chosen = [arguments] { return run_command(*arguments); }; });
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::run_command(*arguments); }; });
 }
 
 void add_check(CLI::App& app, std::function<int()>& chosen)
 {
-    auto arguments = std::make_shared<CheckArguments>();
+    auto arguments = std::make_shared<app::commands::CheckArguments>();
     CLI::App* command =
         app.add_subcommand("check", "Read and check a case and list the model, without running it");
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
     add_overrides(*command, arguments->overrides);
     add_certificate(*command, arguments->json, arguments->folder);
-    command->callback([arguments, &chosen] { chosen = [arguments] { return check_command(*arguments); }; });
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::check_command(*arguments); }; });
 }
 
 void add_import(CLI::App& app, std::function<int()>& chosen)
 {
-    auto arguments = std::make_shared<ImportArguments>();
+    auto arguments = std::make_shared<app::commands::ImportArguments>();
     CLI::App* command = app.add_subcommand("import", "Check mesh files: stones, contacts, gaps, overlaps, advice");
     command->add_option("mesh", arguments->files, "Mesh files")->type_name("MESH");
     command->add_flag("--formats", arguments->formats, "List the supported formats and the reader of each");
     command->add_option("--reader", arguments->reader, "Reader of the files: automatic, own or assimp")
-        ->check(CLI::IsMember(mesh_reader_names))
+        ->check(CLI::IsMember(importers::helper::mesh_reader_names))
         ->capture_default_str();
     command
         ->add_option("--unit", arguments->unit,
@@ -87,7 +89,7 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
     command->add_option("--up", arguments->up, "Vertical axis of the files (as stated in the files, otherwise z)")
         ->transform(CLI::IsMember({"x", "y", "z"}));
     command->add_option("--stones", arguments->stones, "What is taken as one stone")
-        ->check(CLI::IsMember(stone_level_names))
+        ->check(CLI::IsMember(importers::helper::stone_level_names))
         ->capture_default_str();
     command
         ->add_option(
@@ -107,13 +109,13 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
     add_certificate(*command, arguments->json, arguments->folder);
     command->callback([arguments, &chosen] {
         if (arguments->files.empty() && !arguments->formats) throw CLI::RequiredError("mesh");
-        chosen = [arguments] { return import_command(*arguments); };
+        chosen = [arguments] { return app::commands::import_command(*arguments); };
     });
 }
 
 void add_record(CLI::App& app, std::function<int()>& chosen)
 {
-    auto arguments = std::make_shared<RecordArguments>();
+    auto arguments = std::make_shared<app::commands::RecordArguments>();
     CLI::App* command = app.add_subcommand("record", "Inspect, process, measure, plot and convert accelerograms");
     command->add_option("file", arguments->files, "Accelerograms")->type_name("FILE");
     command
@@ -139,12 +141,13 @@ void add_record(CLI::App& app, std::function<int()>& chosen)
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->folder, "Write CSV, AT2, spectra and pictures into a folder")
         ->type_name("DIR");
-    command->callback([arguments, &chosen] { chosen = [arguments] { return record_command(*arguments); }; });
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::record_command(*arguments); }; });
 }
 
 void add_render(CLI::App& app, std::function<int()>& chosen)
 {
-    auto arguments = std::make_shared<RenderArguments>();
+    auto arguments = std::make_shared<app::commands::RenderArguments>();
     CLI::App* command = app.add_subcommand("render", "Draw pictures from the results of a run");
     command->add_option("results", arguments->results, "The results.h5 of a run")
         ->required()
@@ -165,12 +168,13 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
         ->capture_default_str();
     command->add_option("--deformation-scale", arguments->deformation_scale, "Magnification of displacements")
         ->check(CLI::PositiveNumber);
-    command->callback([arguments, &chosen] { chosen = [arguments] { return render_command(*arguments); }; });
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::render_command(*arguments); }; });
 }
 
 void add_verify(CLI::App& app, std::function<int()>& chosen)
 {
-    auto arguments = std::make_shared<VerifyArguments>();
+    auto arguments = std::make_shared<app::commands::VerifyArguments>();
     CLI::App* command = app.add_subcommand("verify", "Run the benchmarks of the papers: error against run time");
     command->add_option("name", arguments->names, "Benchmarks (all)")->type_name("NAME");
     command->add_flag("--list", arguments->list, "List the benchmarks, run nothing");
@@ -182,12 +186,13 @@ void add_verify(CLI::App& app, std::function<int()>& chosen)
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->folder, "Folder for the page, and with --sweep for the diagrams")
         ->type_name("DIR");
-    command->callback([arguments, &chosen] { chosen = [arguments] { return verify_command(*arguments); }; });
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::verify_command(*arguments); }; });
 }
 
 void add_stability(CLI::App& app, std::function<int()>& chosen)
 {
-    auto arguments = std::make_shared<StabilityArguments>();
+    auto arguments = std::make_shared<app::commands::StabilityArguments>();
     CLI::App* command =
         app.add_subcommand("stability", "Stiff and extreme scenes, each in its own process: a failure map");
     command->add_option("name", arguments->names, "Scenes or cells (all)")->type_name("NAME");
@@ -206,7 +211,8 @@ void add_stability(CLI::App& app, std::function<int()>& chosen)
         ->add_option("-o,--output", arguments->folder,
                      "Folder for stability.md, the maps as pictures and stability.json")
         ->type_name("DIR");
-    command->callback([arguments, &chosen] { chosen = [arguments] { return stability_command(*arguments); }; });
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::stability_command(*arguments); }; });
 }
 
 /// A repeatable option whose values are separated by commas.
@@ -218,7 +224,7 @@ CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Va
 }
 
 /// What converge varies.
-void add_series(CLI::App& command, ConvergeArguments& arguments)
+void add_series(CLI::App& command, app::commands::ConvergeArguments& arguments)
 {
     add_list(command, "--time-steps", arguments.time_steps, "Dynamic time steps (the case's x 4, 2, 1, 1/2, 1/4)")
         ->type_name("TIME,...");
@@ -231,7 +237,7 @@ void add_series(CLI::App& command, ConvergeArguments& arguments)
 }
 
 /// What converge compares, and what counts as a collapse.
-void add_quantities(CLI::App& command, ConvergeArguments& arguments)
+void add_quantities(CLI::App& command, app::commands::ConvergeArguments& arguments)
 {
     CLI::Option* quantity = add_list(command, "--quantity", arguments.quantities,
                                      "Quantities to compare: POINT.u, .ux, .d (relative to the ground), .v ... or "
@@ -256,7 +262,7 @@ void add_quantities(CLI::App& command, ConvergeArguments& arguments)
 
 void add_converge(CLI::App& app, std::function<int()>& chosen)
 {
-    auto arguments = std::make_shared<ConvergeArguments>();
+    auto arguments = std::make_shared<app::commands::ConvergeArguments>();
     CLI::App* command =
         app.add_subcommand("converge", "Error against run time of your own case: time step and contact stiffness");
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
@@ -273,12 +279,13 @@ void add_converge(CLI::App& app, std::function<int()>& chosen)
     command->add_option("-o,--output", arguments->folder, "Folder for the page and the diagrams")
         ->type_name("DIR");
     command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
-    command->callback([arguments, &chosen] { chosen = [arguments] { return converge_command(*arguments); }; });
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::converge_command(*arguments); }; });
 }
 
 void add_ensemble(CLI::App& app, std::function<int()>& chosen)
 {
-    auto arguments = std::make_shared<EnsembleArguments>();
+    auto arguments = std::make_shared<app::commands::EnsembleArguments>();
     CLI::App* command = app.add_subcommand(
         "ensemble", "Nearly identical runs of your own case: medians and spread at time steps h and h/2");
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
@@ -303,7 +310,8 @@ void add_ensemble(CLI::App& app, std::function<int()>& chosen)
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->folder, "Folder for the page and the diagram")->type_name("DIR");
     command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
-    command->callback([arguments, &chosen] { chosen = [arguments] { return ensemble_command(*arguments); }; });
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::ensemble_command(*arguments); }; });
 }
 
 /// Runs the chosen command; what it throws becomes a message and an exit code.
@@ -313,20 +321,20 @@ int guarded(const std::function<int()>& command)
         return command();
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) std::fprintf(stderr, "%s\n", to_sentence(fault).c_str());
-        return exit_bad_input;
+        return app::commands::exit_bad_input;
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "voussoir: out of memory\n");
     } catch (const std::exception& error) {
         std::fprintf(stderr, "voussoir: %s\n", error.what());
     }
-    return exit_failure;
+    return app::commands::exit_failure;
 }
 
 int run_program(int argument_count, char** arguments)
 {
     CLI::App app{"Seismic analysis of stone structures, block by block (3D discontinuous deformation analysis)",
                  "voussoir"};
-    app.set_version_flag("--version", "voussoir " + in_words(engine_version()));
+    app.set_version_flag("--version", "voussoir " + app::version::in_words(app::version::engine_version()));
     app.require_subcommand(1);
     app.footer("Exit codes: 0 done, 1 failure, 2 bad input, 3 the analysis failed to converge, 4 interrupted.");
     std::function<int()> chosen;
@@ -342,7 +350,7 @@ int run_program(int argument_count, char** arguments)
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? exit_done : exit_bad_input;
+        return app.exit(error) == 0 ? app::commands::exit_done : app::commands::exit_bad_input;
     }
     return guarded(chosen);
 }
@@ -355,6 +363,6 @@ int main(int argument_count, char** arguments)
         return run_program(argument_count, arguments);
     } catch (...) {  // even the message could not be made
         std::fputs("voussoir: out of memory\n", stderr);
-        return exit_failure;
+        return app::commands::exit_failure;
     }
 }

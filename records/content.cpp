@@ -8,7 +8,7 @@
 #include "libdda/text/utf.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -53,12 +53,12 @@ std::size_t damaged_at(const std::string& bytes)
 bool begins_with_number(std::string_view line)
 {
     double number = 0;
-    return parse_leading_number(trim(line), number) > 0;
+    return text::parse_leading_number(text::trim(line), number) > 0;
 }
 
 Fault why_unknown_text(const SourceFile& file, const std::string& formats)
 {
-    const std::string start = lower_case(trim(std::string_view(file.bytes).substr(0, 500)));
+    const std::string start = text::lower_case(text::trim(std::string_view(file.bytes).substr(0, 500)));
     if (start.starts_with("<!doctype html") || start.find("<html") != std::string::npos)
         return {file.name, "a web page (HTML)", "the download failed: download the record again"};
     if (start.starts_with("<?xml"))
@@ -68,7 +68,8 @@ Fault why_unknown_text(const SourceFile& file, const std::string& formats)
     const std::string place = file.at(static_cast<std::size_t>(line - file.lines.begin()));
     if (has_decimal_commas(*line))
         return {place, "numbers with decimal commas", "write decimal points (0.01 for 0,01)"};
-    return {place, "\"" + std::string(trim(*line).substr(0, 40)) + "\" begins with a number but is no row of them",
+    return {place,
+            "\"" + std::string(text::trim(*line).substr(0, 40)) + "\" begins with a number but is no row of them",
             "numbers separated by blanks, commas or semicolons, none missing"};
 }
 
@@ -78,7 +79,7 @@ std::string decode_utf16(std::string bytes)
 {
     const bool marked = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
     if (!marked || bytes.size() % 2 != 0) return bytes;
-    const std::optional<std::string> text = from_utf16(bytes);
+    const std::optional<std::string> text = text::from_utf16(bytes);
     if (!text || text->find('\0') != std::string::npos)
         return bytes;  // binary content that only begins like a text
     return *text;
@@ -87,7 +88,7 @@ std::string decode_utf16(std::string bytes)
 bool has_decimal_commas(std::string_view line)
 {
     constexpr std::string_view digits = "0123456789", between = " \t;";
-    std::string_view rest = trim(line);
+    std::string_view rest = text::trim(line);
     while (!rest.empty()) {
         const std::string_view word = rest.substr(0, rest.find_first_of(between));
         const std::string_view unsigned_word = word.substr(std::min(word.find_first_not_of("+-"), word.size()));
@@ -119,4 +120,4 @@ Fault why_unknown(const SourceFile& file, const std::string& formats)
             "the file is damaged: download it again"};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -7,7 +7,7 @@
 #include "libdda/errors.h"
 #include "records/source_file.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 /// A text in UTF-16 that begins with its byte order mark (Windows writes it), in UTF-8; any other bytes as they
@@ -21,4 +21,4 @@ bool has_decimal_commas(std::string_view line);
 /// @param formats names of those that are read
 Fault why_unknown(const SourceFile& file, const std::string& formats);
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -15,9 +15,9 @@
 #include "records/units.h"
 #include "records/write_at2.h"
 
-using voussoir::Channel;
 using voussoir::InputError;
-using voussoir::SyntheticMotion;
+using voussoir::records::Channel;
+using voussoir::records::synthetic::SyntheticMotion;
 
 namespace
 {
@@ -33,7 +33,7 @@ struct Options {
 double number(const std::string& option, const std::string& word)
 {
     double value = 0;
-    if (!voussoir::parse_fortran_number(word, value))
+    if (!voussoir::text::parse_fortran_number(word, value))
         throw CLI::ValidationError(option, word + " is not a number");
     return value;
 }
@@ -52,7 +52,7 @@ void add_number(CLI::App& program, const std::string& name, double& value, const
     const auto read = [name, &value](const std::string& word) { value = number(name, word); };
     program.add_option_function<std::string>(name, read, meaning)
         ->type_name("NUMBER")
-        ->default_str(voussoir::to_text(value));
+        ->default_str(voussoir::text::to_text(value));
 }
 
 void add_options(CLI::App& program, Options& options)
@@ -77,12 +77,13 @@ void add_options(CLI::App& program, Options& options)
 /// The command that makes the same file again, every default spelled out.
 std::string command(const Options& options)
 {
-    using voussoir::to_text;
+    using voussoir::records::to_text;
     const SyntheticMotion& motion = options.motion;
-    return "voussoir-generate-record --duration " + to_text(motion.duration) + " --time-step " +
-           to_text(motion.time_step) + " --pga " + to_text(options.peak_g) + " --ground-frequency " +
-           to_text(motion.ground_frequency) + " --ground-damping " + to_text(motion.ground_damping) +
-           " --high-pass " + to_text(motion.high_pass_frequency) + " --seed " + std::to_string(motion.seed) +
+    return "voussoir-generate-record --duration " + voussoir::text::to_text(motion.duration) + " --time-step " +
+           voussoir::text::to_text(motion.time_step) + " --pga " + voussoir::text::to_text(options.peak_g) +
+           " --ground-frequency " + voussoir::text::to_text(motion.ground_frequency) + " --ground-damping " +
+           voussoir::text::to_text(motion.ground_damping) + " --high-pass " +
+           voussoir::text::to_text(motion.high_pass_frequency) + " --seed " + std::to_string(motion.seed) +
            " --component " + options.component + " -o " + options.output.filename().string();
 }
 
@@ -106,10 +107,11 @@ void generate(const Options& options)
     Channel channel;
     channel.component = options.component;
     channel.time_step = options.motion.time_step;
-    channel.samples = voussoir::synthetic_acceleration(options.motion);
+    channel.samples = voussoir::records::synthetic::synthetic_acceleration(options.motion);
     const std::string title = "SYNTHETIC ACCELEROGRAM (filtered noise, not an earthquake), seed " +
                               std::to_string(options.motion.seed) + ", licence CC0 1.0";
-    write_whole(options.output, format_at2(title, command(options) + ", " + options.component, channel));
+    write_whole(options.output,
+                voussoir::records::format_at2(title, command(options) + ", " + options.component, channel));
 }
 
 }  // namespace

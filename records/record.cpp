@@ -9,7 +9,7 @@
 #include "records/formats/format.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -18,14 +18,15 @@ namespace
 std::string known_formats()
 {
     std::string names;
-    for (const Format* format : all_formats()) names += (names.empty() ? "" : ", ") + std::string(format->name);
+    for (const formats::Format* format : formats::all_formats())
+        names += (names.empty() ? "" : ", ") + std::string(format->name);
     return names;
 }
 
 Record read_source(const SourceFile& source, const ReadOptions& options)
 {
-    for (const Format* format : all_formats())
-        if (format->recognises(source)) return read_as(*format, source, options);
+    for (const formats::Format* format : formats::all_formats())
+        if (format->recognises(source)) return formats::read_as(*format, source, options);
     throw InputError({why_unknown(source, known_formats())});
 }
 
@@ -91,4 +92,4 @@ double peak(const Channel& channel)
     return largest;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

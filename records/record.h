@@ -9,7 +9,7 @@
 
 #include "libdda/model/ground_motion.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 /// What a channel measures.
@@ -81,4 +81,4 @@ GroundMotion to_ground_motion(const Channel& channel, const std::string& source)
 /// Largest |sample| of a channel [its SI unit].
 double peak(const Channel& channel);
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -12,7 +12,7 @@
 
 #include "records/content.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -137,4 +137,4 @@ void FaultList::throw_if_any(const std::string& file)
     throw InputError(std::move(faults_));
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

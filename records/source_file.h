@@ -8,7 +8,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 struct SourceFile {
@@ -49,4 +49,4 @@ class FaultList
     std::size_t unnamed_ = 0;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -10,7 +10,7 @@
 #include "libdda/text/numbers.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -48,7 +48,7 @@ double seconds_between(Instant early, Instant late)
 /// To the microsecond, as instants are.
 std::string in_seconds(double time)
 {
-    return to_text(std::round(1e6 * time) / 1e6) + " s";
+    return text::to_text(std::round(1e6 * time) / 1e6) + " s";
 }
 
 std::string list_of_unknown(const std::vector<Channel>& channels)
@@ -88,7 +88,7 @@ double cut_before(Instant begin, Channel& channel)
 std::optional<Instant> parse_instant(std::string_view text)
 {
     using namespace std::chrono;
-    text = trim(text);
+    text = text::trim(text);
     const int y = take_digits(text, 4);
     skip_one_of(text, "/-");
     const int m = take_digits(text, 2);
@@ -100,7 +100,7 @@ std::optional<Instant> parse_instant(std::string_view text)
     const int minute = take_digits(text, 2);
     skip_one_of(text, ":");
     double second = 0;
-    const bool has_second = parse_fortran_number(text, second);
+    const bool has_second = text::parse_fortran_number(text, second);
     if (y < 0 || m < 0 || d < 0 || hour < 0 || hour > 23 || minute < 0 || minute > 59) return std::nullopt;
     if (!has_second || !(second >= 0 && second < 61)) return std::nullopt;
     const year_month_day date{year(y), month(static_cast<unsigned>(m)), day(static_cast<unsigned>(d))};
@@ -152,4 +152,4 @@ std::vector<std::string> bring_into_step(std::vector<Channel>& channels)
     return sentences;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

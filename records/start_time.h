@@ -8,7 +8,7 @@
 
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 /// "2000/10/06 13:31:24", "20190728_160919.870", "2009-04-06T01:32:40.5": year, month, day, hour, minute, second,
@@ -25,4 +25,4 @@ std::string to_text(Instant instant);
 /// @throws InputError when no moment is common to all
 std::vector<std::string> bring_into_step(std::vector<Channel>& channels);
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -5,7 +5,7 @@
 #include "libdda/text/numbers.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -42,7 +42,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to)
 /// "CM/SEC/SEC", "cm / s^2", "cm/s**2" and "gals" -> "cm/s2", "gal".
 std::string normal_form(std::string_view text)
 {
-    std::string unit = lower_case(trim(text));
+    std::string unit = text::lower_case(text::trim(text));
     for (const char* dropped : {" ", "\t", "**", "^"}) replace_all(unit, dropped, "");
     replace_all(unit, "sec", "s");
     replace_all(unit, "/s/s", "/s2");
@@ -81,4 +81,4 @@ const char* to_text(Quantity quantity)
     return "?";
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

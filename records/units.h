@@ -8,7 +8,7 @@
 #include "libdda/model/standard_gravity.h"
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 /// A unit of a channel.
@@ -27,4 +27,4 @@ std::string known_units();
 /// "acceleration" and so on.
 const char* to_text(Quantity quantity);
 
-}  // namespace voussoir
+}  // namespace voussoir::records

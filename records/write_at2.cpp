@@ -8,7 +8,7 @@
 #include "libdda/text/numbers.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -35,8 +35,8 @@ std::string format_at2(const std::string& first_title, const std::string& second
 {
     DDA_ASSERT(channel.quantity == Quantity::acceleration);
     std::string text = first_title + "\n" + second_title + "\n" + "ACCELERATION TIME SERIES IN UNITS OF G\n" +
-                       "NPTS= " + std::to_string(channel.samples.size()) + ", DT= " + to_text(channel.time_step) +
-                       " SEC\n";
+                       "NPTS= " + std::to_string(channel.samples.size()) +
+                       ", DT= " + text::to_text(channel.time_step) + " SEC\n";
     for (std::size_t i = 0; i < channel.samples.size(); ++i) {
         text += field(channel.samples[i] / standard_gravity);
         const bool line_ends = (i + 1) % samples_per_line == 0 || i + 1 == channel.samples.size();
@@ -45,4 +45,4 @@ std::string format_at2(const std::string& first_title, const std::string& second
     return text;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -5,7 +5,7 @@
 
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 /// The text of an AT2 file: two lines of title, unit (g), count and step, five samples on a line with eight
@@ -14,4 +14,4 @@ namespace voussoir
 /// @param channel an acceleration [m/s2]
 std::string format_at2(const std::string& first_title, const std::string& second_title, const Channel& channel);
 
-}  // namespace voussoir
+}  // namespace voussoir::records

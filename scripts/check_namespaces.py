@@ -91,10 +91,8 @@ def check(root):
         outermost, types = read(path, file.read_text(encoding="utf-8"))
         wanted = namespace_of(path)
         for name, line in outermost:
-            # A program's main file may have an unnamed one alone; another module's types may be announced.
-            if name and name != wanted and not name.startswith("voussoir"):
-                faults.append(f"{path}:{line}: namespace {name}, must be {wanted}")
-            elif name and name != wanted and not announces_only(file, line):
+            # A program's main file may have an unnamed one alone; types of another module or library may be announced.
+            if name and name != wanted and not announces_only(file, line):
                 faults.append(f"{path}:{line}: namespace {name}, must be {wanted}")
         for name, line in types:
             if name in defined:

@@ -11,7 +11,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 
-namespace voussoir
+namespace voussoir::app
 {
 
 /// A block, and a reference point of it, whose history is written.
@@ -63,4 +63,4 @@ struct Case {
 using CaseReader =
     std::function<Case(const std::filesystem::path& file, const std::vector<std::string>& overrides)>;
 
-}  // namespace voussoir
+}  // namespace voussoir::app

@@ -18,16 +18,17 @@ namespace
 
 using namespace voussoir;
 
-void limit(const CellRequest& request)
+void limit(const app::studies::stability::CellRequest& request)
 {
-    limit_self(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(request.budget)));
-    limit_own_memory(request.memory);
+    importers::process::limit_self(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(request.budget)));
+    importers::process::limit_own_memory(request.memory);
 }
 
-StabilityCell cell_named(const std::string& name)
+app::studies::stability::StabilityCell cell_named(const std::string& name)
 {
-    for (const StabilityScene& scene : stability_scenes(case_reader))
-        for (const StabilityCell& cell : scene.cells)
+    for (const app::studies::stability::StabilityScene& scene :
+         app::studies::stability::stability_scenes(app::reader::case_reader))
+        for (const app::studies::stability::StabilityCell& cell : scene.cells)
             if (cell.name == name) return cell;
     throw InputError("cell", name, "one that `voussoir stability --list` names");
 }
@@ -38,9 +39,9 @@ int main()
 {
     try {
         const std::string text(std::istreambuf_iterator<char>(std::cin), {});
-        const CellRequest request = cell_request_from_json(text);
+        const app::studies::stability::CellRequest request = app::studies::stability::cell_request_from_json(text);
         limit(request);
-        std::cout << to_json(run_here(cell_named(request.name)));
+        std::cout << app::studies::stability::to_json(app::studies::stability::run_here(cell_named(request.name)));
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "voussoir-cell: %s\n", error.what());

@@ -11,7 +11,7 @@
 #include "importers/helper/geometry.h"
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 /// Longer tables are cut short in print; the JSON has all rows.
@@ -19,49 +19,52 @@ constexpr std::size_t max_rows = 60;
 
 /// A mesh file as `import` sees it: by itself.
 struct CertifiedFile {
-    ImportedMesh mesh;
+    importers::helper::ImportedMesh mesh;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, subtracted from all coordinates
-    std::vector<Overlap> overlaps;
-    Assembly assembly;  // of the accepted stones
+    std::vector<importers::helper::Overlap> overlaps;
+    importers::assembly::Assembly assembly;  // of the accepted stones
 };
 
 /// A case as `check` sees it.
 struct CertifiedCase {
     std::string file, title;
     std::vector<std::string> faults, warnings;  // no fault: the case can be run
-    std::vector<ImportedMesh> meshes;
+    std::vector<importers::helper::ImportedMesh> meshes;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    std::vector<Overlap> overlaps;
-    Assembly assembly;
+    std::vector<importers::helper::Overlap> overlaps;
+    importers::assembly::Assembly assembly;
 };
 
 /// The accepted stones of meshes, overlaps among them, as an assembly.
 /// @param also blocks that are none of them (boxes), and what is known of foundations; may be null
-Assembly assembly_of(const std::vector<ImportedMesh>& meshes, const std::vector<Overlap>& overlaps,
-                     const AssemblyOrigin& origin, const Model* also = nullptr);
+importers::assembly::Assembly assembly_of(const std::vector<importers::helper::ImportedMesh>& meshes,
+                                          const std::vector<importers::helper::Overlap>& overlaps,
+                                          const importers::assembly::AssemblyOrigin& origin,
+                                          const Model* also = nullptr);
 
 /// The blocks of a model. Outlines of a planar scene become prisms over its thickness.
 /// @param volume_errors of blocks whose parts only approximate them, by name
-Assembly assembly_of(const Model& model, const std::map<std::string, double>& volume_errors,
-                     const AssemblyOrigin& origin);
+importers::assembly::Assembly assembly_of(const Model& model, const std::map<std::string, double>& volume_errors,
+                                          const importers::assembly::AssemblyOrigin& origin);
 
 /// A list with one entry a file.
 std::string certificates_json(const std::vector<CertifiedFile>& files);
 std::string certificate_json(const CertifiedCase& the_case);
 
 /// To standard output.
-void print_contact_graph(const Assembly& assembly);
-void print_findings(const Assembly& assembly);
+void print_contact_graph(const importers::assembly::Assembly& assembly);
+void print_findings(const importers::assembly::Assembly& assembly);
 
 /// `contact_graph.csv`: a line for each pair of stones that touch or stand apart by a gap.
 /// @throws InputError when it cannot be written
-void write_contact_graph(const Assembly& assembly, const std::filesystem::path& file);
+void write_contact_graph(const importers::assembly::Assembly& assembly, const std::filesystem::path& file);
 
 /// `assembly.png` and a picture of each defective stone, overlap, group of gaps, ... into a folder. Pictures of an
 /// earlier certificate are removed. A warning to standard error when they cannot be drawn.
 /// @returns the files
-std::vector<std::filesystem::path> draw_certificate(const std::string& title, const Assembly& assembly,
-                                                    const std::vector<ImportedMesh>& meshes,
+std::vector<std::filesystem::path> draw_certificate(const std::string& title,
+                                                    const importers::assembly::Assembly& assembly,
+                                                    const std::vector<importers::helper::ImportedMesh>& meshes,
                                                     const std::filesystem::path& folder);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -3,7 +3,7 @@
 #include "app/commands/certificate.h"
 #include "libdda/geometry/plane.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -28,10 +28,10 @@ ConvexPolyhedron prism(const ConvexPolygon& outline, const Vector3d& centre, dou
     return make_convex_polyhedron(std::move(vertices), std::move(faces), "outline");
 }
 
-AssemblyStone stone_of(const Model& model, int index)
+importers::assembly::AssemblyStone stone_of(const Model& model, int index)
 {
     const Block& block = model.blocks[index];
-    AssemblyStone stone{block.name, {}, block.moments.volume, 0, false};
+    importers::assembly::AssemblyStone stone{block.name, {}, block.moments.volume, 0, false};
     for (const ConvexPolyhedron& part : block.parts)
         stone.parts.push_back(translated(part, block.moments.centroid));
     for (const ConvexPolygon& outline : block.outlines)
@@ -40,7 +40,8 @@ AssemblyStone stone_of(const Model& model, int index)
 }
 
 /// Adds the blocks of a model that are not among the stones, and marks foundations.
-void add_others(const Model& model, std::map<std::string, int>& index, std::vector<AssemblyStone>& stones)
+void add_others(const Model& model, std::map<std::string, int>& index,
+                std::vector<importers::assembly::AssemblyStone>& stones)
 {
     for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i)
         if (index.emplace(model.blocks[i].name, static_cast<int>(stones.size())).second)
@@ -51,14 +52,15 @@ void add_others(const Model& model, std::map<std::string, int>& index, std::vect
 
 }  // namespace
 
-Assembly assembly_of(const std::vector<ImportedMesh>& meshes, const std::vector<Overlap>& overlaps,
-                     const AssemblyOrigin& origin, const Model* also)
+importers::assembly::Assembly assembly_of(const std::vector<importers::helper::ImportedMesh>& meshes,
+                                          const std::vector<importers::helper::Overlap>& overlaps,
+                                          const importers::assembly::AssemblyOrigin& origin, const Model* also)
 {
-    std::vector<AssemblyStone> stones;
+    std::vector<importers::assembly::AssemblyStone> stones;
     std::map<std::string, int> index;
-    AssemblyOrigin all = origin;
-    for (const ImportedMesh& mesh : meshes)
-        for (const Stone& stone : mesh.stones) {
+    importers::assembly::AssemblyOrigin all = origin;
+    for (const importers::helper::ImportedMesh& mesh : meshes)
+        for (const importers::helper::Stone& stone : mesh.stones) {
             if (stone.parts.empty()) {
                 ++all.refused_stones;
                 continue;
@@ -67,26 +69,26 @@ Assembly assembly_of(const std::vector<ImportedMesh>& meshes, const std::vector<
             stones.push_back({stone.name, stone.parts, stone.moments.volume, stone.volume_error, false});
         }
     if (also) add_others(*also, index, stones);
-    std::vector<StoneOverlap> known;
-    for (const Overlap& overlap : overlaps) {
+    std::vector<importers::assembly::StoneOverlap> known;
+    for (const importers::helper::Overlap& overlap : overlaps) {
         const auto a = index.find(overlap.stone_a), b = index.find(overlap.stone_b);
         if (a != index.end() && b != index.end() && a != b)
             known.push_back({a->second, b->second, overlap.volume, 0});
     }
-    return examine_assembly(std::move(stones), known, all);
+    return importers::assembly::examine_assembly(std::move(stones), known, all);
 }
 
-Assembly assembly_of(const Model& model, const std::map<std::string, double>& volume_errors,
-                     const AssemblyOrigin& origin)
+importers::assembly::Assembly assembly_of(const Model& model, const std::map<std::string, double>& volume_errors,
+                                          const importers::assembly::AssemblyOrigin& origin)
 {
-    std::vector<AssemblyStone> stones;
+    std::vector<importers::assembly::AssemblyStone> stones;
     for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i) {
         stones.push_back(stone_of(model, i));
         const auto error = volume_errors.find(stones.back().name);
         if (error != volume_errors.end()) stones.back().volume_error = error->second;
     }
     for (const Foundation& foundation : model.foundations) stones[foundation.block].foundation = true;
-    return examine_assembly(std::move(stones), {}, origin);
+    return importers::assembly::examine_assembly(std::move(stones), {}, origin);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

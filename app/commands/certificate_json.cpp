@@ -2,45 +2,45 @@
 
 #include "app/commands/certificate.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
 
 using nlohmann::json;
 
-json names_of(const Assembly& assembly, const std::vector<int>& stones)
+json names_of(const importers::assembly::Assembly& assembly, const std::vector<int>& stones)
 {
     json names = json::array();
     for (const int stone : stones) names.push_back(assembly.stones[stone].name);
     return names;
 }
 
-const char* name_of(Touch touch)
+const char* name_of(importers::assembly::Touch touch)
 {
     switch (touch) {
-        case Touch::face:
+        case importers::assembly::Touch::face:
             return "face";
-        case Touch::tilted:
+        case importers::assembly::Touch::tilted:
             return "tilted";
-        case Touch::corner:
+        case importers::assembly::Touch::corner:
             return "corner";
-        case Touch::edge:
+        case importers::assembly::Touch::edge:
             break;
     }
     return "edge";
 }
 
 template <typename Pair>
-json pair_of(const Assembly& assembly, const Pair& pair)
+json pair_of(const importers::assembly::Assembly& assembly, const Pair& pair)
 {
     return {{"a", assembly.stones[pair.a].name}, {"b", assembly.stones[pair.b].name}};
 }
 
-json contacts_of(const Assembly& assembly)
+json contacts_of(const importers::assembly::Assembly& assembly)
 {
     json contacts = json::array();
-    for (const StoneContact& contact : assembly.contacts) {
+    for (const importers::assembly::StoneContact& contact : assembly.contacts) {
         contacts.push_back(pair_of(assembly, contact));
         contacts.back().update({{"area_m2", contact.area},
                                 {"gap_m", contact.smallest_gap},
@@ -53,30 +53,30 @@ json contacts_of(const Assembly& assembly)
     return contacts;
 }
 
-json gaps_of(const Assembly& assembly)
+json gaps_of(const importers::assembly::Assembly& assembly)
 {
     json gaps = json::array();
-    for (const StoneGap& gap : assembly.gaps) {
+    for (const importers::assembly::StoneGap& gap : assembly.gaps) {
         gaps.push_back(pair_of(assembly, gap));
         gaps.back().update({{"gap_m", gap.width}, {"widest_m", gap.widest}, {"area_m2", gap.area}});
     }
     return gaps;
 }
 
-json overlaps_of(const Assembly& assembly)
+json overlaps_of(const importers::assembly::Assembly& assembly)
 {
     json overlaps = json::array();
-    for (const StoneOverlap& overlap : assembly.overlaps) {
+    for (const importers::assembly::StoneOverlap& overlap : assembly.overlaps) {
         overlaps.push_back(pair_of(assembly, overlap));
         overlaps.back().update({{"volume_m3", overlap.volume}, {"depth_m", overlap.depth}});
     }
     return overlaps;
 }
 
-json slivers_of(const Assembly& assembly)
+json slivers_of(const importers::assembly::Assembly& assembly)
 {
     json slivers = json::array();
-    for (const SliverStone& sliver : assembly.slivers)
+    for (const importers::assembly::SliverStone& sliver : assembly.slivers)
         slivers.push_back({{"stone", assembly.stones[sliver.stone].name},
                            {"width_m", sliver.width},
                            {"diameter_m", sliver.diameter},
@@ -85,7 +85,7 @@ json slivers_of(const Assembly& assembly)
     return slivers;
 }
 
-json size_ratio_of(const Assembly& assembly)
+json size_ratio_of(const importers::assembly::Assembly& assembly)
 {
     if (assembly.largest < 0) return {};
     return {{"ratio", assembly.size_ratio},
@@ -93,12 +93,12 @@ json size_ratio_of(const Assembly& assembly)
             {"smallest", assembly.stones[assembly.smallest].name}};
 }
 
-json to_json(const Assembly& assembly)
+json to_json(const importers::assembly::Assembly& assembly)
 {
     json components = json::array(), findings = json::array(), advice = json::array();
     for (const std::vector<int>& component : assembly.components)
         components.push_back(names_of(assembly, component));
-    for (const AssemblyFinding& finding : assembly.findings) {
+    for (const importers::assembly::AssemblyFinding& finding : assembly.findings) {
         findings.push_back({{"kind", finding.kind},
                             {"found", finding.what},
                             {"advice", finding.advice},
@@ -107,7 +107,7 @@ json to_json(const Assembly& assembly)
         advice.push_back(finding.what + ": " + finding.advice);
     }
     return {{"contacts", contacts_of(assembly)},
-            {"contact_tolerance", assembly_tolerance::contact},
+            {"contact_tolerance", importers::assembly::assembly_tolerance::contact},
             {"components", std::move(components)},
             {"ground", names_of(assembly, assembly.ground)},
             {"ground_from", assembly.ground_given ? "foundations" : "lowest level"},
@@ -121,13 +121,14 @@ json to_json(const Assembly& assembly)
             {"advice", std::move(advice)}};
 }
 
-json to_json(const Stone& stone, const ImportedMesh& mesh, const Eigen::Vector3d& origin)
+json to_json(const importers::helper::Stone& stone, const importers::helper::ImportedMesh& mesh,
+             const Eigen::Vector3d& origin)
 {
     const Eigen::Vector3d centroid = stone.moments.centroid + origin;
     const double cube = mesh.metres_per_unit * mesh.metres_per_unit * mesh.metres_per_unit;
     const bool measured = stone.moments.volume > 0;
     json features = json::array();
-    for (const MarkedFeature& feature : stone.features) features.push_back(feature.label);
+    for (const importers::mesh::MarkedFeature& feature : stone.features) features.push_back(feature.label);
     return {{"name", stone.name},
             {"closed", stone.closed},
             {"convex", stone.convex},
@@ -141,18 +142,18 @@ json to_json(const Stone& stone, const ImportedMesh& mesh, const Eigen::Vector3d
             {"reason", stone.reason}};
 }
 
-json to_json(const std::vector<Overlap>& overlaps)
+json to_json(const std::vector<importers::helper::Overlap>& overlaps)
 {
     json list = json::array();
-    for (const Overlap& overlap : overlaps)
+    for (const importers::helper::Overlap& overlap : overlaps)
         list.push_back({{"stones", {overlap.stone_a, overlap.stone_b}}, {"volume_m3", overlap.volume}});
     return list;
 }
 
-json stones_of(const ImportedMesh& mesh, const Eigen::Vector3d& origin)
+json stones_of(const importers::helper::ImportedMesh& mesh, const Eigen::Vector3d& origin)
 {
     json stones = json::array();
-    for (const Stone& stone : mesh.stones) stones.push_back(to_json(stone, mesh, origin));
+    for (const importers::helper::Stone& stone : mesh.stones) stones.push_back(to_json(stone, mesh, origin));
     return stones;
 }
 
@@ -183,14 +184,14 @@ std::string certificates_json(const std::vector<CertifiedFile>& files)
 std::string certificate_json(const CertifiedCase& the_case)
 {
     json meshes = json::array(), blocks = json::array();
-    for (const ImportedMesh& mesh : the_case.meshes)
+    for (const importers::helper::ImportedMesh& mesh : the_case.meshes)
         meshes.push_back({{"file", mesh.file},
                           {"accepted", mesh.accepted},
                           {"reason", mesh.reason},
                           {"repairs", mesh.repairs},
                           {"unit", {{"metres", mesh.metres_per_unit}, {"from", mesh.unit_from}}},
                           {"stones", stones_of(mesh, the_case.origin)}});
-    for (const AssemblyStone& stone : the_case.assembly.stones)
+    for (const importers::assembly::AssemblyStone& stone : the_case.assembly.stones)
         blocks.push_back({{"name", stone.name},
                           {"parts", stone.parts.size()},
                           {"volume_m3", stone.volume},
@@ -208,4 +209,4 @@ std::string certificate_json(const CertifiedCase& the_case)
                  {"assembly", to_json(the_case.assembly)}});
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

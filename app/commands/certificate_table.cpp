@@ -5,21 +5,21 @@
 #include "app/commands/certificate.h"
 #include "app/commands/outputs.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
 
-const char* words_of(Touch touch)
+const char* words_of(importers::assembly::Touch touch)
 {
     switch (touch) {
-        case Touch::face:
+        case importers::assembly::Touch::face:
             return "";
-        case Touch::tilted:
+        case importers::assembly::Touch::tilted:
             return "tilted: edge contact only";
-        case Touch::corner:
+        case importers::assembly::Touch::corner:
             return "a corner touches";
-        case Touch::edge:
+        case importers::assembly::Touch::edge:
             break;
     }
     return "two edges cross";
@@ -34,7 +34,7 @@ std::string quoted(const std::string& name)
     return text + "\"";
 }
 
-std::string ground_words(const Assembly& assembly)
+std::string ground_words(const importers::assembly::Assembly& assembly)
 {
     if (assembly.ground_given) return fmt::format("{} foundations", assembly.ground.size());
     return fmt::format("ground: the {} stone{} at the lowest level", assembly.ground.size(),
@@ -64,17 +64,17 @@ void print_wrapped(const std::string& first, const std::string& indent, const st
 
 }  // namespace
 
-void print_contact_graph(const Assembly& assembly)
+void print_contact_graph(const importers::assembly::Assembly& assembly)
 {
     if (assembly.stones.size() < 2) return;
     double area = 0;
-    for (const StoneContact& contact : assembly.contacts) area += contact.area;
+    for (const importers::assembly::StoneContact& contact : assembly.contacts) area += contact.area;
     fmt::print("contact graph: {} pairs touch over {:.6g} m2, {} group{}, {}\n", assembly.contacts.size(), area,
                assembly.components.size(), assembly.components.size() == 1 ? "" : "s", ground_words(assembly));
     if (assembly.contacts.empty()) return;
     fmt::print("  {:<24} {:<24} {:>10} {:>8} {:>13}\n", "stone", "stone", "area m2", "patches", "smallest gap");
     for (std::size_t i = 0; i < std::min(assembly.contacts.size(), max_rows); ++i) {
-        const StoneContact& contact = assembly.contacts[i];
+        const importers::assembly::StoneContact& contact = assembly.contacts[i];
         fmt::print("  {:<24} {:<24} {:>10.4g} {:>8} {:>11.1e} m {}\n", assembly.stones[contact.a].name,
                    assembly.stones[contact.b].name, contact.area, contact.patches, contact.smallest_gap,
                    words_of(contact.touch));
@@ -84,7 +84,7 @@ void print_contact_graph(const Assembly& assembly)
                    assembly.contacts.size() - max_rows);
 }
 
-void print_findings(const Assembly& assembly)
+void print_findings(const importers::assembly::Assembly& assembly)
 {
     if (assembly.stones.empty()) return;
     if (assembly.findings.empty()) {
@@ -92,25 +92,25 @@ void print_findings(const Assembly& assembly)
         return;
     }
     fmt::print("findings:\n");
-    for (const AssemblyFinding& finding : assembly.findings) {
+    for (const importers::assembly::AssemblyFinding& finding : assembly.findings) {
         print_wrapped(finding.harmless ? "  note: " : "  fault: ", "    ", finding.what);
         print_wrapped("    -> ", "       ", finding.advice);
     }
 }
 
-void write_contact_graph(const Assembly& assembly, const std::filesystem::path& file)
+void write_contact_graph(const importers::assembly::Assembly& assembly, const std::filesystem::path& file)
 {
     std::string text =
         "stone_a,stone_b,kind,area_m2,facing_area_m2,smallest_gap_m,patches,normal_x,normal_y,normal_z\n";
     const auto name = [&](int stone) { return quoted(assembly.stones[stone].name); };
-    for (const StoneContact& c : assembly.contacts)
+    for (const importers::assembly::StoneContact& c : assembly.contacts)
         text += fmt::format("{},{},contact,{:.9g},{:.9g},{:.6g},{},{:.9g},{:.9g},{:.9g}\n", name(c.a), name(c.b),
                             c.area, c.facing_area, c.smallest_gap, c.patches, c.normal.x(), c.normal.y(),
                             c.normal.z());
-    for (const StoneGap& g : assembly.gaps)
+    for (const importers::assembly::StoneGap& g : assembly.gaps)
         text += fmt::format("{},{},gap,0,{:.9g},{:.6g},{},,,\n", name(g.a), name(g.b), g.area, g.width,
                             g.polygons.size());
     write_own_file(file, text);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

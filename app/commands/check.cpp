@@ -12,7 +12,7 @@
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -61,7 +61,7 @@ void print_blocks(const Model& model)
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Block& block = model.blocks[i];
         const std::vector<double> centroid =
-            stored_vector(block.moments.centroid + model.origin, model.kinematics);
+            results::stored_vector(block.moments.centroid + model.origin, model.kinematics);
         volume += block.moments.volume;
         mass += model.mass(static_cast<int>(i));
         if (i == max_rows) fmt::print("  ... (--json has all blocks)\n");
@@ -131,9 +131,9 @@ void print_all(const Case& the_case)
 }
 
 /// How the stones stand together. Of a case whose stones could not all be read, those of its meshes that could.
-void examine(const CaseStones& stones, bool complete, CertifiedCase& certified)
+void examine(const reader::CaseStones& stones, bool complete, CertifiedCase& certified)
 {
-    AssemblyOrigin origin;
+    importers::assembly::AssemblyOrigin origin;
     origin.from_case = true;
     certified.meshes = stones.geometry.meshes;
     certified.overlaps = stones.geometry.overlaps;
@@ -148,8 +148,8 @@ void examine(const CaseStones& stones, bool complete, CertifiedCase& certified)
         return;
     }
     std::map<std::string, double> errors;
-    for (const ImportedMesh& mesh : certified.meshes)
-        for (const Stone& stone : mesh.stones) errors[stone.name] = stone.volume_error;
+    for (const importers::helper::ImportedMesh& mesh : certified.meshes)
+        for (const importers::helper::Stone& stone : mesh.stones) errors[stone.name] = stone.volume_error;
     certified.assembly = assembly_of(stones.model, errors, origin);
 }
 
@@ -158,9 +158,9 @@ CertifiedCase certify(const CheckArguments& arguments, bool print)
     CertifiedCase certified;
     certified.file = arguments.case_file.string();
     certified.title = arguments.case_file.stem().string();
-    CaseStones stones;
+    reader::CaseStones stones;
     try {
-        const Case the_case = read_case(arguments.case_file, arguments.overrides, &stones);
+        const Case the_case = reader::read_case(arguments.case_file, arguments.overrides, &stones);
         certified.title = the_case.title;
         certified.warnings = the_case.warnings;
         if (print) print_all(the_case);
@@ -199,4 +199,4 @@ int check_command(const CheckArguments& arguments)
     return can_run ? exit_done : exit_bad_input;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 /// What the program tells the shell.
@@ -142,4 +142,4 @@ struct EnsembleArguments {
 /// @throws InputError with all faults of the case or of the choices
 int ensemble_command(const EnsembleArguments& arguments);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

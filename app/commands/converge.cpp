@@ -14,19 +14,19 @@
 #include "app/words/nearest_word.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
 
-CollapseRule read_collapse_rule(const std::string& text)
+studies::converge::CollapseRule read_collapse_rule(const std::string& text)
 {
     const std::string option = "--collapse-displacement";
     if (text == "none") return {{}, {}};
-    const ParsedQuantity quantity = parse_quantity(text);
-    if (quantity.problem.empty() && quantity.has(dimension::length))
-        return {{}, read_positive(option, text, dimension::length)};
-    if (!quantity.problem.empty() || !quantity.has(dimension::number) || !(quantity.value > 0))
+    const words::ParsedQuantity quantity = words::parse_quantity(text);
+    if (quantity.problem.empty() && quantity.has(words::dimension::length))
+        return {{}, read_positive(option, text, words::dimension::length)};
+    if (!quantity.problem.empty() || !quantity.has(words::dimension::number) || !(quantity.value > 0))
         throw InputError(option, "\"" + text + "\"", "write 0.5 (of a block's size), 10 cm, or none");
     return {quantity.value, {}};
 }
@@ -34,10 +34,10 @@ CollapseRule read_collapse_rule(const std::string& text)
 // -; finer than the first, a bracket says less of the structure than of the runs' own errors.
 constexpr double least_bracket = 1e-6, widest_bracket = 0.5;
 
-Threshold threshold_of(const ConvergeArguments& arguments)
+studies::converge::Threshold threshold_of(const ConvergeArguments& arguments)
 {
-    Threshold threshold = read_threshold(*arguments.threshold);
-    threshold.bracket = read_positive("--bracket", arguments.bracket, dimension::number);
+    studies::converge::Threshold threshold = studies::converge::read_threshold(*arguments.threshold);
+    threshold.bracket = read_positive("--bracket", arguments.bracket, words::dimension::number);
     if (threshold.bracket < least_bracket || threshold.bracket > widest_bracket)
         throw InputError(
             "--bracket", "\"" + arguments.bracket + "\"",
@@ -60,7 +60,7 @@ class ConvergeLine
     ConvergeLine(const ConvergeLine&) = delete;
     ConvergeLine& operator=(const ConvergeLine&) = delete;
 
-    void show(const ConvergeSetting& setting, double share)
+    void show(const studies::converge::ConvergeSetting& setting, double share)
     {
         if (!shown_) return;
         if (number_ == 0 || setting != last_) ++number_;
@@ -69,39 +69,43 @@ class ConvergeLine
         last_ = setting;
         percent_ = percent;
         fmt::print(stderr, "\r\033[Ksetting {} of {}: time step {}, stiffness x {:g}: {} %", number_, settings_,
-                   step_in_words(setting.step_factor * time_step_), setting.stiffness_factor, percent);
+                   words::step_in_words(setting.step_factor * time_step_), setting.stiffness_factor, percent);
     }
 
  private:
     bool shown_;
     std::size_t settings_, number_ = 0;
     double time_step_;  // s, the case's own
-    ConvergeSetting last_;
+    studies::converge::ConvergeSetting last_;
     int percent_ = -1;
 };
 
-ConvergeStudy run_chosen(const ConvergeArguments& arguments)
+studies::converge::ConvergeStudy run_chosen(const ConvergeArguments& arguments)
 {
-    const CollapseRule rule = read_collapse_rule(arguments.collapse_displacement);
-    std::optional<Threshold> threshold;
+    const studies::converge::CollapseRule rule = read_collapse_rule(arguments.collapse_displacement);
+    std::optional<studies::converge::Threshold> threshold;
     if (arguments.threshold) threshold = threshold_of(arguments);
     if (threshold && !rule.sizes && !rule.length)
         throw InputError("--threshold",
                          "a threshold requires a collapse criterion, but --collapse-displacement is none",
                          "give a fraction of the block size or a length");
-    Case the_case = read_case(arguments.case_file, arguments.overrides);
+    Case the_case = reader::read_case(arguments.case_file, arguments.overrides);
     for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
-    const std::vector<Quantity> quantities = read_quantities(arguments.quantities, the_case);
-    const ConvergePlan plan =
-        plan_of({arguments.time_steps, arguments.stiffness_factors, arguments.integrators}, the_case);
-    const SettingList list = list_settings(plan);
+    const std::vector<studies::converge::Quantity> quantities =
+        studies::converge::read_quantities(arguments.quantities, the_case);
+    const studies::converge::ConvergePlan plan = studies::converge::plan_of(
+        {arguments.time_steps, arguments.stiffness_factors, arguments.integrators}, the_case);
+    const studies::converge::SettingList list = studies::converge::list_settings(plan);
 
-    ConvergeLine line(arguments.quiet, list.settings.size(), first_dynamic_stage(the_case).control.time_step);
-    const ConvergeWatch watch{[&](const ConvergeSetting& setting, double share) { line.show(setting, share); },
-                              interrupted};
-    ConvergeStudy study =
-        threshold ? run_threshold_study(the_case, list, *threshold, rule, arguments.threads, watch, case_reader)
-                  : run_study(the_case, list, quantities, rule, watch);
+    ConvergeLine line(arguments.quiet, list.settings.size(),
+                      studies::converge::first_dynamic_stage(the_case).control.time_step);
+    const studies::converge::ConvergeWatch watch{
+        [&](const studies::converge::ConvergeSetting& setting, double share) { line.show(setting, share); },
+        interrupted};
+    studies::converge::ConvergeStudy study =
+        threshold ? studies::converge::run_threshold_study(the_case, list, *threshold, rule, arguments.threads,
+                                                           watch, reader::case_reader)
+                  : studies::converge::run_study(the_case, list, quantities, rule, watch);
     study.notes.insert(study.notes.end(), plan.notes.begin(), plan.notes.end());
     return study;
 }
@@ -136,12 +140,13 @@ std::string command_line(const ConvergeArguments& arguments)
 int converge_command(const ConvergeArguments& arguments)
 {
     return publish_study({"converge", arguments.json, arguments.folder, arguments.quiet}, [&] {
-        const ConvergeStudy study = run_chosen(arguments);
-        return StudyOutput{converge_table(study), converge_json(study), converge_figures(study),
+        const studies::converge::ConvergeStudy study = run_chosen(arguments);
+        return StudyOutput{studies::converge::converge_table(study), studies::converge::converge_json(study),
+                           studies::converge::converge_figures(study),
                            [study, &arguments](const std::vector<std::string>& drawn) {
-                               return converge_page(study, command_line(arguments), drawn);
+                               return studies::converge::converge_page(study, command_line(arguments), drawn);
                            }};
     });
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

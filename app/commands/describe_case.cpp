@@ -8,7 +8,7 @@
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -63,7 +63,7 @@ std::string in_words(const Model& model)
     std::string words(name_of(model.kinematics));
     if (!is_planar(model.kinematics)) return words;
     const std::string plane =
-        is_deformable(model.kinematics) ? fmt::format("plane {}, ", name_of(model.plane)) : "";
+        is_deformable(model.kinematics) ? fmt::format("plane {}, ", results::name_of(model.plane)) : "";
     return fmt::format("{} ({}{:g} m thick)", words, plane, model.thickness);
 }
 
@@ -94,7 +94,7 @@ void print_case(const Case& the_case)
     fmt::print("{}\n{} blocks, {:g} t, {}: {} unknowns per block; {} of them follow the ground\n", the_case.title,
                model.blocks.size(), mass / 1000, in_words(model), unknowns_per_block(model.kinematics),
                model.foundations.size());
-    print_wrapped("left out: " + joined(left_out(the_case)), "");
+    print_wrapped("left out: " + joined(results::left_out(the_case)), "");
     std::vector<std::string> motions;
     for (const MotionNote& note : the_case.motions)
         motions.push_back(fmt::format("{}; peak {:.3g} m/s2, residual {:.3g} m/s and {:.3g} m", note.description,
@@ -104,4 +104,4 @@ void print_case(const Case& the_case)
     print_list("warnings", the_case.warnings);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

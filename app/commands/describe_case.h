@@ -3,7 +3,7 @@
 
 #include "app/case/case.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 /// What is there, what is left out, defaults that were taken, motions and warnings; to standard output.
@@ -12,4 +12,4 @@ void print_case(const Case& the_case);
 /// The materials and joint laws.
 void print_materials(const Model& model);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -10,34 +10,34 @@
 #include "app/reader/case_file.h"
 #include "app/studies/ensemble/report.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 namespace
 {
 
-EnsembleChoices choices_of(const EnsembleArguments& arguments)
+studies::ensemble::EnsembleChoices choices_of(const EnsembleArguments& arguments)
 {
-    EnsembleChoices choices;
-    choices.limit = read_positive("--open", arguments.open, dimension::length);
+    studies::ensemble::EnsembleChoices choices;
+    choices.limit = read_positive("--open", arguments.open, words::dimension::length);
     choices.stiffness_factor = arguments.stiffness_factor;
     choices.jobs = arguments.jobs;
     return choices;
 }
 
-EnsembleStudy run_chosen(const EnsembleArguments& arguments)
+studies::ensemble::EnsembleStudy run_chosen(const EnsembleArguments& arguments)
 {
-    const EnsembleChoices choices = choices_of(arguments);
-    const Variation variation = read_variation(arguments.vary);
+    const studies::ensemble::EnsembleChoices choices = choices_of(arguments);
+    const studies::ensemble::Variation variation = studies::ensemble::read_variation(arguments.vary);
     const std::vector<Case> members =
-        read_members(arguments.case_file, arguments.overrides, variation, case_reader);
+        studies::ensemble::read_members(arguments.case_file, arguments.overrides, variation, reader::case_reader);
     const bool shown = !arguments.quiet && isatty(STDERR_FILENO) == 1;
-    const auto tell = [&](const MemberRun& run, int done, int of) {
+    const auto tell = [&](const studies::ensemble::MemberRun& run, int done, int of) {
         if (shown)
             fmt::print(stderr, "run {} of {}: {}, {:.3g} s CPU\n", done, of, variation.values[run.member],
                        run.cpu);
     };
-    return run_ensemble(members, variation, choices, {tell, interrupted});
+    return studies::ensemble::run_ensemble(members, variation, choices, {tell, interrupted});
 }
 
 /// How the study can be had again; the folder by its last name, for pages travel.
@@ -59,12 +59,13 @@ std::string command_line(const EnsembleArguments& arguments)
 int ensemble_command(const EnsembleArguments& arguments)
 {
     return publish_study({"ensemble", arguments.json, arguments.folder, arguments.quiet}, [&] {
-        const EnsembleStudy study = run_chosen(arguments);
-        return StudyOutput{ensemble_table(study), ensemble_json(study), ensemble_figures(study),
+        const studies::ensemble::EnsembleStudy study = run_chosen(arguments);
+        return StudyOutput{studies::ensemble::ensemble_table(study), studies::ensemble::ensemble_json(study),
+                           studies::ensemble::ensemble_figures(study),
                            [study, &arguments](const std::vector<std::string>& drawn) {
-                               return ensemble_page(study, command_line(arguments), drawn);
+                               return studies::ensemble::ensemble_page(study, command_line(arguments), drawn);
                            }};
     });
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -10,7 +10,7 @@
 #include "importers/helper/wire.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -20,24 +20,28 @@ double length_of(const std::optional<std::string>& text, const char* option, con
                  double otherwise)
 {
     if (!text) return otherwise;
-    const ParsedQuantity length = parse_quantity(factor + *text);
-    if (length.problem.empty() && !length.bare && length.has(dimension::length) && length.value > 0)
+    const words::ParsedQuantity length = words::parse_quantity(factor + *text);
+    if (length.problem.empty() && !length.bare && length.has(words::dimension::length) && length.value > 0)
         return length.value;
     throw InputError(
         option + (" " + *text), factor.empty() ? "no length" : "no unit of length",
         factor.empty() ? "expected a length > 0 with its unit, such as 25mm" : "expected m, cm, mm, ft, in or km");
 }
 
-MeshRequest request_of(const ImportArguments& arguments)
+importers::helper::MeshRequest request_of(const ImportArguments& arguments)
 {
-    MeshRequest request;
+    importers::helper::MeshRequest request;
     request.metres_per_unit = length_of(arguments.unit, "--unit", "1 ", 0);
     request.close_joints = length_of(arguments.close_joints, "--close-joints", "", 0);
     request.up = arguments.up.value_or(0);
-    const auto level = std::find(stone_level_names.begin(), stone_level_names.end(), arguments.stones);
-    request.stones = static_cast<StoneLevel>(level - stone_level_names.begin());
-    const auto reader = std::find(mesh_reader_names.begin(), mesh_reader_names.end(), arguments.reader);
-    request.reader = static_cast<MeshReader>(reader - mesh_reader_names.begin());
+    const auto level = std::find(importers::helper::stone_level_names.begin(),
+                                 importers::helper::stone_level_names.end(), arguments.stones);
+    request.stones =
+        static_cast<importers::helper::StoneLevel>(level - importers::helper::stone_level_names.begin());
+    const auto reader = std::find(importers::helper::mesh_reader_names.begin(),
+                                  importers::helper::mesh_reader_names.end(), arguments.reader);
+    request.reader =
+        static_cast<importers::mesh::MeshReader>(reader - importers::helper::mesh_reader_names.begin());
     request.planarity = arguments.planarity;
     request.volume_error = arguments.volume_error;
     return request;
@@ -45,12 +49,12 @@ MeshRequest request_of(const ImportArguments& arguments)
 
 void print_mesh(const CertifiedFile& file)
 {
-    const ImportedMesh& mesh = file.mesh;
+    const importers::helper::ImportedMesh& mesh = file.mesh;
     fmt::print("{}: {}, {} stones, unit {:g} m ({})\n", mesh.file, mesh.accepted ? "accepted" : "refused",
                mesh.stones.size(), mesh.metres_per_unit, mesh.unit_from);
     for (const std::string& repair : mesh.repairs) fmt::print("  repaired: {}\n", repair);
     for (std::size_t i = 0; i < std::min(mesh.stones.size(), max_rows); ++i) {
-        const Stone& stone = mesh.stones[i];
+        const importers::helper::Stone& stone = mesh.stones[i];
         if (stone.reason.empty())
             fmt::print("  {}: {} convex part{}, {:.6g} m3\n", stone.name, stone.parts.size(),
                        stone.parts.size() == 1 ? "" : "s", stone.moments.volume);
@@ -62,11 +66,11 @@ void print_mesh(const CertifiedFile& file)
     print_findings(file.assembly);
 }
 
-void print_refusals(const ImportedMesh& mesh)
+void print_refusals(const importers::helper::ImportedMesh& mesh)
 {
     if (mesh.accepted) return;
     bool said = false;
-    for (const Stone& stone : mesh.stones)
+    for (const importers::helper::Stone& stone : mesh.stones)
         if (!stone.reason.empty()) {
             fmt::print(stderr, "{}: {}: {}\n", mesh.file, stone.name, stone.reason);
             said = true;
@@ -75,24 +79,24 @@ void print_refusals(const ImportedMesh& mesh)
 }
 
 /// One file by itself: a file that kills the reader or lies far away does not touch the others.
-Geometry import_alone(const MeshRequest& request)
+importers::helper::Geometry import_alone(const importers::helper::MeshRequest& request)
 {
-    if (std::filesystem::is_regular_file(request.file)) return import_geometry({request}, {});
-    Geometry none;
-    ImportedMesh& mesh = none.meshes.emplace_back();
+    if (std::filesystem::is_regular_file(request.file)) return importers::helper::import_geometry({request}, {});
+    importers::helper::Geometry none;
+    importers::helper::ImportedMesh& mesh = none.meshes.emplace_back();
     mesh.file = request.file.string();
     mesh.reason = "no such file";
     return none;
 }
 
-CertifiedFile certify(const MeshRequest& request)
+CertifiedFile certify(const importers::helper::MeshRequest& request)
 {
-    Geometry geometry = import_alone(request);
+    importers::helper::Geometry geometry = import_alone(request);
     CertifiedFile file;
     file.mesh = std::move(geometry.meshes.front());
     file.origin = geometry.origin;
     file.overlaps = std::move(geometry.overlaps);
-    AssemblyOrigin origin;
+    importers::assembly::AssemblyOrigin origin;
     origin.metres_per_unit = file.mesh.metres_per_unit;
     file.assembly = assembly_of({file.mesh}, file.overlaps, origin);
     return file;
@@ -120,11 +124,11 @@ void write_folder(const ImportArguments& arguments, const std::vector<CertifiedF
 
 int list_formats(const ImportArguments& arguments)
 {
-    const std::vector<MeshFormat> formats = list_mesh_formats();
-    if (arguments.json) write_json_text(*arguments.json, to_json(formats));
+    const std::vector<importers::mesh::MeshFormat> formats = importers::helper::list_mesh_formats();
+    if (arguments.json) write_json_text(*arguments.json, importers::helper::to_json(formats));
     if (arguments.json && *arguments.json == "-") return exit_done;
     fmt::print("{:<34} {:<21} {:<9} {}\n", "format", "extensions", "read by", "lost");
-    for (const MeshFormat& format : formats) {
+    for (const importers::mesh::MeshFormat& format : formats) {
         const std::string extensions = fmt::format("{}", fmt::join(format.extensions, " "));
         fmt::print("{:<34} {:<21} {:<9} {}\n", format.name, extensions, format.own ? "voussoir" : "assimp",
                    format.lost.empty() ? "nothing" : format.lost);
@@ -137,7 +141,7 @@ int list_formats(const ImportArguments& arguments)
 int import_command(const ImportArguments& arguments)
 {
     if (arguments.formats) return list_formats(arguments);
-    MeshRequest request = request_of(arguments);
+    importers::helper::MeshRequest request = request_of(arguments);
     expect_writable(arguments.json, arguments.folder);
     std::vector<CertifiedFile> files;
     bool any_refused = false;
@@ -157,4 +161,4 @@ int import_command(const ImportArguments& arguments)
     return any_refused ? exit_bad_input : exit_done;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

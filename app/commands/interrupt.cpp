@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -36,4 +36,4 @@ bool interrupted()
     return signal_came != 0;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

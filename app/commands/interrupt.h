@@ -2,7 +2,7 @@
 // closed.
 #pragma once
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 /// From now on the first SIGINT, SIGTERM or SIGHUP only sets the flag; a second one ends the program at once.
@@ -11,4 +11,4 @@ void catch_interrupts();
 /// Has a signal come?
 bool interrupted();
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -6,12 +6,12 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
-double read_positive(const std::string& option, const std::string& text, const Dimension& dimension)
+double read_positive(const std::string& option, const std::string& text, const words::Dimension& dimension)
 {
-    const ParsedQuantity quantity = parse_quantity(text);
+    const words::ParsedQuantity quantity = words::parse_quantity(text);
     if (!quantity.problem.empty() || !quantity.has(dimension) || !(quantity.value > 0))
         throw InputError(option, "\"" + text + "\" is not " + std::string(dimension.name) + " above 0",
                          "write one, as " + std::string(dimension.example));
@@ -30,4 +30,4 @@ std::string shell_word(const std::string& word)
     return quoted + "'";
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -5,13 +5,13 @@
 
 #include "app/words/quantity.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 /// A positive quantity. @throws InputError named by the option
-double read_positive(const std::string& option, const std::string& text, const Dimension& dimension);
+double read_positive(const std::string& option, const std::string& text, const words::Dimension& dimension);
 
 /// A word as a shell takes it: in single quotes where it holds more than plain letters.
 std::string shell_word(const std::string& word);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -8,7 +8,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -70,4 +70,4 @@ void write_json_text(const fs::path& file, const std::string& text)
         throw InputError("--json " + file.string(), "cannot be written", "name a file in a folder that exists");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

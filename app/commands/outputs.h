@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 /// Refuses, before long work is done, a file or folder that could not be written after it. Makes nothing.
@@ -25,4 +25,4 @@ void write_own_file(const std::filesystem::path& file, const std::string& text);
 /// @throws InputError when it cannot be written
 void write_json_text(const std::filesystem::path& file, const std::string& text);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

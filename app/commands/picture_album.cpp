@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -25,11 +25,11 @@ std::string file_name(std::size_t number, const std::string& name)
 }
 
 /// Stones around those of the picture, as ghosts, the nearest first.
-void add_neighbours(const Album& album, DefectPicture& picture)
+void add_neighbours(const Album& album, render::DefectPicture& picture)
 {
     Eigen::AlignedBox3d box;
     std::set<int> shown;
-    for (const PictureStone& stone : picture.stones) {
+    for (const render::PictureStone& stone : picture.stones) {
         box.extend(album.bounds[stone.shape]);
         shown.insert(stone.shape);
     }
@@ -42,15 +42,15 @@ void add_neighbours(const Album& album, DefectPicture& picture)
     while (count < near.size() && count < max_neighbours && near[count].first < reach) ++count;
     if (picture.frame_ghosts) count = std::min(near.size(), std::max(count, least_context));
     near.resize(count);
-    for (const auto& [distance, shape] : near) picture.stones.push_back({shape, StoneLook::ghost});
-    if (!near.empty()) picture.legend.emplace_back(StoneLook::ghost, "neighbours");
+    for (const auto& [distance, shape] : near) picture.stones.push_back({shape, render::StoneLook::ghost});
+    if (!near.empty()) picture.legend.emplace_back(render::StoneLook::ghost, "neighbours");
 }
 
 }  // namespace
 
-PictureShape shape_of(const std::vector<ConvexPolyhedron>& parts)
+render::PictureShape shape_of(const std::vector<ConvexPolyhedron>& parts)
 {
-    PictureShape shape;
+    render::PictureShape shape;
     for (const ConvexPolyhedron& part : parts) {
         const int first = static_cast<int>(shape.vertices.size());
         shape.vertices.insert(shape.vertices.end(), part.vertices.begin(), part.vertices.end());
@@ -63,7 +63,7 @@ PictureShape shape_of(const std::vector<ConvexPolyhedron>& parts)
     return shape;
 }
 
-void add_shape(PictureShape shape, Album& album)
+void add_shape(render::PictureShape shape, Album& album)
 {
     Eigen::AlignedBox3d box;
     for (const Vector3d& x : shape.vertices) box.extend(x);
@@ -71,7 +71,7 @@ void add_shape(PictureShape shape, Album& album)
     album.pictures.shapes.push_back(std::move(shape));
 }
 
-void add_picture(DefectPicture picture, const std::string& name, Album& album)
+void add_picture(render::DefectPicture picture, const std::string& name, Album& album)
 {
     if (album.pictures.pictures.size() > max_pictures) {
         ++album.left_out;
@@ -82,48 +82,53 @@ void add_picture(DefectPicture picture, const std::string& name, Album& album)
     album.pictures.pictures.push_back(std::move(picture));
 }
 
-std::vector<std::string> notes_about(const Assembly& assembly, const std::string& kind, int stone)
+std::vector<std::string> notes_about(const importers::assembly::Assembly& assembly, const std::string& kind,
+                                     int stone)
 {
-    for (const AssemblyFinding& finding : assembly.findings)
+    for (const importers::assembly::AssemblyFinding& finding : assembly.findings)
         if (finding.kind == kind &&
             std::find(finding.stones.begin(), finding.stones.end(), stone) != finding.stones.end())
             return {finding.what, "Remedy: " + finding.advice};
     return {};
 }
 
-DefectPicture pair_picture(const Album& album, int a, int b, const std::string& words)
+render::DefectPicture pair_picture(const Album& album, int a, int b, const std::string& words)
 {
-    DefectPicture picture;
+    render::DefectPicture picture;
     const std::string &name_a = album.assembly.stones[a].name, &name_b = album.assembly.stones[b].name;
     picture.title = fmt::format("{} and {}: {}", name_a, name_b, words);
     picture.subtitle = album.title;
-    picture.stones = {{a, StoneLook::first}, {b, StoneLook::second}};
-    picture.legend = {{StoneLook::first, name_a}, {StoneLook::second, name_b}};
+    picture.stones = {{a, render::StoneLook::first}, {b, render::StoneLook::second}};
+    picture.legend = {{render::StoneLook::first, name_a}, {render::StoneLook::second, name_b}};
     return picture;
 }
 
-MarkedFeature overlap_mark(const Assembly& assembly, const StoneOverlap& overlap)
+importers::mesh::MarkedFeature overlap_mark(const importers::assembly::Assembly& assembly,
+                                            const importers::assembly::StoneOverlap& overlap)
 {
-    MarkedFeature mark{fmt::format("shared: {:.3g} m3", overlap.volume), {}, {}, {}};
-    if (overlap.depth > 0) mark.label += ", " + length_words(overlap.depth) + " deep";
+    importers::mesh::MarkedFeature mark{fmt::format("shared: {:.3g} m3", overlap.volume), {}, {}, {}};
+    if (overlap.depth > 0) mark.label += ", " + importers::assembly::length_words(overlap.depth) + " deep";
     for (const ConvexPolyhedron& a : assembly.stones[overlap.a].parts)
         for (const ConvexPolyhedron& b : assembly.stones[overlap.b].parts)
-            for (auto& polygon : shared_region(a, b)) mark.polygons.push_back(std::move(polygon));
+            for (auto& polygon : importers::assembly::shared_region(a, b))
+                mark.polygons.push_back(std::move(polygon));
     return mark;
 }
 
-MarkedFeature outline_of(const AssemblyStone& stone, const std::string& label)
+importers::mesh::MarkedFeature outline_of(const importers::assembly::AssemblyStone& stone,
+                                          const std::string& label)
 {
-    MarkedFeature mark{label, {}, {}, {}};
+    importers::mesh::MarkedFeature mark{label, {}, {}, {}};
     for (const ConvexPolyhedron& part : stone.parts)
         for (const ConvexPolyhedron::Edge& edge : part.edges)
             if (!part.is_glued(edge)) mark.lines.push_back({part.vertices[edge.from], part.vertices[edge.to]});
     return mark;
 }
 
-MarkedFeature contact_mark(const StoneContact& contact, const std::string& label)
+importers::mesh::MarkedFeature contact_mark(const importers::assembly::StoneContact& contact,
+                                            const std::string& label)
 {
-    MarkedFeature mark{label, {}, {}, {}};
+    importers::mesh::MarkedFeature mark{label, {}, {}, {}};
     for (const std::vector<Vector3d>& polygon : contact.polygons) {
         if (polygon.size() == 1) mark.points.push_back(polygon.front());
         if (polygon.size() >= 3) mark.polygons.push_back(polygon);
@@ -131,11 +136,12 @@ MarkedFeature contact_mark(const StoneContact& contact, const std::string& label
     return mark;
 }
 
-bool overlaps_matter(const Assembly& assembly)
+bool overlaps_matter(const importers::assembly::Assembly& assembly)
 {
-    return std::any_of(assembly.findings.begin(), assembly.findings.end(), [](const AssemblyFinding& finding) {
-        return finding.kind == "overlaps" && !finding.harmless;
-    });
+    return std::any_of(assembly.findings.begin(), assembly.findings.end(),
+                       [](const importers::assembly::AssemblyFinding& finding) {
+                           return finding.kind == "overlaps" && !finding.harmless;
+                       });
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -9,7 +9,7 @@
 
 #include "app/commands/stopwatch.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -97,4 +97,4 @@ void Progress::done()
     line_open_ = false;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -9,7 +9,7 @@
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 /// Watches the steps of a run and steers nothing.
@@ -41,4 +41,4 @@ class Progress
     double share_when_moving_ = 0;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

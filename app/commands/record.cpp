@@ -12,7 +12,7 @@
 #include "libdda/errors.h"
 #include "records/start_time.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -30,21 +30,21 @@ std::string stem_of(const std::filesystem::path& file)
 }
 
 /// Channels of one motion, processed as asked and measured.
-void finish(std::vector<Channel> channels, const Processing& steps, RecordSet& set)
+void finish(std::vector<records::Channel> channels, const records::processing::Processing& steps, RecordSet& set)
 {
-    const bool all_known = std::all_of(channels.begin(), channels.end(), has_unit);
+    const bool all_known = std::all_of(channels.begin(), channels.end(), records::has_unit);
     if (!steps.empty() && !all_known)
         throw InputError(set.file, "the unit of the samples is unknown", "give --unit: nothing was processed");
     if (!steps.empty()) {
-        ProcessedRecord processed = process(channels, steps);
+        records::processing::ProcessedRecord processed = records::processing::process(channels, steps);
         channels = std::move(processed.channels);
         set.processing.insert(set.processing.end(), processed.sentences.begin(), processed.sentences.end());
     }
     measure(std::move(channels), set);
 }
 
-std::vector<RecordSet> read_one_by_one(const RecordArguments& arguments, const ReadOptions& options,
-                                       const Processing& steps)
+std::vector<RecordSet> read_one_by_one(const RecordArguments& arguments, const records::ReadOptions& options,
+                                       const records::processing::Processing& steps)
 {
     std::vector<RecordSet> sets;
     for (const std::filesystem::path& file : arguments.files) {
@@ -52,7 +52,7 @@ std::vector<RecordSet> read_one_by_one(const RecordArguments& arguments, const R
         set.file = file.string();
         set.stem = stem_of(file);
         try {
-            Record record = read_record(file, options);
+            records::Record record = records::read_record(file, options);
             set.format = record.format;
             set.station = record.station;
             set.event = record.event;
@@ -66,15 +66,16 @@ std::vector<RecordSet> read_one_by_one(const RecordArguments& arguments, const R
 }
 
 /// All files as one motion.
-RecordSet read_together(const RecordArguments& arguments, const ReadOptions& options, const Processing& steps)
+RecordSet read_together(const RecordArguments& arguments, const records::ReadOptions& options,
+                        const records::processing::Processing& steps)
 {
     RecordSet set;
-    std::vector<Channel> channels;
+    std::vector<records::Channel> channels;
     try {
         for (const std::filesystem::path& file : arguments.files) {
             set.file += (set.file.empty() ? "" : " + ") + file.string();
             if (set.stem.empty()) set.stem = stem_of(file);
-            Record record = read_record(file, options);
+            records::Record record = records::read_record(file, options);
             set.format = record.format;
             set.station = record.station;
             set.event = record.event;
@@ -82,8 +83,9 @@ RecordSet read_together(const RecordArguments& arguments, const ReadOptions& opt
             channels.insert(channels.end(), record.channels.begin(), record.channels.end());
         }
         const bool is_even = std::all_of(channels.begin(), channels.end(),
-                                         [](const Channel& channel) { return channel.times.empty(); });
-        if (steps.empty() && is_even) set.processing = bring_into_step(channels);  // else process() does it
+                                         [](const records::Channel& channel) { return channel.times.empty(); });
+        if (steps.empty() && is_even)
+            set.processing = records::bring_into_step(channels);  // else process() does it
         finish(std::move(channels), steps, set);
     } catch (const InputError& error) {
         set.channels.clear();
@@ -92,14 +94,14 @@ RecordSet read_together(const RecordArguments& arguments, const ReadOptions& opt
     return set;
 }
 
-RecordSet make_motion(const std::string& text, const Processing& steps)
+RecordSet make_motion(const std::string& text, const records::processing::Processing& steps)
 {
     RecordSet set;
     set.file = set.stem = "motion";
     set.format = "synthetic";
     try {
         std::string description;
-        std::vector<Channel> channels = parse_wave_motion(text, "--motion", description);
+        std::vector<records::Channel> channels = reader::parse_wave_motion(text, "--motion", description);
         set.processing.push_back(description);
         finish(std::move(channels), steps, set);
     } catch (const InputError& error) {
@@ -127,10 +129,10 @@ int record_command(const RecordArguments& arguments)
         throw InputError("command line", arguments.motion ? "both files and --motion" : "no file",
                          "name accelerograms, or give --motion");
     expect_writable(arguments.json, arguments.folder);
-    Processing steps;
-    if (arguments.process) steps = parse_processing_steps(*arguments.process, "--process");
-    const ReadOptions options{arguments.unit, arguments.time_step, arguments.column,
-                              arguments.response.value_or(std::filesystem::path())};
+    records::processing::Processing steps;
+    if (arguments.process) steps = reader::parse_processing_steps(*arguments.process, "--process");
+    const records::ReadOptions options{arguments.unit, arguments.time_step, arguments.column,
+                                       arguments.response.value_or(std::filesystem::path())};
     std::vector<RecordSet> sets;
     if (arguments.motion)
         sets.push_back(make_motion(*arguments.motion, steps));
@@ -157,4 +159,4 @@ int record_command(const RecordArguments& arguments)
     return any_refused ? exit_bad_input : exit_done;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -12,7 +12,7 @@
 #include "records/measures/fourier.h"
 #include "records/write_at2.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -28,34 +28,35 @@ std::string file_part(const std::string& component, std::size_t number)
     return part.empty() ? std::to_string(number + 1) : part;
 }
 
-std::string heading(const Channel& channel, std::size_t number)
+std::string heading(const records::Channel& channel, std::size_t number)
 {
     const char* const units[] = {"m/s2", "m/s", "m"};
     std::string name = channel.component.empty() ? std::to_string(number + 1) : channel.component;
     for (char& c : name)
         if (c == ',' || c == '"') c = ' ';
-    return fmt::format("{} [{}]", name, has_unit(channel) ? units[static_cast<int>(channel.quantity)] : "?");
+    return fmt::format("{} [{}]", name,
+                       records::has_unit(channel) ? units[static_cast<int>(channel.quantity)] : "?");
 }
 
-double time_of(const Channel& channel, std::size_t i)
+double time_of(const records::Channel& channel, std::size_t i)
 {
     return channel.times.empty() ? static_cast<double>(i) * channel.time_step : channel.times[i];
 }
 
-bool share_times(const Channel& a, const Channel& b)
+bool share_times(const records::Channel& a, const records::Channel& b)
 {
     return a.samples.size() == b.samples.size() && a.time_step == b.time_step && a.times == b.times;
 }
 
 /// A column of time and one for each of the channels, which share their times.
-std::string series_csv(const std::vector<const Channel*>& channels)
+std::string series_csv(const std::vector<const records::Channel*>& channels)
 {
     std::string text = "time [s]";
     for (std::size_t k = 0; k < channels.size(); ++k) text += "," + heading(*channels[k], k);
     text += "\n";
     for (std::size_t i = 0; i < channels[0]->samples.size(); ++i) {
         fmt::format_to(std::back_inserter(text), "{:.9g}", time_of(*channels[0], i));
-        for (const Channel* channel : channels)
+        for (const records::Channel* channel : channels)
             fmt::format_to(std::back_inserter(text), ",{:.9g}", channel->samples[i]);
         text += "\n";
     }
@@ -82,10 +83,10 @@ std::string spectra_csv(const RecordSet& set, const std::vector<double>& periods
 }
 
 /// A long series as its envelope: the lowest and highest value of each of so many stretches, in their order.
-Curve thinned(const std::string& name, const std::vector<double>& x, const std::vector<double>& y)
+plots::Curve thinned(const std::string& name, const std::vector<double>& x, const std::vector<double>& y)
 {
     constexpr std::size_t stretches = 1500;
-    Curve curve{name, {}, {}};
+    plots::Curve curve{name, {}, {}};
     const std::size_t length = std::max<std::size_t>(1, x.size() / stretches);
     for (std::size_t first = 0; first < x.size(); first += length) {
         const auto begin = y.begin() + static_cast<std::ptrdiff_t>(first);
@@ -100,7 +101,7 @@ Curve thinned(const std::string& name, const std::vector<double>& x, const std::
     return curve;
 }
 
-std::string curve_name(const Channel& channel, std::size_t number)
+std::string curve_name(const records::Channel& channel, std::size_t number)
 {
     return channel.component.empty() ? fmt::format("channel {}", number + 1) : channel.component;
 }
@@ -114,22 +115,22 @@ std::string title_of(const RecordSet& set)
 }
 
 /// Every acceleration by itself, then all velocities and all displacements.
-Figure series_figure(const RecordSet& set)
+plots::Figure series_figure(const RecordSet& set)
 {
-    Figure figure{set.stem + "_series", title_of(set), set.format, {}, true, {}};
-    Diagram velocities{"time [s]", "velocity [m/s]", {}, {}, false, false, false};
-    Diagram displacements{"time [s]", "displacement [m]", {}, {}, false, false, false};
+    plots::Figure figure{set.stem + "_series", title_of(set), set.format, {}, true, {}};
+    plots::Diagram velocities{"time [s]", "velocity [m/s]", {}, {}, false, false, false};
+    plots::Diagram displacements{"time [s]", "displacement [m]", {}, {}, false, false, false};
     for (std::size_t k = 0; k < set.channels.size(); ++k) {
-        const Channel& channel = set.channels[k].channel;
-        if (!has_unit(channel)) continue;
-        const GroundMotion motion = to_ground_motion(channel, set.file);
+        const records::Channel& channel = set.channels[k].channel;
+        if (!records::has_unit(channel)) continue;
+        const GroundMotion motion = records::to_ground_motion(channel, set.file);
         std::vector<double> times, a, v, d;
         const double start = channel.times.empty() ? 0 : channel.times.front();
         for (std::size_t i = 0; i < channel.samples.size(); ++i) {
             times.push_back(time_of(channel, i));
             const double since = times.back() - start;
-            a.push_back(channel.quantity == Quantity::acceleration ? channel.samples[i]
-                                                                   : motion.acceleration(since));
+            a.push_back(channel.quantity == records::Quantity::acceleration ? channel.samples[i]
+                                                                            : motion.acceleration(since));
             v.push_back(motion.velocity(since));
             d.push_back(motion.displacement(since));
         }
@@ -146,13 +147,13 @@ Figure series_figure(const RecordSet& set)
 }
 
 /// Fourier amplitudes in bands of equal width on a logarithmic scale, root mean square of each.
-Curve fourier_curve(const std::string& name, const Channel& channel)
+plots::Curve fourier_curve(const std::string& name, const records::Channel& channel)
 {
     constexpr int bands = 120;
     constexpr double lowest = 0.1;  // Hz
-    const FourierSpectrum spectrum = fourier_amplitude(channel);
+    const records::measures::FourierSpectrum spectrum = records::measures::fourier_amplitude(channel);
     const double highest = spectrum.frequencies.back();
-    Curve curve{name, {}, {}};
+    plots::Curve curve{name, {}, {}};
     std::size_t k = 0;
     for (int band = 0; band < bands; ++band) {
         const double to = lowest * std::pow(highest / lowest, (band + 1.0) / bands);
@@ -171,16 +172,16 @@ Curve fourier_curve(const std::string& name, const Channel& channel)
     return curve;
 }
 
-Figure spectra_figure(const RecordSet& set)
+plots::Figure spectra_figure(const RecordSet& set)
 {
-    Figure figure{set.stem + "_spectra",
-                  title_of(set),
-                  "5 % of critical damping; Fourier amplitudes smoothed in bands",
-                  {},
-                  false,
-                  {}};
-    Diagram response{"period [s]", "pseudo-acceleration [m/s2]", {}, {}, true, false, false};
-    Diagram fourier{"frequency [Hz]", "Fourier amplitude [m/s]", {}, {}, true, true, false};
+    plots::Figure figure{set.stem + "_spectra",
+                         title_of(set),
+                         "5 % of critical damping; Fourier amplitudes smoothed in bands",
+                         {},
+                         false,
+                         {}};
+    plots::Diagram response{"period [s]", "pseudo-acceleration [m/s2]", {}, {}, true, false, false};
+    plots::Diagram fourier{"frequency [Hz]", "Fourier amplitude [m/s]", {}, {}, true, true, false};
     for (std::size_t k = 0; k < set.channels.size(); ++k) {
         const MeasuredChannel& measured = set.channels[k];
         if (!measured.spectrum || !(measured.peak_acceleration > 0)) continue;
@@ -201,18 +202,20 @@ void write_tables(const RecordSet& set, const fs::path& folder, std::vector<std:
         write_own_file(folder / name, text);
         written.push_back((folder / name).string());
     };
-    std::vector<const Channel*> channels;
+    std::vector<const records::Channel*> channels;
     for (const MeasuredChannel& measured : set.channels) channels.push_back(&measured.channel);
-    const bool alike = std::all_of(channels.begin(), channels.end(),
-                                   [&](const Channel* channel) { return share_times(*channel, *channels[0]); });
+    const bool alike = std::all_of(channels.begin(), channels.end(), [&](const records::Channel* channel) {
+        return share_times(*channel, *channels[0]);
+    });
     if (alike) write(set.stem + ".csv", series_csv(channels));
     for (std::size_t k = 0; k < channels.size(); ++k) {
         const std::string part = set.stem + "_" + file_part(channels[k]->component, k);
         if (!alike) write(part + ".csv", series_csv({channels[k]}));
-        if (!has_unit(*channels[k]) || channels[k]->quantity != Quantity::acceleration) continue;
+        if (!records::has_unit(*channels[k]) || channels[k]->quantity != records::Quantity::acceleration) continue;
         write(part + ".at2",
-              format_at2("voussoir, from " + fs::path(set.file).filename().string() + " (" + set.format + ")",
-                         set.station + ", " + channels[k]->component, resampled_evenly(*channels[k])));
+              records::format_at2(
+                  "voussoir, from " + fs::path(set.file).filename().string() + " (" + set.format + ")",
+                  set.station + ", " + channels[k]->component, records::resampled_evenly(*channels[k])));
     }
     for (const MeasuredChannel& measured : set.channels)
         if (measured.spectrum)
@@ -225,16 +228,16 @@ std::vector<std::string> write_files(const RecordSet& set, const fs::path& folde
 {
     std::vector<std::string> written;
     write_tables(set, folder, written);
-    std::vector<Figure> figures{series_figure(set), spectra_figure(set)};
-    std::erase_if(figures, [](const Figure& figure) { return figure.diagrams.empty(); });
+    std::vector<plots::Figure> figures{series_figure(set), spectra_figure(set)};
+    std::erase_if(figures, [](const plots::Figure& figure) { return figure.diagrams.empty(); });
     if (figures.empty()) return written;
-    if (!can_draw_figures()) {
+    if (!plots::can_draw_figures()) {
         written.emplace_back("no pictures: this program was built without rendering");
         return written;
     }
-    for (const std::string& name : draw_figures(figures, folder))
+    for (const std::string& name : plots::draw_figures(figures, folder))
         written.push_back((folder / (name + ".png")).string());
     return written;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

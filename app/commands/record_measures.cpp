@@ -7,7 +7,7 @@
 
 #include "app/commands/record_set.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -17,7 +17,7 @@ using nlohmann::json;
 constexpr double shortest_period = 0.02, longest_period = 10;  // s
 constexpr std::size_t period_count = 100;
 
-bool begin_together(const Channel& a, const Channel& b)
+bool begin_together(const records::Channel& a, const records::Channel& b)
 {
     if (!a.start || !b.start) return true;  // as far as anyone knows
     return std::chrono::abs(*a.start - *b.start) < std::chrono::duration<double>(a.time_step / 2);
@@ -25,9 +25,9 @@ bool begin_together(const Channel& a, const Channel& b)
 
 /// Two horizontal channels at right angles, of one beginning and one length, for RotD; nothing when there are none
 /// or more.
-std::optional<std::pair<const Channel*, const Channel*>> horizontal_pair(const RecordSet& set)
+std::optional<std::pair<const records::Channel*, const records::Channel*>> horizontal_pair(const RecordSet& set)
 {
-    std::vector<const Channel*> horizontal;
+    std::vector<const records::Channel*> horizontal;
     for (const MeasuredChannel& measured : set.channels)
         if (measured.channel.azimuth && measured.measures) horizontal.push_back(&measured.channel);
     if (horizontal.size() != 2) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<std::pair<const Channel*, const Channel*>> horizontal_pair(const R
     return std::pair(horizontal[0], horizontal[1]);
 }
 
-json json_of_measures(const Measures& m)
+json json_of_measures(const records::measures::Measures& m)
 {
     return {{"pgv_m_s", m.peak_velocity},
             {"pgd_m", m.peak_displacement},
@@ -54,20 +54,20 @@ json json_of_measures(const Measures& m)
 
 json json_of_channel(const MeasuredChannel& measured)
 {
-    const Channel& channel = measured.channel;
-    const bool is_even = channel.times.empty(), is_known = has_unit(channel);
+    const records::Channel& channel = measured.channel;
+    const bool is_even = channel.times.empty(), is_known = records::has_unit(channel);
     const double duration = is_even ? static_cast<double>(channel.samples.size() - 1) * channel.time_step
                                     : channel.times.back() - channel.times.front();
     json entry = {{"component", channel.component},
-                  {"quantity", is_known ? json(to_text(channel.quantity)) : json()},
+                  {"quantity", is_known ? json(records::to_text(channel.quantity)) : json()},
                   {"npts", channel.samples.size()},
                   {"dt_s", is_even ? json(channel.time_step) : json()},
                   {"duration_s", duration},
                   {"units_in_file", is_known ? json(channel.unit_in_file) : json()},
                   {"azimuth_deg", channel.azimuth ? json(*channel.azimuth) : json()},
                   {"vertical", channel.is_vertical},
-                  {"peak", is_known ? json(peak(channel)) : json()},
-                  {"peak_as_stored", is_known ? json() : json(peak(channel))},
+                  {"peak", is_known ? json(records::peak(channel)) : json()},
+                  {"peak_as_stored", is_known ? json() : json(records::peak(channel))},
                   {"pga_m_s2", is_known ? json(measured.peak_acceleration) : json()}};
     if (!is_known) return entry;
     entry["residual_velocity_m_s"] = measured.residual_velocity;
@@ -80,7 +80,7 @@ json json_of_channel(const MeasuredChannel& measured)
     return entry;
 }
 
-std::string name_of(const Channel& channel)
+std::string name_of(const records::Channel& channel)
 {
     std::string name = channel.component.empty() ? "(no name)" : channel.component;
     if (channel.is_vertical) name += " (vertical)";
@@ -88,7 +88,7 @@ std::string name_of(const Channel& channel)
     return name;
 }
 
-std::string sampling_of(const Channel& channel)
+std::string sampling_of(const records::Channel& channel)
 {
     if (!channel.times.empty())
         return fmt::format("{} uneven samples over {:g} s", channel.samples.size(),
@@ -99,18 +99,18 @@ std::string sampling_of(const Channel& channel)
 
 void print_channel(const MeasuredChannel& measured)
 {
-    const Channel& channel = measured.channel;
-    if (!has_unit(channel)) {
+    const records::Channel& channel = measured.channel;
+    if (!records::has_unit(channel)) {
         fmt::print("  {}: unit unknown, {}, largest value {:.6g}\n", name_of(channel), sampling_of(channel),
-                   peak(channel));
+                   records::peak(channel));
         return;
     }
-    fmt::print("  {}: {} in {}, {}\n", name_of(channel), to_text(channel.quantity), channel.unit_in_file,
+    fmt::print("  {}: {} in {}, {}\n", name_of(channel), records::to_text(channel.quantity), channel.unit_in_file,
                sampling_of(channel));
     fmt::print("    peak acceleration {:.4g} m/s2; residual {:.3g} m/s and {:.3g} m\n", measured.peak_acceleration,
                measured.residual_velocity, measured.residual_displacement);
     if (!measured.measures) return;
-    const Measures& m = *measured.measures;
+    const records::measures::Measures& m = *measured.measures;
     fmt::print("    PGV {:.4g} m/s, PGD {:.4g} m, Arias intensity {:.4g} m/s, CAV {:.4g} m/s\n", m.peak_velocity,
                m.peak_displacement, m.arias_intensity, m.cumulative_velocity);
     fmt::print(
@@ -143,26 +143,28 @@ void print_spectra(const RecordSet& set)
 
 }  // namespace
 
-void measure(std::vector<Channel> channels, RecordSet& set)
+void measure(std::vector<records::Channel> channels, RecordSet& set)
 {
-    const std::vector<double> periods = logarithmic_periods(shortest_period, longest_period, period_count);
-    for (Channel& channel : channels) {
+    const std::vector<double> periods =
+        records::measures::logarithmic_periods(shortest_period, longest_period, period_count);
+    for (records::Channel& channel : channels) {
         MeasuredChannel measured;
-        if (has_unit(channel)) {
-            const GroundMotion motion = to_ground_motion(channel, set.file);
+        if (records::has_unit(channel)) {
+            const GroundMotion motion = records::to_ground_motion(channel, set.file);
             measured.residual_velocity = motion.residual_velocity();
             measured.residual_displacement = motion.residual_displacement();
-            const bool is_acceleration = channel.quantity == Quantity::acceleration;
-            measured.peak_acceleration = is_acceleration ? peak(channel) : motion.peak_acceleration();
+            const bool is_acceleration = channel.quantity == records::Quantity::acceleration;
+            measured.peak_acceleration = is_acceleration ? records::peak(channel) : motion.peak_acceleration();
             if (is_acceleration) {
-                measured.measures = measures_of(channel);
-                measured.spectrum = response_spectrum(channel, periods);
+                measured.measures = records::measures::measures_of(channel);
+                measured.spectrum = records::measures::response_spectrum(channel, periods);
             }
         }
         measured.channel = std::move(channel);
         set.channels.push_back(std::move(measured));
     }
-    if (const auto pair = horizontal_pair(set)) set.rotd = rotd(*pair->first, *pair->second, periods);
+    if (const auto pair = horizontal_pair(set))
+        set.rotd = records::measures::rotd(*pair->first, *pair->second, periods);
 }
 
 void print(const RecordSet& set)
@@ -202,4 +204,4 @@ std::string json_of(const std::vector<RecordSet>& sets)
     return list.dump(2, ' ', false, json::error_handler_t::replace);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -10,15 +10,15 @@
 #include "records/measures/response_spectrum.h"
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 struct MeasuredChannel {
-    Channel channel;
+    records::Channel channel;
     double residual_velocity = 0, residual_displacement = 0;  // m/s, m
     double peak_acceleration = 0;                             // m/s2, of the motion, whatever it was recorded as
-    std::optional<Measures> measures;                         // of accelerations whose unit is known
-    std::optional<ResponseSpectrum> spectrum;                 // 5 %, likewise
+    std::optional<records::measures::Measures> measures;      // of accelerations whose unit is known
+    std::optional<records::measures::ResponseSpectrum> spectrum;  // 5 %, likewise
 };
 
 /// Channels that were read together: of one file, or of several.
@@ -30,13 +30,13 @@ struct RecordSet {
     std::vector<std::string> remarks;
     std::vector<std::string> processing;  // a sentence for each thing done
     std::vector<MeasuredChannel> channels;
-    std::optional<RotatedSpectrum> rotd;  // of two horizontal channels at right angles
-    std::string reason;                   // why it was refused
+    std::optional<records::measures::RotatedSpectrum> rotd;  // of two horizontal channels at right angles
+    std::string reason;                                      // why it was refused
 };
 
 /// Fills in measures and spectra. @param channels of one motion
 /// @throws InputError when a channel cannot be a motion
-void measure(std::vector<Channel> channels, RecordSet& set);
+void measure(std::vector<records::Channel> channels, RecordSet& set);
 
 void print(const RecordSet& set);
 
@@ -48,4 +48,4 @@ std::string json_of(const std::vector<RecordSet>& sets);
 /// @returns the files written, and a line when no pictures could be drawn
 std::vector<std::string> write_files(const RecordSet& set, const std::filesystem::path& folder);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -4,7 +4,7 @@
 #include "app/render/snapshots.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 int render_command(const RenderArguments& arguments)
@@ -21,9 +21,9 @@ int render_command(const RenderArguments& arguments)
     options.deformation_scale = arguments.deformation_scale;
     const std::filesystem::path folder =
         arguments.folder.empty() ? arguments.results.parent_path() / "snapshots" : arguments.folder;
-    for (const std::filesystem::path& picture : render_snapshots(arguments.results, folder, options))
+    for (const std::filesystem::path& picture : render::render_snapshots(arguments.results, folder, options))
         fmt::print("{}\n", picture.string());
     return exit_done;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -6,7 +6,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 namespace fs = std::filesystem;
@@ -20,56 +20,57 @@ bool is_there(const fs::path& path)
     return fs::exists(path, none);
 }
 
-[[noreturn]] void refuse_other_engine(const fs::path& folder, const EngineVersion& before,
-                                      const EngineVersion& now)
+[[noreturn]] void refuse_other_engine(const fs::path& folder, const version::EngineVersion& before,
+                                      const version::EngineVersion& now)
 {
     throw InputError(
-        folder.string(), "begun by another engine (" + in_words(before) + "; this is " + in_words(now) + ")",
+        folder.string(),
+        "begun by another engine (" + version::in_words(before) + "; this is " + version::in_words(now) + ")",
         "resume with that engine, add --other-engine to continue with this one, or start again without --resume");
 }
 
-std::string mixed_engines(const EngineVersion& before, const EngineVersion& now, double time)
+std::string mixed_engines(const version::EngineVersion& before, const version::EngineVersion& now, double time)
 {
     return fmt::format(
         "two engines made this run: {}, up to t = {:g} s; {} from there on (--other-engine): "
         "neither of them alone gives identical results",
-        in_words(before), time, in_words(now));
+        version::in_words(before), time, version::in_words(now));
 }
 
 }  // namespace
 
 void refuse_without_restart(const fs::path& folder)
 {
-    if (is_there(restart_file_in(folder))) return;
+    if (is_there(results::restart_file_in(folder))) return;
     throw InputError(folder.string(), "nothing to resume", "start the run without --resume");
 }
 
-Restart restart_of(const Case& the_case, const fs::path& folder, bool other_engine)
+results::Restart restart_of(const Case& the_case, const fs::path& folder, bool other_engine)
 {
     refuse_without_restart(folder);
-    Restart restart = load_restart(restart_file_in(folder));
-    const Fingerprint now = fingerprint_of(the_case);
-    const EngineVersion& before = restart.computed_from.engine;
+    results::Restart restart = results::load_restart(results::restart_file_in(folder));
+    const results::Fingerprint now = results::fingerprint_of(the_case);
+    const version::EngineVersion& before = restart.computed_from.engine;
     const bool is_other = before != now.engine;
     // What another engine makes of the same files may differ, which is no change of the files.
-    if (is_other && !other_engine && same_input(restart.computed_from, now))
+    if (is_other && !other_engine && results::same_input(restart.computed_from, now))
         refuse_other_engine(folder, before, now.engine);
-    const std::string changed = differences(restart.computed_from, now);
+    const std::string changed = results::differences(restart.computed_from, now);
     if (!changed.empty())
         throw InputError(folder.string(), "not the run of this case; changed since: " + changed,
                          "resume with the original input, or start again without --resume");
-    check_fits(restart, the_case, restart_file_in(folder));
+    results::check_fits(restart, the_case, results::restart_file_in(folder));
     if (is_other) restart.remarks.push_back(mixed_engines(before, now.engine, restart.state.time));
     return restart;
 }
 
 void tell_what_is_replaced(const fs::path& folder, bool quiet)
 {
-    if (is_there(restart_file_in(folder))) {
+    if (is_there(results::restart_file_in(folder))) {
         bool ended = false;
         std::string moment;
         try {
-            const Restart restart = load_restart(restart_file_in(folder));
+            const results::Restart restart = results::load_restart(results::restart_file_in(folder));
             ended = restart.ended;
             moment = fmt::format(", which had reached t = {:g} s", restart.state.time);
         } catch (const InputError&) {
@@ -84,7 +85,7 @@ void tell_what_is_replaced(const fs::path& folder, bool quiet)
     if (!quiet && is_there(folder / "results.h5")) fmt::print("{}: replacing earlier results\n", folder.string());
 }
 
-std::string place_of(const Case& the_case, const Restart& restart)
+std::string place_of(const Case& the_case, const results::Restart& restart)
 {
     const State& state = restart.state;
     const auto stage = static_cast<std::size_t>(state.stage);
@@ -92,4 +93,4 @@ std::string place_of(const Case& the_case, const Restart& restart)
                        stage < the_case.stages.size() ? the_case.stages[stage].name : "", state.time, state.step);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

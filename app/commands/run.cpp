@@ -24,7 +24,7 @@
 #include "libdda/analysis/energies.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -35,14 +35,14 @@ constexpr auto between_static_saves = std::chrono::seconds(2);  // time does not
 struct Start {
     State state;
     RunPosition position;
-    CommandTimes times;  // of the commands before this one
+    results::CommandTimes times;  // of the commands before this one
 };
 
 /// The state of a run is saved with every frame, at its end, and now and then in a static stage.
 class Saver
 {
  public:
-    Saver(ResultsWriter& writer, const Start& start, const Stopwatch& stopwatch)
+    Saver(results::ResultsWriter& writer, const Start& start, const Stopwatch& stopwatch)
         : writer_(writer), before_(start.times), stopwatch_(stopwatch), frames_(start.position.frames)
     {
     }
@@ -55,21 +55,22 @@ class Saver
         frames_ = position.frames;
         saved_ = now;
     }
-    CommandTimes times() const
+    results::CommandTimes times() const
     {
         return {before_.wall + stopwatch_.wall_time(), before_.cpu + Stopwatch::cpu_time()};
     }
 
  private:
-    ResultsWriter& writer_;
-    CommandTimes before_;
+    results::ResultsWriter& writer_;
+    results::CommandTimes before_;
     const Stopwatch& stopwatch_;
     std::int64_t frames_ = 0;
     std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
 };
 
 /// Runs to the end, or as far as it goes, and closes the files. @param start its state becomes the last one
-RunReport run_and_write(const Case& the_case, Start& start, ResultsWriter& writer, Saver& saver, bool quiet)
+RunReport run_and_write(const Case& the_case, Start& start, results::ResultsWriter& writer, Saver& saver,
+                        bool quiet)
 {
     Progress progress(the_case.stages, quiet);
     RunObserver observer;
@@ -92,7 +93,8 @@ struct RunBroken : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-RunReport run_unbroken(const Case& the_case, Start& start, ResultsWriter& writer, Saver& saver, bool quiet)
+RunReport run_unbroken(const Case& the_case, Start& start, results::ResultsWriter& writer, Saver& saver,
+                       bool quiet)
 {
     try {
         return run_and_write(the_case, start, writer, saver, quiet);
@@ -119,7 +121,7 @@ void print_report(const Case& the_case, const RunReport& report, double wall_tim
         e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3,
         (e.damping_kinetic + e.damping_contact + e.fracture) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3);
-    for (const std::string& warning : warnings_of(report, the_case.model, the_case.stages))
+    for (const std::string& warning : words::warnings_of(report, the_case.model, the_case.stages))
         fmt::print("  warning: {}\n", warning);
 }
 
@@ -137,7 +139,7 @@ bool draw(const Case& the_case, const std::filesystem::path& results, const std:
 {
     if (!the_case.output.snapshots) return true;
     try {
-        pictures = render_snapshots(results, folder / "snapshots", *the_case.output.snapshots);
+        pictures = render::render_snapshots(results, folder / "snapshots", *the_case.output.snapshots);
     } catch (const InputError& error) {
         fmt::print(stderr, "the results are complete, but there are no pictures: {}\n", error.what());
         return false;
@@ -154,13 +156,13 @@ int exit_code_of(Outcome outcome)
 /// "gave_up: stage 'earthquake' gave up at ..."
 std::string outcome_in_words(const RunReport& report, const Case& the_case)
 {
-    const std::string message = message_of(report, the_case.model, the_case.stages);
+    const std::string message = words::message_of(report, the_case.model, the_case.stages);
     return std::string(name_of(report.outcome)) + (message.empty() ? "" : ": " + message);
 }
 
 /// Runs, writes and draws. @returns the exit code
-int run_from(const Case& the_case, const std::filesystem::path& folder, const std::optional<Restart>& restart,
-             const Stopwatch& stopwatch, bool quiet)
+int run_from(const Case& the_case, const std::filesystem::path& folder,
+             const std::optional<results::Restart>& restart, const Stopwatch& stopwatch, bool quiet)
 {
     Start start;
     if (restart) {
@@ -170,8 +172,9 @@ int run_from(const Case& the_case, const std::filesystem::path& folder, const st
         start.state = initial_state(the_case.model);
         start.position.report.energy = open_ledger(the_case.model, start.state);
     }
-    std::unique_ptr<ResultsWriter> writer = restart ? std::make_unique<ResultsWriter>(the_case, folder, *restart)
-                                                    : std::make_unique<ResultsWriter>(the_case, folder);
+    std::unique_ptr<results::ResultsWriter> writer =
+        restart ? std::make_unique<results::ResultsWriter>(the_case, folder, *restart)
+                : std::make_unique<results::ResultsWriter>(the_case, folder);
     Saver saver(*writer, start, stopwatch);
     const RunReport report = run_unbroken(the_case, start, *writer, saver, quiet);
 
@@ -200,13 +203,13 @@ int run_command(const RunArguments& arguments)
                                              ? std::filesystem::path("results") / arguments.case_file.stem()
                                              : arguments.folder;
     if (arguments.resume) refuse_without_restart(folder);
-    Case the_case = read_case(arguments.case_file, arguments.overrides);
+    Case the_case = reader::read_case(arguments.case_file, arguments.overrides);
     for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
     if (!arguments.quiet) print_case(the_case);
     if (interrupted()) return exit_interrupted;
 
-    const RunLock lock(folder);
-    std::optional<Restart> restart;
+    const results::RunLock lock(folder);
+    std::optional<results::Restart> restart;
     if (arguments.resume)
         restart = restart_of(the_case, folder, arguments.other_engine);
     else
@@ -225,11 +228,11 @@ int run_command(const RunArguments& arguments)
         return run_from(the_case, folder, restart, stopwatch, arguments.quiet);
     } catch (const RunBroken& broken) {
         fmt::print(stderr, "{}\n", broken.what());
-        if (std::filesystem::exists(restart_file_in(folder)))
+        if (std::filesystem::exists(results::restart_file_in(folder)))
             fmt::print(stderr, "{}: the results written so far are complete; --resume continues from there\n",
                        folder.string());
         return exit_failure;
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -20,7 +20,7 @@
 #include "app/words/nearest_word.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -29,16 +29,17 @@ namespace fs = std::filesystem;
 
 /// The named cells and those of the named scenes, in the order of the map; all of them without names.
 /// @throws InputError with every name that is none
-std::vector<StabilityCell> chosen(const std::vector<std::string>& names, const std::vector<StabilityScene>& scenes)
+std::vector<studies::stability::StabilityCell> chosen(
+    const std::vector<std::string>& names, const std::vector<studies::stability::StabilityScene>& scenes)
 {
     std::vector<std::string> known;
-    std::vector<StabilityCell> cells;
+    std::vector<studies::stability::StabilityCell> cells;
     const auto named = [&](const std::string& name) {
         return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
     };
-    for (const StabilityScene& scene : scenes) {
+    for (const studies::stability::StabilityScene& scene : scenes) {
         known.push_back(scene.name);
-        for (const StabilityCell& cell : scene.cells) {
+        for (const studies::stability::StabilityCell& cell : scene.cells) {
             known.push_back(cell.name);
             if (named(scene.name) || named(cell.name)) cells.push_back(cell);
         }
@@ -46,15 +47,16 @@ std::vector<StabilityCell> chosen(const std::vector<std::string>& names, const s
     std::vector<Fault> faults;
     for (const std::string& name : names)
         if (std::find(known.begin(), known.end(), name) == known.end())
-            faults.push_back({"stability " + name, "there is no such scene or cell", suggestion(name, known)});
+            faults.push_back(
+                {"stability " + name, "there is no such scene or cell", words::suggestion(name, known)});
     if (!faults.empty()) throw InputError(std::move(faults));
     return cells;
 }
 
-void list(const std::vector<StabilityCell>& cells)
+void list(const std::vector<studies::stability::StabilityCell>& cells)
 {
-    for (const StabilityCell& cell : cells)
-        fmt::print("{:<44} within {} of: {}; budget {:g} s\n", cell.name, error_in_words(cell.tolerance),
+    for (const studies::stability::StabilityCell& cell : cells)
+        fmt::print("{:<44} within {} of: {}; budget {:g} s\n", cell.name, words::error_in_words(cell.tolerance),
                    cell.reference, cell.budget);
 }
 
@@ -67,36 +69,41 @@ std::string command_line(const StabilityArguments& arguments)
     return text + " -o " + arguments.folder->filename().string();
 }
 
-void print_line(const CellResult& result)
+void print_line(const studies::stability::CellResult& result)
 {
     fmt::print("{:<44} {:<8} {:<10} {:>8} steps {:>5} cuts {:>8.2f} s{}{}\n", result.cell.name,
-               name_of(result.outcome), result_in_words(result), result.run.steps, result.run.step_cuts,
-               result.run.cpu_time, result.diagnosis.empty() ? "" : "  ", result.diagnosis);
+               studies::stability::name_of(result.outcome), studies::stability::result_in_words(result),
+               result.run.steps, result.run.step_cuts, result.run.cpu_time, result.diagnosis.empty() ? "" : "  ",
+               result.diagnosis);
     std::fflush(stdout);
 }
 
 /// DIR/stability.md, DIR/stability/stability.json, and pictures in DIR/stability if the program that draws them
 /// was built.
-void write_page(const StabilityArguments& arguments, const std::vector<StabilityScene>& scenes,
-                const std::vector<CellResult>& results, const std::string& behaviour)
+void write_page(const StabilityArguments& arguments, const std::vector<studies::stability::StabilityScene>& scenes,
+                const std::vector<studies::stability::CellResult>& results, const std::string& behaviour)
 {
     const fs::path folder = *arguments.folder, pictures = folder / "stability";
     make_output_folder(folder);
     make_output_folder(pictures);
     std::vector<std::string> drawn;
-    if (can_draw_figures()) drawn = draw_figures(stability_figures(scenes, results), pictures);
-    write_atomically(pictures / "stability.json", stability_json(results, engine_json(behaviour)) + "\n");
-    write_atomically(folder / "stability.md", stability_page(scenes, results, command_line(arguments), drawn) +
-                                                  engine_paragraph(behaviour));
+    if (plots::can_draw_figures())
+        drawn = plots::draw_figures(studies::stability::stability_figures(scenes, results), pictures);
+    results::write_atomically(pictures / "stability.json",
+                              studies::stability::stability_json(results, version::engine_json(behaviour)) + "\n");
+    results::write_atomically(folder / "stability.md",
+                              studies::stability::stability_page(scenes, results, command_line(arguments), drawn) +
+                                  version::engine_paragraph(behaviour));
 }
 
 }  // namespace
 
 int stability_command(const StabilityArguments& arguments)
 {
-    const std::vector<StabilityScene> scenes = stability_scenes(case_reader);
-    std::vector<StabilityCell> cells = chosen(arguments.names, scenes);
-    for (StabilityCell& cell : cells) cell.tolerance *= arguments.tolerance_factor;
+    const std::vector<studies::stability::StabilityScene> scenes =
+        studies::stability::stability_scenes(reader::case_reader);
+    std::vector<studies::stability::StabilityCell> cells = chosen(arguments.names, scenes);
+    for (studies::stability::StabilityCell& cell : cells) cell.tolerance *= arguments.tolerance_factor;
     if (arguments.list) {
         list(cells);
         return exit_done;
@@ -105,22 +112,25 @@ int stability_command(const StabilityArguments& arguments)
     const bool to_stdout = arguments.json && *arguments.json == "-";
     std::size_t finished = 0;
     const bool on_terminal = isatty(STDERR_FILENO) == 1;
-    const auto done = [&](const CellResult& result) {
+    const auto done = [&](const studies::stability::CellResult& result) {
         if (on_terminal) fmt::print(stderr, "\r\033[K");
         if (!to_stdout) print_line(result);
         if (on_terminal) fmt::print(stderr, "{} of {} cells", ++finished, cells.size());
     };
-    const std::vector<CellResult> results = run_cells(cells, arguments.jobs, done);
+    const std::vector<studies::stability::CellResult> results =
+        studies::stability::run_cells(cells, arguments.jobs, done);
     if (on_terminal) fmt::print(stderr, "\r\033[K");
-    const auto failed = std::count_if(results.begin(), results.end(),
-                                      [](const CellResult& result) { return is_failure(result.outcome); });
+    const auto failed =
+        std::count_if(results.begin(), results.end(), [](const studies::stability::CellResult& result) {
+            return studies::stability::is_failure(result.outcome);
+        });
     bool too_little = false;
-    for (const StabilityScene& scene : scenes) {
-        const std::string range = sound_range_in_words(scene, results);
-        if (holds_too_little(scene, results)) {
+    for (const studies::stability::StabilityScene& scene : scenes) {
+        const std::string range = studies::stability::sound_range_in_words(scene, results);
+        if (studies::stability::holds_too_little(scene, results)) {
             too_little = true;
-            fmt::print(stderr, "{}: {:g} and {:g} are required\n", range, least_decades_of_stiffness,
-                       least_decades_of_step);
+            fmt::print(stderr, "{}: {:g} and {:g} are required\n", range,
+                       studies::stability::least_decades_of_stiffness, studies::stability::least_decades_of_step);
         } else if (!range.empty() && !to_stdout) {
             fmt::print("{}\n", range);
         }
@@ -128,10 +138,12 @@ int stability_command(const StabilityArguments& arguments)
     if (!to_stdout) fmt::print("{} of {} cells failed\n", failed, results.size());
     if (arguments.json || arguments.folder) {
         const std::string behaviour = golden::behaviour(golden::hashes());
-        if (arguments.json) write_json_text(*arguments.json, stability_json(results, engine_json(behaviour)));
+        if (arguments.json)
+            write_json_text(*arguments.json,
+                            studies::stability::stability_json(results, version::engine_json(behaviour)));
         if (arguments.folder) write_page(arguments, scenes, results, behaviour);
     }
     return failed == 0 && !too_little ? exit_done : exit_failure;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -41,4 +41,4 @@ std::string duration_in_words(double seconds)
     return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

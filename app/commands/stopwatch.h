@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 /// Wall time since it was made, and CPU time of the whole process and of the helpers that have ended.
@@ -21,4 +21,4 @@ class Stopwatch
 /// "45 s", "3 min 20 s", "2 h 5 min".
 std::string duration_in_words(double seconds);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -11,7 +11,7 @@
 #include "app/results/atomic_file.h"
 #include "app/studies/converge/measured_run.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 namespace
@@ -22,8 +22,8 @@ void write_page(const StudyTargets& targets, const StudyOutput& output)
     const std::filesystem::path folder = *targets.folder, page = folder / (targets.name + ".md");
     make_output_folder(folder);
     std::vector<std::string> drawn;
-    if (can_draw_figures()) drawn = draw_figures(output.figures, folder / targets.name);
-    write_atomically(page, output.page(drawn));
+    if (plots::can_draw_figures()) drawn = plots::draw_figures(output.figures, folder / targets.name);
+    results::write_atomically(page, output.page(drawn));
     if (!targets.quiet) fmt::print("written: {}\n", page.string());
 }
 
@@ -40,10 +40,10 @@ int publish_study(const StudyTargets& targets, const std::function<StudyOutput()
         if (targets.json) write_json_text(*targets.json, output.json);
         if (targets.folder) write_page(targets, output);
         return exit_done;
-    } catch (const Interrupted&) {
+    } catch (const studies::converge::Interrupted&) {
         fmt::print(stderr, "interrupted: the study is incomplete and nothing is written\n");
         return exit_interrupted;
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

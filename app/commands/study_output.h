@@ -9,7 +9,7 @@
 
 #include "app/plots/diagram.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 
 /// Where a study's answer goes.
@@ -22,7 +22,7 @@ struct StudyTargets {
 /// What a study gives.
 struct StudyOutput {
     std::string table, json;
-    std::vector<Figure> figures;
+    std::vector<plots::Figure> figures;
     std::function<std::string(const std::vector<std::string>& drawn)> page;  // drawn: the pictures there are
 };
 
@@ -31,4 +31,4 @@ struct StudyOutput {
 /// is interrupted. @returns exit_done or exit_interrupted
 int publish_study(const StudyTargets& targets, const std::function<StudyOutput()>& study);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

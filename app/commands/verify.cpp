@@ -18,7 +18,7 @@
 #include "app/words/nearest_word.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -27,25 +27,26 @@ namespace fs = std::filesystem;
 
 /// The named ones in the order of the papers; all of them without names.
 /// @throws InputError with every name that is none
-std::vector<Benchmark> chosen(const std::vector<std::string>& names, std::vector<Benchmark> all)
+std::vector<studies::verify::Benchmark> chosen(const std::vector<std::string>& names,
+                                               std::vector<studies::verify::Benchmark> all)
 {
     std::vector<std::string> known;
-    for (const Benchmark& benchmark : all) known.push_back(benchmark.name);
+    for (const studies::verify::Benchmark& benchmark : all) known.push_back(benchmark.name);
     std::vector<Fault> faults;
     for (const std::string& name : names)
         if (std::find(known.begin(), known.end(), name) == known.end())
-            faults.push_back({"verify " + name, "there is no such benchmark", suggestion(name, known)});
+            faults.push_back({"verify " + name, "there is no such benchmark", words::suggestion(name, known)});
     if (!faults.empty()) throw InputError(std::move(faults));
     if (names.empty()) return all;
-    std::erase_if(all, [&](const Benchmark& benchmark) {
+    std::erase_if(all, [&](const studies::verify::Benchmark& benchmark) {
         return std::find(names.begin(), names.end(), benchmark.name) == names.end();
     });
     return all;
 }
 
-void list(const std::vector<Benchmark>& benchmarks)
+void list(const std::vector<studies::verify::Benchmark>& benchmarks)
 {
-    for (const Benchmark& benchmark : benchmarks)
+    for (const studies::verify::Benchmark& benchmark : benchmarks)
         fmt::print("{:<30} {} ({})\n", benchmark.name, benchmark.title, benchmark.source);
 }
 
@@ -60,27 +61,30 @@ std::string command_line(const VerifyArguments& arguments)
 
 /// DIR/verification.md, and pictures in DIR/verification if the program that draws them was built: what each run
 /// did, and the error of what was swept.
-void write_page(const VerifyArguments& arguments, const std::vector<VerifyOutcome>& outcomes)
+void write_page(const VerifyArguments& arguments, const std::vector<studies::verify::VerifyOutcome>& outcomes)
 {
     const fs::path folder = *arguments.folder;
     make_output_folder(folder);
-    std::vector<Figure> figures;
-    for (const VerifyOutcome& outcome : outcomes) {
-        if (outcome.rows.size() > 1) figures.push_back(work_precision(outcome));
-        figures.push_back(picture(outcome));
+    std::vector<plots::Figure> figures;
+    for (const studies::verify::VerifyOutcome& outcome : outcomes) {
+        if (outcome.rows.size() > 1) figures.push_back(studies::verify::work_precision(outcome));
+        figures.push_back(studies::verify::picture(outcome));
     }
-    std::erase_if(figures, [](const Figure& figure) { return figure.diagrams.empty(); });
+    std::erase_if(figures, [](const plots::Figure& figure) { return figure.diagrams.empty(); });
     std::vector<std::string> plots;
-    if (!figures.empty() && can_draw_figures()) plots = draw_figures(figures, folder / "verification");
-    write_atomically(folder / "verification.md", verification_page(outcomes, command_line(arguments), plots) +
-                                                     engine_paragraph(golden::behaviour(golden::hashes())));
+    if (!figures.empty() && plots::can_draw_figures())
+        plots = plots::draw_figures(figures, folder / "verification");
+    results::write_atomically(folder / "verification.md",
+                              studies::verify::verification_page(outcomes, command_line(arguments), plots) +
+                                  version::engine_paragraph(golden::behaviour(golden::hashes())));
 }
 
 }  // namespace
 
 int verify_command(const VerifyArguments& arguments)
 {
-    const std::vector<Benchmark> benchmarks = chosen(arguments.names, all_benchmarks(arguments.seed));
+    const std::vector<studies::verify::Benchmark> benchmarks =
+        chosen(arguments.names, studies::verify::all_benchmarks(arguments.seed));
     if (arguments.list) {
         list(benchmarks);
         return exit_done;
@@ -88,23 +92,24 @@ int verify_command(const VerifyArguments& arguments)
     expect_writable(arguments.json, arguments.folder);
     const bool to_stdout = arguments.json && *arguments.json == "-";
     const bool on_terminal = isatty(STDERR_FILENO) == 1;
-    std::vector<VerifyOutcome> outcomes;
-    if (!to_stdout) fmt::print("{}", table_head());
+    std::vector<studies::verify::VerifyOutcome> outcomes;
+    if (!to_stdout) fmt::print("{}", studies::verify::table_head());
     for (std::size_t i = 0; i < benchmarks.size(); ++i) {
         // A short line that the next one overwrites.
         if (on_terminal) fmt::print(stderr, "{} of {}: {}", i + 1, benchmarks.size(), benchmarks[i].name);
-        outcomes.push_back(run_benchmark(benchmarks[i], arguments.sweep));
+        outcomes.push_back(studies::verify::run_benchmark(benchmarks[i], arguments.sweep));
         if (on_terminal) fmt::print(stderr, "\r\033[K");
         if (to_stdout) continue;
-        fmt::print("{}{}", table_line(outcomes.back()), sweep_lines(outcomes.back()));
+        fmt::print("{}{}", studies::verify::table_line(outcomes.back()),
+                   studies::verify::sweep_lines(outcomes.back()));
         std::fflush(stdout);
     }
     const auto passed =
         std::count_if(outcomes.begin(), outcomes.end(), [](const auto& each) { return each.pass; });
     if (!to_stdout) fmt::print("{} of {} passed\n", passed, outcomes.size());
-    if (arguments.json) write_json_text(*arguments.json, verify_json(outcomes));
+    if (arguments.json) write_json_text(*arguments.json, studies::verify::verify_json(outcomes));
     if (arguments.folder) write_page(arguments, outcomes);
     return passed == static_cast<std::ptrdiff_t>(outcomes.size()) ? exit_done : exit_failure;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::app::drawing
 {
 
 Rgb viridis(float share)
@@ -58,4 +58,4 @@ ColorScale make_scale(double lowest, double highest, const std::string& quantity
     return scale;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::drawing

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::drawing
 {
 
 using Rgb = Eigen::Vector3f;  // 0 to 1 each
@@ -37,4 +37,4 @@ inline const std::vector<Unit> stress_units = {{1, "Pa"}, {1e3, "kPa"}, {1e6, "M
 /// @param units in ascending order; the largest one is taken in which the highest number is at least 1
 ColorScale make_scale(double lowest, double highest, const std::string& quantity, const std::vector<Unit>& units);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::drawing

@@ -7,7 +7,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::drawing
 {
 
 void use(Cairo* pen, const Color& color, double opacity)
@@ -104,4 +104,4 @@ void write_png(cairo_surface_t* surface, const std::filesystem::path& file)
                          "give a writable folder on a disk with free space");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::drawing

@@ -11,7 +11,7 @@
 struct _cairo;
 struct _cairo_surface;
 
-namespace voussoir
+namespace voussoir::app::drawing
 {
 
 using Cairo = _cairo;
@@ -41,4 +41,4 @@ void mark(Cairo* pen, std::size_t shape, double x, double y);
 /// In the place of what has the name, be it a link. @throws InputError
 void write_png(_cairo_surface* surface, const std::filesystem::path& file);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::drawing

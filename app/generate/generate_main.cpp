@@ -15,7 +15,7 @@
 namespace
 {
 
-void add_options(CLI::App& command, voussoir::ArchBridge& bridge)
+void add_options(CLI::App& command, voussoir::importers::patterns::ArchBridge& bridge)
 {
     command.add_option("--span", bridge.span, "between the intrados springings [m]")->capture_default_str();
     command.add_option("--rise", bridge.rise, "of the intrados [m]")->capture_default_str();
@@ -31,7 +31,7 @@ void add_options(CLI::App& command, voussoir::ArchBridge& bridge)
 }
 
 /// The arch and the command that makes it again.
-voussoir::GeneratedMesh make(const voussoir::ArchBridge& bridge)
+voussoir::app::generate::GeneratedMesh make(const voussoir::importers::patterns::ArchBridge& bridge)
 {
     std::ostringstream line;
     line.precision(17);
@@ -39,12 +39,13 @@ voussoir::GeneratedMesh make(const voussoir::ArchBridge& bridge)
          << bridge.voussoirs << " --springing-thickness " << bridge.springing_thickness << " --crown-thickness "
          << bridge.crown_thickness << " --width " << bridge.width << " --abutment-length "
          << bridge.abutment_length << " --abutment-depth " << bridge.abutment_depth;
-    return {voussoir::arch_bridge(bridge), line.str(), "Metres, z up, x along the span, springings at z = 0."};
+    return {voussoir::importers::patterns::arch_bridge(bridge), line.str(),
+            "Metres, z up, x along the span, springings at z = 0."};
 }
 
-void write(const voussoir::GeneratedMesh& mesh, const std::filesystem::path& file)
+void write(const voussoir::app::generate::GeneratedMesh& mesh, const std::filesystem::path& file)
 {
-    const std::string text = voussoir::to_obj(
+    const std::string text = voussoir::importers::mesh::to_obj(
         mesh.surfaces, {"voussoir-generate " + mesh.command + " -o " + file.filename().string(),
                         "Made by the program above (GPL-3.0-or-later); this mesh itself is CC0-1.0.", mesh.axes});
     std::ofstream stream(file, std::ios::binary);
@@ -62,12 +63,12 @@ int main(int argc, char** argv)
         program.require_subcommand(1);
         CLI::App* arch =
             program.add_subcommand("arch-bridge", "a segmental stone arch between two abutment blocks");
-        voussoir::ArchBridge bridge;
+        voussoir::importers::patterns::ArchBridge bridge;
         add_options(*arch, bridge);
         CLI::App* wall = program.add_subcommand("wall", "a straight wall in running bond");
-        const auto wall_command = voussoir::add_wall_options(*wall);
+        const auto wall_command = voussoir::app::generate::add_wall_options(*wall);
         CLI::App* house = program.add_subcommand("house", "four walls with bonded corners, openings and lintels");
-        const auto house_command = voussoir::add_house_options(*house);
+        const auto house_command = voussoir::app::generate::add_house_options(*house);
         std::string file;
         for (CLI::App* command : {arch, wall, house})
             command->add_option("-o,--output", file, "OBJ file to write")->required();

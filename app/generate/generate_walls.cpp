@@ -9,7 +9,7 @@
 #include "importers/patterns/wall.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::generate
 {
 namespace
 {
@@ -29,20 +29,22 @@ std::string spelled(const std::string& flag, const Numbers& numbers)
     return text;
 }
 
-std::vector<PolygonSurface> surfaces_of(const std::vector<MasonryBlock>& blocks)
+std::vector<importers::mesh::PolygonSurface> surfaces_of(
+    const std::vector<importers::patterns::MasonryBlock>& blocks)
 {
-    std::vector<PolygonSurface> surfaces;
+    std::vector<importers::mesh::PolygonSurface> surfaces;
     surfaces.reserve(blocks.size());
-    for (const MasonryBlock& block : blocks) surfaces.push_back(to_surface(block));
+    for (const importers::patterns::MasonryBlock& block : blocks)
+        surfaces.push_back(importers::patterns::to_surface(block));
     return surfaces;
 }
 
-std::vector<Opening> openings_from(const std::string& flag, const Numbers& numbers)
+std::vector<importers::patterns::Opening> openings_from(const std::string& flag, const Numbers& numbers)
 {
     if (numbers.size() % 4 != 0)
         throw InputError(flag, std::to_string(numbers.size()) + " numbers",
                          "give AT,SILL,WIDTH,HEIGHT of each opening");
-    std::vector<Opening> openings;
+    std::vector<importers::patterns::Opening> openings;
     for (std::size_t i = 0; i < numbers.size(); i += 4)
         openings.push_back({numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]});
     return openings;
@@ -60,7 +62,7 @@ constexpr int max_numbers = 4000;  // of all openings of a wall
 struct CommonOptions {
     Numbers block{0.6, 0.3}, lintel{0.3, 0.3}, base, origin{0, 0, 0};
     double direction = 0;  // deg
-    Imperfection imperfection;
+    importers::patterns::Imperfection imperfection;
 
     void add_to(CLI::App& command)
     {
@@ -114,7 +116,7 @@ class WallCommand : public PatternCommand
     }
     GeneratedMesh make() const override
     {
-        Wall asked = wall_;
+        importers::patterns::Wall asked = wall_;
         asked.openings = openings_from("--opening", openings_);
         common_.apply_to(asked);
         const std::string command =
@@ -122,11 +124,12 @@ class WallCommand : public PatternCommand
             spelled("--height", {wall_.height}) + spelled("--thickness", {wall_.thickness}) + " --leaves " +
             std::to_string(wall_.leaves) + " --header-every " + std::to_string(wall_.header_every) +
             spelled("--opening", openings_) + common_.command_line();
-        return {surfaces_of(wall(asked)), command, "Metres, z up, the foot of the wall at z = 0."};
+        return {surfaces_of(importers::patterns::wall(asked)), command,
+                "Metres, z up, the foot of the wall at z = 0."};
     }
 
  private:
-    Wall wall_;
+    importers::patterns::Wall wall_;
     Numbers openings_;
     CommonOptions common_;
 };
@@ -141,33 +144,33 @@ class HouseCommand : public PatternCommand
         command.add_option("--width", house_.width, "outside, along y [m]")->capture_default_str();
         command.add_option("--height", house_.height, "[m]")->capture_default_str();
         command.add_option("--wall-thickness", house_.wall_thickness, "[m]")->capture_default_str();
-        for (std::size_t side = 0; side < side_names.size(); ++side)
+        for (std::size_t side = 0; side < importers::patterns::side_names.size(); ++side)
             add_list(command, flag(side), openings_[side], 4, max_numbers,
-                     std::string("AT,SILL,WIDTH,HEIGHT of an opening in the ") + side_names[side] +
-                         " wall [m]; repeat");
+                     std::string("AT,SILL,WIDTH,HEIGHT of an opening in the ") +
+                         importers::patterns::side_names[side] + " wall [m]; repeat");
         common_.base = {house_.base.height, house_.base.projection};
         common_.add_to(command);
     }
     GeneratedMesh make() const override
     {
-        House asked = house_;
+        importers::patterns::House asked = house_;
         common_.apply_to(asked);
         std::string command = "house --name " + house_.name + spelled("--length", {house_.length}) +
                               spelled("--width", {house_.width}) + spelled("--height", {house_.height}) +
                               spelled("--wall-thickness", {house_.wall_thickness});
-        for (std::size_t side = 0; side < side_names.size(); ++side) {
-            for (const Opening& opening : openings_from(flag(side), openings_[side]))
-                asked.openings.push_back({static_cast<Side>(side), opening});
+        for (std::size_t side = 0; side < importers::patterns::side_names.size(); ++side) {
+            for (const importers::patterns::Opening& opening : openings_from(flag(side), openings_[side]))
+                asked.openings.push_back({static_cast<importers::patterns::Side>(side), opening});
             command += spelled(flag(side), openings_[side]);
         }
-        return {surfaces_of(house(asked)), command + common_.command_line(),
+        return {surfaces_of(importers::patterns::house(asked)), command + common_.command_line(),
                 "Metres, z up, the foot of the walls at z = 0."};
     }
 
  private:
-    static std::string flag(std::size_t side) { return std::string("--") + side_names[side]; }
+    static std::string flag(std::size_t side) { return std::string("--") + importers::patterns::side_names[side]; }
 
-    House house_;
+    importers::patterns::House house_;
     std::array<Numbers, 4> openings_;
     CommonOptions common_;
 };
@@ -184,4 +187,4 @@ std::unique_ptr<PatternCommand> add_house_options(CLI::App& command)
     return std::make_unique<HouseCommand>(command);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::generate

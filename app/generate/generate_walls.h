@@ -12,12 +12,12 @@ namespace CLI
 class App;
 }
 
-namespace voussoir
+namespace voussoir::app::generate
 {
 
 /// What a sub-command makes.
 struct GeneratedMesh {
-    std::vector<PolygonSurface> surfaces;
+    std::vector<importers::mesh::PolygonSurface> surfaces;
     std::string
         command;       // with every parameter spelled out, so that a default that changes one day changes no mesh
     std::string axes;  // "Metres, z up, ..."
@@ -36,4 +36,4 @@ class PatternCommand
 std::unique_ptr<PatternCommand> add_wall_options(CLI::App& command);
 std::unique_ptr<PatternCommand> add_house_options(CLI::App& command);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::generate

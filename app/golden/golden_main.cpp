@@ -22,12 +22,12 @@ std::string digits(std::uint64_t hash)
 
 void print_hashes()
 {
-    const std::vector<golden::SceneHashes> hashes = golden::hashes();
+    const std::vector<app::golden::SceneHashes> hashes = app::golden::hashes();
     Json json;
-    json["engine"] = Json::parse(engine_json());
-    for (const auto& [name, value] : golden::machine()) json["machine"][name] = value;
-    json["behaviour"] = golden::behaviour(hashes);
-    for (const golden::SceneHashes& each : hashes)
+    json["engine"] = Json::parse(app::version::engine_json());
+    for (const auto& [name, value] : app::golden::machine()) json["machine"][name] = value;
+    json["behaviour"] = app::golden::behaviour(hashes);
+    for (const app::golden::SceneHashes& each : hashes)
         json["hashes"][each.name] = {{"state", digits(each.state)}, {"report", digits(each.report)}};
     std::printf("%s\n", json.dump(1).c_str());
 }

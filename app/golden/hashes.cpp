@@ -5,7 +5,7 @@
 
 #include "libdda/run/run.h"
 
-namespace voussoir::golden
+namespace voussoir::app::golden
 {
 
 namespace
@@ -101,4 +101,4 @@ std::string behaviour(const std::vector<SceneHashes>& hashes)
     return text;
 }
 
-}  // namespace voussoir::golden
+}  // namespace voussoir::app::golden

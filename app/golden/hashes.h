@@ -9,7 +9,7 @@
 #include "app/golden/scenes.h"
 #include "libdda/model/report.h"
 
-namespace voussoir::golden
+namespace voussoir::app::golden
 {
 
 /// Of one scene.
@@ -35,4 +35,4 @@ std::string behaviour(const std::vector<SceneHashes>& hashes);
 /// "blas".
 std::vector<std::pair<std::string, std::string>> machine();
 
-}  // namespace voussoir::golden
+}  // namespace voussoir::app::golden

@@ -6,7 +6,7 @@
 #include "app/golden/hashes.h"
 #include "libdda/compilation.h"
 
-namespace voussoir::golden
+namespace voussoir::app::golden
 {
 
 namespace
@@ -51,4 +51,4 @@ std::vector<std::pair<std::string, std::string>> machine()
             {"blas", library_of("dgemm_")}};
 }
 
-}  // namespace voussoir::golden
+}  // namespace voussoir::app::golden

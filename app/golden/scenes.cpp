@@ -7,7 +7,7 @@
 
 #include "libdda/geometry/plane.h"
 
-namespace voussoir::golden
+namespace voussoir::app::golden
 {
 
 namespace
@@ -256,4 +256,4 @@ std::vector<NamedScene> scenes()
     return all;
 }
 
-}  // namespace voussoir::golden
+}  // namespace voussoir::app::golden

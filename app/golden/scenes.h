@@ -12,7 +12,7 @@
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
-namespace voussoir::golden
+namespace voussoir::app::golden
 {
 
 /// A scene ready to run.
@@ -31,4 +31,4 @@ struct NamedScene {
 /// in each kind of unknowns, with each integrator, open-close iteration and linear solver.
 std::vector<NamedScene> scenes();
 
-}  // namespace voussoir::golden
+}  // namespace voussoir::app::golden

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 namespace
 {
@@ -65,4 +65,4 @@ std::vector<Tick> ticks_of(const Axis& axis)
     return axis.logarithmic ? powers_of_ten(axis) : round_numbers(axis);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 
 struct Tick {
@@ -26,4 +26,4 @@ Axis axis_for(const std::vector<double>& values, bool logarithmic);
 /// Powers of ten and what lies between; or 4 to 9 multiples of 1, 2 or 5 times a power of ten.
 std::vector<Tick> ticks_of(const Axis& axis);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

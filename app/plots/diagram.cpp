@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Curve, name, x, y, is_reference)
@@ -24,4 +24,4 @@ std::vector<Figure> figures_of_json(const std::string& text)
     return nlohmann::json::parse(text).get<std::vector<Figure>>();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 
 struct Curve {
@@ -61,4 +61,4 @@ struct Figure {
 std::string figures_json(const std::vector<Figure>& figures);
 std::vector<Figure> figures_of_json(const std::string& text);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

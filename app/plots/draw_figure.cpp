@@ -10,7 +10,7 @@
 #include "app/drawing/pen.h"
 #include "app/plots/axis.h"
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 namespace
 {
@@ -18,12 +18,12 @@ namespace
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-constexpr Color ink{0.13, 0.14, 0.17}, faint_ink{0.42, 0.44, 0.48}, grid_ink{0.91, 0.92, 0.94};
-constexpr Color reference_ink{0.78, 0.79, 0.81};
-constexpr Color tolerance_ink{0.10, 0.45, 0.25}, paper_ink{0.75, 0.22, 0.17};
+constexpr drawing::Color ink{0.13, 0.14, 0.17}, faint_ink{0.42, 0.44, 0.48}, grid_ink{0.91, 0.92, 0.94};
+constexpr drawing::Color reference_ink{0.78, 0.79, 0.81};
+constexpr drawing::Color tolerance_ink{0.10, 0.45, 0.25}, paper_ink{0.75, 0.22, 0.17};
 // Okabe and Ito's colours: told apart by the colour-blind.
-constexpr Color palette[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45},
-                             {0.80, 0.47, 0.65}, {0.34, 0.71, 0.91}, {0.84, 0.37, 0.00}};
+constexpr drawing::Color palette[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45},
+                                      {0.80, 0.47, 0.65}, {0.34, 0.71, 0.91}, {0.84, 0.37, 0.00}};
 
 // Logical pixels; the picture has `sharpness` pixels to each.
 constexpr double sharpness = 2, panel_width = 430, panel_height = 330, head = 74, foot = 60;
@@ -75,11 +75,12 @@ Panel place(const Diagram& diagram, const Figure& figure, const Sheet& sheet, st
 /// @param anchor 0 left, 0.5 middle, 1 right end of the label at x
 void write_value(cairo_t* pen, const Axis& axis, double value, double x, double y, double anchor)
 {
-    use(pen, ink);
-    if (axis.logarithmic) return write_power(pen, static_cast<int>(std::lround(std::log10(value))), x, y, anchor);
+    drawing::use(pen, ink);
+    if (axis.logarithmic)
+        return drawing::write_power(pen, static_cast<int>(std::lround(std::log10(value))), x, y, anchor);
     const bool is_zero = std::abs(value) < 1e-9 * (axis.high - axis.low);
-    font(pen, 12);
-    write(pen, fmt::format("{:.6g}", is_zero ? 0 : value), x, y, anchor);
+    drawing::font(pen, 12);
+    drawing::write(pen, fmt::format("{:.6g}", is_zero ? 0 : value), x, y, anchor);
 }
 
 void draw_grid_of_x(cairo_t* pen, const Panel& panel)
@@ -87,11 +88,11 @@ void draw_grid_of_x(cairo_t* pen, const Panel& panel)
     const double bottom = panel.top + panel.height;
     for (const Tick& tick : ticks_of(panel.x)) {
         const double x = panel.at_x(tick.value);
-        use(pen, faint_ink);
-        line(pen, x, bottom, x, bottom + (tick.is_labelled ? 5 : 3));
+        drawing::use(pen, faint_ink);
+        drawing::line(pen, x, bottom, x, bottom + (tick.is_labelled ? 5 : 3));
         if (!tick.is_labelled) continue;
-        use(pen, grid_ink);
-        line(pen, x, panel.top, x, bottom);
+        drawing::use(pen, grid_ink);
+        drawing::line(pen, x, panel.top, x, bottom);
         write_value(pen, panel.x, tick.value, x, bottom + 21, 0.5);
     }
 }
@@ -101,27 +102,27 @@ void draw_grid_of_y(cairo_t* pen, const Panel& panel)
     for (const Tick& tick : ticks_of(panel.y)) {
         if (!tick.is_labelled) continue;
         const double y = panel.at_y(tick.value);
-        use(pen, grid_ink);
-        line(pen, panel.left, y, panel.left + panel.width, y);
-        use(pen, faint_ink);
-        line(pen, panel.left - 5, y, panel.left, y);
+        drawing::use(pen, grid_ink);
+        drawing::line(pen, panel.left, y, panel.left + panel.width, y);
+        drawing::use(pen, faint_ink);
+        drawing::line(pen, panel.left - 5, y, panel.left, y);
         write_value(pen, panel.y, tick.value, panel.left - 9, y + 4.5, 1);
     }
 }
 
 void draw_frame(cairo_t* pen, const Diagram& diagram, const Panel& panel)
 {
-    use(pen, faint_ink);
+    drawing::use(pen, faint_ink);
     cairo_set_line_width(pen, 1.2);
     cairo_rectangle(pen, panel.left, panel.top, panel.width, panel.height);
     cairo_stroke(pen);
-    use(pen, ink);
-    font(pen, 13);
-    write(pen, diagram.x_title, panel.left + panel.width / 2, panel.top + panel.height + 45, 0.5);
+    drawing::use(pen, ink);
+    drawing::font(pen, 13);
+    drawing::write(pen, diagram.x_title, panel.left + panel.width / 2, panel.top + panel.height + 45, 0.5);
     cairo_save(pen);
     cairo_translate(pen, panel.left - 50, panel.top + panel.height / 2);
     cairo_rotate(pen, -1.5707963267948966);
-    write(pen, diagram.y_title, 0, 0, 0.5);
+    drawing::write(pen, diagram.y_title, 0, 0, 0.5);
     cairo_restore(pen);
 }
 
@@ -131,13 +132,13 @@ void draw_levels(cairo_t* pen, const Diagram& diagram, const Panel& panel)
     cairo_set_line_width(pen, 1.5);
     for (const Level& level : diagram.levels) {
         const double y = panel.at_y(level.y);
-        use(pen, level.tolerance ? tolerance_ink : paper_ink);
+        drawing::use(pen, level.tolerance ? tolerance_ink : paper_ink);
         cairo_set_dash(pen, dash, 2, 0);
-        line(pen, panel.left, y, panel.left + panel.width, y);
+        drawing::line(pen, panel.left, y, panel.left + panel.width, y);
         cairo_set_dash(pen, nullptr, 0, 0);
-        font(pen, 11);
+        drawing::font(pen, 11);
         const double below = y < panel.top + 16 ? y + 13 : y - 5;
-        write_on_white(pen, level.name, panel.left + panel.width - 6, below);
+        drawing::write_on_white(pen, level.name, panel.left + panel.width - 6, below);
     }
 }
 
@@ -150,7 +151,7 @@ struct Style {
 
 void use(cairo_t* pen, const Style& style)
 {
-    use(pen, style.is_reference ? reference_ink : palette[style.number % std::size(palette)]);
+    drawing::use(pen, style.is_reference ? reference_ink : palette[style.number % std::size(palette)]);
     cairo_set_line_width(pen, style.is_reference ? 5 : 1.8);
 }
 
@@ -164,7 +165,7 @@ void draw_curve(cairo_t* pen, const Curve& curve, const Style& style, const Pane
     if (!style.has_marks) return;
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
         use(pen, style);
-        mark(pen, style.number, panel.at_x(curve.x[i]), panel.at_y(curve.y[i]));
+        drawing::mark(pen, style.number, panel.at_x(curve.x[i]), panel.at_y(curve.y[i]));
     }
 }
 
@@ -200,17 +201,17 @@ void draw_legend(cairo_t* pen, const Figure& figure, const std::vector<Style>& s
     for (std::size_t i = 0; i < styles.size(); ++i) {
         const double x = axis_left + legend_width * static_cast<double>(i % columns);
         use(pen, styles[i]);
-        line(pen, x, y - 4, x + 28, y - 4);
-        if (styles[i].has_marks) mark(pen, styles[i].number, x + 14, y - 4);
-        use(pen, ink);
-        font(pen, 12);
-        write(pen, styles[i].name, x + 36, y);
+        drawing::line(pen, x, y - 4, x + 28, y - 4);
+        if (styles[i].has_marks) drawing::mark(pen, styles[i].number, x + 14, y - 4);
+        drawing::use(pen, ink);
+        drawing::font(pen, 12);
+        drawing::write(pen, styles[i].name, x + 36, y);
         if (i % columns == columns - 1 || i + 1 == styles.size()) y += legend_line;
     }
-    use(pen, paper_ink);
-    font(pen, 11);
+    drawing::use(pen, paper_ink);
+    drawing::font(pen, 11);
     for (const std::string& note : figure.notes) {
-        write(pen, note, axis_left, y);
+        drawing::write(pen, note, axis_left, y);
         y += note_line;
     }
 }
@@ -218,14 +219,15 @@ void draw_legend(cairo_t* pen, const Figure& figure, const std::vector<Style>& s
 /// A title too long for the picture is drawn smaller.
 void write_head(cairo_t* pen, const Figure& figure, double width)
 {
-    font(pen, 17, true);
+    drawing::font(pen, 17, true);
     const double room = width - axis_left - axis_right;
-    font(pen, 17 * std::clamp(room / std::max(width_of(pen, figure.title), 1.0), 0.55, 1.0), true);
-    use(pen, ink);
-    write(pen, figure.title, axis_left, 32);
-    font(pen, 12);
-    use(pen, faint_ink);
-    write(pen, figure.subtitle, axis_left, 54);
+    drawing::font(pen, 17 * std::clamp(room / std::max(drawing::width_of(pen, figure.title), 1.0), 0.55, 1.0),
+                  true);
+    drawing::use(pen, ink);
+    drawing::write(pen, figure.title, axis_left, 32);
+    drawing::font(pen, 12);
+    drawing::use(pen, faint_ink);
+    drawing::write(pen, figure.subtitle, axis_left, 54);
 }
 
 }  // namespace
@@ -261,7 +263,7 @@ void draw_figure(const Figure& figure, const std::filesystem::path& file)
         }
         draw_legend(pen.get(), figure, styles, columns, head + sheet.panels_height + 8);
     }
-    write_png(surface.get(), file);
+    drawing::write_png(surface.get(), file);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

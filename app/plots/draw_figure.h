@@ -5,10 +5,10 @@
 
 #include "app/plots/diagram.h"
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 
 /// @throws InputError when the file cannot be written
 void draw_figure(const Figure& figure, const std::filesystem::path& file);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

@@ -5,11 +5,11 @@
 
 #include "app/plots/diagram.h"
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 
 /// @param figure with one map
 /// @throws InputError when the file cannot be written
 void draw_map(const Figure& figure, const std::filesystem::path& file);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

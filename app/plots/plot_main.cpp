@@ -14,9 +14,10 @@ int main()
         std::string folder;
         std::getline(std::cin, folder);
         const std::string text(std::istreambuf_iterator<char>(std::cin), {});
-        for (const voussoir::Figure& figure : voussoir::figures_of_json(text)) {
+        for (const voussoir::app::plots::Figure& figure : voussoir::app::plots::figures_of_json(text)) {
             const std::filesystem::path file = std::filesystem::path(folder) / (figure.name + ".png");
-            figure.maps.empty() ? draw_figure(figure, file) : draw_map(figure, file);
+            figure.maps.empty() ? voussoir::app::plots::draw_figure(figure, file)
+                                : voussoir::app::plots::draw_map(figure, file);
             std::cout << figure.name << '\n';
         }
         return 0;

@@ -5,14 +5,14 @@
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 namespace
 {
 
 std::filesystem::path helper()
 {
-    return helper_folder() / "voussoir-plot";
+    return importers::process::helper_folder() / "voussoir-plot";
 }
 
 }  // namespace
@@ -34,7 +34,8 @@ std::vector<std::string> draw_figures(const std::vector<Figure>& figures, const 
     std::filesystem::create_directories(folder, error);
     if (error) throw InputError(folder.string(), error.message(), "name a folder that can be created");
     const std::string request = std::filesystem::absolute(folder).string() + "\n" + figures_json(figures);
-    const ChildAnswer answer = ask_child(helper(), request, seconds_allowed, max_output);
+    const importers::process::ChildAnswer answer =
+        importers::process::ask_child(helper(), request, seconds_allowed, max_output);
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-plot drew no diagrams: " + answer.failure, "see its message");
     std::vector<std::string> names;
@@ -43,4 +44,4 @@ std::vector<std::string> draw_figures(const std::vector<Figure>& figures, const 
     return names;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

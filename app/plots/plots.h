@@ -7,7 +7,7 @@
 
 #include "app/plots/diagram.h"
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 
 /// Is the helper program there? A build without rendering has none.
@@ -18,4 +18,4 @@ bool can_draw_figures();
 /// @throws InputError when there is no helper or it fails
 std::vector<std::string> draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 struct AskedKeys {
@@ -16,4 +16,4 @@ struct AskedKeys {
 /// Where this thread notes what readers ask; nowhere, unless a test says where.
 inline thread_local AskedKeys* asked_keys = nullptr;
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -6,7 +6,7 @@
 #include "app/reader/plane.h"
 #include "app/words/nearest_word.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -35,7 +35,7 @@ std::vector<int> matching_blocks(YamlCursor& entry, const Model& model)
     }
     // Without blocks there are faults already, and this would only be their echo.
     if (blocks.empty() && !names.empty() && !wanted.empty())
-        pattern->fault("\"" + wanted + "\" matches no block", suggestion(wanted, names));
+        pattern->fault("\"" + wanted + "\" matches no block", words::suggestion(wanted, names));
     return blocks;
 }
 
@@ -59,8 +59,10 @@ void read_entry(YamlCursor& entry, Model& model)
 {
     if (!entry.expect_map("an attached mass {blocks, mass, at}")) return;
     const std::vector<int> blocks = matching_blocks(entry, model);
-    const std::optional<double> each = entry.find_quantity("mass", dimension::mass, Range::positive());
-    const std::optional<double> total = entry.find_quantity("total", dimension::mass, Range::positive());
+    const std::optional<double> each =
+        entry.find_quantity("mass", words::dimension::mass, words::Range::positive());
+    const std::optional<double> total =
+        entry.find_quantity("total", words::dimension::mass, words::Range::positive());
     const Place place = place_of_mass(entry, model);
     entry.reject_unknown_keys();
     if (each.has_value() == total.has_value())
@@ -83,4 +85,4 @@ void read_attached_masses(YamlCursor& top, Model& model)
     for (YamlCursor& entry : section->items("a list of attached masses")) read_entry(entry, model);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

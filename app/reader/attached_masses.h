@@ -4,7 +4,7 @@
 #include "app/reader/yaml_cursor.h"
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// `attached_masses: [{blocks: "south_c09_*", mass: 500 kg, at: top}]`: adds to each matching block `mass`, or its
@@ -12,4 +12,4 @@ namespace voussoir
 /// of its own. Blocks and, in a planar scene, the thickness must have been read.
 void read_attached_masses(YamlCursor& top, Model& model);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -11,7 +11,7 @@
 #include "importers/helper/geometry.h"
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 constexpr const char* default_group = "masonry";
@@ -27,7 +27,7 @@ struct GroupPattern {
 struct MeshEntry {
     YamlCursor file;   // where it is written
     std::string name;  // as it is written
-    MeshRequest request;
+    importers::helper::MeshRequest request;
     int material = 0;
     std::vector<GroupPattern> patterns;
 };
@@ -109,4 +109,4 @@ void settle_thickness(const YamlCursor& top, std::optional<double> thickness, Bl
 /// Imports all meshes at once and adds their stones; does nothing if there is none.
 void import_meshes(BlockReading& reading);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

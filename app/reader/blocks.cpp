@@ -11,7 +11,7 @@
 #include "app/words/nearest_word.h"
 #include "importers/patterns/max_blocks.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -171,7 +171,7 @@ int read_material_name(YamlCursor& entry, const std::vector<BlockMaterial>& mate
     const std::string name = value->as_text();
     const auto at = std::find(names.begin(), names.end(), name);
     if (at != names.end()) return static_cast<int>(at - names.begin());
-    if (!name.empty()) value->fault("no material \"" + name + "\"", suggestion(name, names));
+    if (!name.empty()) value->fault("no material \"" + name + "\"", words::suggestion(name, names));
     return 0;
 }
 
@@ -208,8 +208,9 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     if (entries.empty() && section->is_list())
         section->fault("no block", "give at least one mesh, box, polygon, wall or house");
     const auto are_too_many = [&](YamlCursor& where) {
-        if (model.blocks.size() <= max_blocks) return false;
-        where.fault(fmt::format("more than {} blocks", max_blocks), "give larger blocks or fewer walls");
+        if (model.blocks.size() <= importers::patterns::max_blocks) return false;
+        where.fault(fmt::format("more than {} blocks", importers::patterns::max_blocks),
+                    "give larger blocks or fewer walls");
         return true;
     };
     for (YamlCursor& entry : entries) {
@@ -227,4 +228,4 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     return files;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

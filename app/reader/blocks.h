@@ -6,7 +6,7 @@
 #include "app/reader/yaml_cursor.h"
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// Reads meshes (through the geometry helper, started only if there is one) and boxes into model.blocks,
@@ -19,4 +19,4 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
 /// Does a name match a pattern in which * stands for any letters and ? for one?
 bool matches_pattern(std::string_view name, std::string_view pattern);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

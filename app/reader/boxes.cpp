@@ -3,7 +3,7 @@
 
 #include "app/reader/block_reading.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -14,10 +14,10 @@ void rotate_vertices(YamlCursor& rotate, const Eigen::Vector3d& centre, std::vec
     if (!rotate.expect_map("a rotation {axis: [x, y, z], angle: 45 deg}")) return;
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), about = centre;
     if (const auto value = rotate.require("axis", "the axis of the rotation [x, y, z]"))
-        axis = value->as_vector(dimension::number);
-    const double angle = rotate.quantity("angle", dimension::angle, Range::any());
+        axis = value->as_vector(words::dimension::number);
+    const double angle = rotate.quantity("angle", words::dimension::angle, words::Range::any());
     if (const auto value = rotate.find("about"))
-        about = value->as_vector(dimension::length);
+        about = value->as_vector(words::dimension::length);
     else
         rotate.took_default("about", "the centre of the box");
     rotate.reject_unknown_keys();
@@ -29,7 +29,7 @@ void rotate_vertices(YamlCursor& rotate, const Eigen::Vector3d& centre, std::vec
 Eigen::Vector3d read_corner(YamlCursor& box, const std::string& key)
 {
     const auto value = box.require(key, "the " + key + " corner [x, y, z]");
-    if (value) return value->as_vector(dimension::length);
+    if (value) return value->as_vector(words::dimension::length);
     return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -57,4 +57,4 @@ void read_box(YamlCursor& entry, YamlCursor& box, BlockReading& reading)
     add_block(name, box.place(), belonging.group, belonging.material, {std::move(shape)}, reading);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

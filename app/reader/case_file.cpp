@@ -14,7 +14,7 @@
 #include "app/reader/stages.h"
 #include "app/reader/yaml_cursor.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -97,4 +97,4 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     return result;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

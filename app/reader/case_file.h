@@ -10,12 +10,12 @@
 #include "importers/helper/geometry.h"
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// The stones of a case as far as they could be read, for the certificate of one that cannot be run.
 struct CaseStones {
-    Geometry geometry;  // what the mesh files gave, refused stones too
+    importers::helper::Geometry geometry;  // what the mesh files gave, refused stones too
     Model model;
 };
 
@@ -32,4 +32,4 @@ inline Case case_reader(const std::filesystem::path& file, const std::vector<std
     return read_case(file, overrides);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 std::vector<std::string> in_words(const std::vector<TakenDefault>& defaults)
@@ -21,4 +21,4 @@ std::vector<std::string> in_words(const std::vector<TakenDefault>& defaults)
     return lines;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -7,7 +7,7 @@
 #include "importers/helper/geometry.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// A default that was taken: "stages[1]", "time_step", "0.002 s".
@@ -22,10 +22,10 @@ struct Findings {
     std::vector<TakenDefault> defaults;
     std::vector<std::string> warnings;
     std::vector<std::string> former_keys;  // used by the case and warned of: once each
-    Geometry geometry;                     // what the mesh files gave, refused stones too: for the certificate
+    importers::helper::Geometry geometry;  // what the mesh files gave, refused stones too: for the certificate
 };
 
 /// One line for each part of the case: "stages[1]: time_step = 0.002 s, integrator = newmark".
 std::vector<std::string> in_words(const std::vector<TakenDefault>& defaults);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

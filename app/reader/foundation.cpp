@@ -6,7 +6,7 @@
 #include "app/reader/plane.h"
 #include "app/words/nearest_word.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -69,7 +69,7 @@ std::vector<int> blocks_of_group(const YamlCursor& value, const Model& model)
         if (model.groups[model.blocks[i].group] == name) blocks.push_back(i);
     // Without blocks there are faults already, and a missing group is only their echo.
     if (blocks.empty() && !name.empty() && !model.blocks.empty())
-        value.fault("no block is in group \"" + name + "\"", suggestion(name, model.groups));
+        value.fault("no block is in group \"" + name + "\"", words::suggestion(name, model.groups));
     return blocks;
 }
 
@@ -103,4 +103,4 @@ void read_foundation_motions(YamlCursor& map, const std::vector<FoundationEntry>
     map.reject_unknown_keys();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

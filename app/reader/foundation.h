@@ -10,7 +10,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// One entry of `foundation`: which of model.foundations came from it, and the motion it carries, to be read when
@@ -34,4 +34,4 @@ std::vector<int> blocks_of_group(const YamlCursor& value, const Model& model);
 void read_foundation_motions(YamlCursor& map, const std::vector<FoundationEntry>& entries,
                              std::optional<double> stage_duration, MotionContext& context, Stage& stage);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

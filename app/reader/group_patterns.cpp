@@ -1,7 +1,7 @@
 #include "app/reader/block_reading.h"
 #include "app/reader/blocks.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 std::vector<GroupPattern> read_group_patterns(YamlCursor& entry)
@@ -40,4 +40,4 @@ void refuse_unused_patterns(const std::vector<GroupPattern>& patterns, const std
                                   how_stones_are_named);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -9,7 +9,7 @@
 #include "app/words/nearest_word.h"
 #include "libdda/model/standard_gravity.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -19,9 +19,11 @@ double read_density(YamlCursor& map)
 {
     const std::optional<YamlCursor> value = map.require("density", "a density such as 2400 kg/m3");
     if (!value) return 0;
-    const bool is_weight = value->is_scalar() && parse_quantity(value->as_text()).has(dimension::unit_weight);
-    if (!is_weight) return value->as_quantity(dimension::density, Range::positive());
-    const double density = value->as_quantity(dimension::unit_weight, Range::positive()) / standard_gravity;
+    const bool is_weight =
+        value->is_scalar() && words::parse_quantity(value->as_text()).has(words::dimension::unit_weight);
+    if (!is_weight) return value->as_quantity(words::dimension::density, words::Range::positive());
+    const double density =
+        value->as_quantity(words::dimension::unit_weight, words::Range::positive()) / standard_gravity;
     map.took_default("density", fmt::format("{} / 9.80665 m/s2 = {:g} kg/m3", value->as_text(), density));
     return density;
 }
@@ -34,19 +36,20 @@ ContactStiffness read_stiffness(YamlCursor& map)
         map.took_default("contact_stiffness", "from the blocks' modulus and depth");
         return {};
     }
-    const ParsedQuantity quantity = value->is_scalar() ? parse_quantity(value->as_text()) : ParsedQuantity{};
-    if (quantity.problem.empty() && quantity.has(dimension::stiffness_per_point))
+    const words::ParsedQuantity quantity =
+        value->is_scalar() ? words::parse_quantity(value->as_text()) : words::ParsedQuantity{};
+    if (quantity.problem.empty() && quantity.has(words::dimension::stiffness_per_point))
         return {ContactStiffness::Kind::per_point,
-                value->as_quantity(dimension::stiffness_per_point, Range::positive())};
-    if (quantity.problem.empty() && quantity.has(dimension::stiffness_per_area))
+                value->as_quantity(words::dimension::stiffness_per_point, words::Range::positive())};
+    if (quantity.problem.empty() && quantity.has(words::dimension::stiffness_per_area))
         return {ContactStiffness::Kind::per_area,
-                value->as_quantity(dimension::stiffness_per_area, Range::positive())};
+                value->as_quantity(words::dimension::stiffness_per_area, words::Range::positive())};
     value->fault(value->found() + (quantity.bare ? " has no unit; the unit determines the meaning" : ""),
                  "expected 1e8 N/m (per contact point) or 50 MPa/m (per area)");
     return {};
 }
 
-const Range friction_range{0, std::numbers::pi / 2, true, false};
+const words::Range friction_range{0, std::numbers::pi / 2, true, false};
 
 /// How friction changes with the speed of slip: a list of {speed, friction}.
 std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
@@ -59,11 +62,12 @@ std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
     for (YamlCursor& item : list->items("a list of {speed: 1 cm/s, friction: 20 deg}")) {
         if (!item.expect_map("a point {speed: 1 cm/s, friction: 20 deg}")) continue;
         FrictionAtSpeed point;
-        point.speed = item.quantity("speed", dimension::velocity, Range::positive());
-        point.angle = item.quantity("friction", dimension::angle, friction_range);
+        point.speed = item.quantity("speed", words::dimension::velocity, words::Range::positive());
+        point.angle = item.quantity("friction", words::dimension::angle, friction_range);
         item.reject_unknown_keys();
         if (point.speed <= last)
-            item.fault(in_words(point.speed, dimension::velocity), "speeds must be in ascending order");
+            item.fault(words::in_words(point.speed, words::dimension::velocity),
+                       "speeds must be in ascending order");
         last = point.speed;
         points.push_back(point);
     }
@@ -74,17 +78,19 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
 {
     JointMaterial joint;
     joint.name = name;
-    joint.friction_angle = map.quantity("friction", dimension::angle, friction_range);
+    joint.friction_angle = map.quantity("friction", words::dimension::angle, friction_range);
     joint.friction_at_speed = read_friction_at_speed(map);
-    joint.cohesion = map.quantity_or("cohesion", dimension::pressure, Range::non_negative(), joint.cohesion);
-    joint.tensile_strength =
-        map.quantity_or("tensile_strength", dimension::pressure, Range::non_negative(), joint.tensile_strength);
+    joint.cohesion =
+        map.quantity_or("cohesion", words::dimension::pressure, words::Range::non_negative(), joint.cohesion);
+    joint.tensile_strength = map.quantity_or("tensile_strength", words::dimension::pressure,
+                                             words::Range::non_negative(), joint.tensile_strength);
     joint.stiffness = read_stiffness(map);
     if (const std::optional<YamlCursor> factor = map.find("contact_stiffness_factor"))
-        joint.stiffness.factor = factor->as_quantity(dimension::number, Range::positive());
-    joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", dimension::number,
-                                                      Range::positive(), joint.shear_to_normal_stiffness);
-    joint.dashpot = map.quantity_or("relaxation_time", dimension::time, Range::non_negative(), joint.dashpot);
+        joint.stiffness.factor = factor->as_quantity(words::dimension::number, words::Range::positive());
+    joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", words::dimension::number,
+                                                      words::Range::positive(), joint.shear_to_normal_stiffness);
+    joint.dashpot =
+        map.quantity_or("relaxation_time", words::dimension::time, words::Range::non_negative(), joint.dashpot);
     map.reject_unknown_keys();
     return joint;
 }
@@ -103,7 +109,7 @@ int find_name(const YamlCursor& value, const std::vector<std::string>& names, co
     const std::string name = value.as_text();
     if (name.empty()) return -1;
     const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end()) value.fault(fmt::format("no {} \"{}\"", what, name), suggestion(name, names));
+    if (at == names.end()) value.fault(fmt::format("no {} \"{}\"", what, name), words::suggestion(name, names));
     return at == names.end() ? -1 : static_cast<int>(at - names.begin());
 }
 
@@ -148,10 +154,11 @@ std::vector<BlockMaterial> read_materials(YamlCursor& top)
         BlockMaterial material;
         material.name = name;
         material.density = read_density(map);
-        material.young = map.quantity("young", dimension::pressure, Range::positive());
-        material.poisson = map.quantity("poisson", dimension::number, {-1, 0.5, false, false});
+        material.young = map.quantity("young", words::dimension::pressure, words::Range::positive());
+        material.poisson = map.quantity("poisson", words::dimension::number, {-1, 0.5, false, false});
         material.compressive_strength =
-            map.find_quantity("compressive_strength", dimension::pressure, Range::positive()).value_or(0);
+            map.find_quantity("compressive_strength", words::dimension::pressure, words::Range::positive())
+                .value_or(0);
         map.reject_unknown_keys();
         materials.push_back(material);
     }
@@ -181,4 +188,4 @@ std::vector<int> read_joint_rules(YamlCursor& top, const std::vector<JointMateri
     return joint_of_groups;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -7,7 +7,7 @@
 #include "app/reader/yaml_cursor.h"
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 std::vector<BlockMaterial> read_materials(YamlCursor& top);
@@ -19,4 +19,4 @@ std::vector<JointMaterial> read_joints(YamlCursor& top);
 std::vector<int> read_joint_rules(YamlCursor& top, const std::vector<JointMaterial>& joints,
                                   const std::vector<std::string>& groups);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

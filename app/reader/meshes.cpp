@@ -5,7 +5,7 @@
 #include "app/reader/block_reading.h"
 #include "libdda/geometry/plane.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -19,8 +19,8 @@ double read_unit(YamlCursor& entry)
         return 0;
     }
     const std::string name = value->as_text();
-    const ParsedQuantity one = parse_quantity("1 " + name);
-    if (one.problem.empty() && one.has(dimension::length) && !one.bare) return one.value;
+    const words::ParsedQuantity one = words::parse_quantity("1 " + name);
+    if (one.problem.empty() && one.has(words::dimension::length) && !one.bare) return one.value;
     value->fault("\"" + name + "\" is not a unit of length", "expected m, cm, mm, ft, in or km");
     return 1;
 }
@@ -29,12 +29,12 @@ double read_unit(YamlCursor& entry)
 /// share of its volume is a mistake.
 constexpr double max_overlap = 0.01;
 
-void judge_overlaps(const Geometry& geometry, BlockReading& reading)
+void judge_overlaps(const importers::helper::Geometry& geometry, BlockReading& reading)
 {
     const std::string place = reading.meshes.front().file.place();
     int small = 0;
     double largest = 0;
-    for (const Overlap& overlap : geometry.overlaps) {
+    for (const importers::helper::Overlap& overlap : geometry.overlaps) {
         if (overlap.fraction > max_overlap) {
             reading.findings.faults.push_back({place + ": " + overlap.stone_a + " and " + overlap.stone_b,
                                                fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
@@ -58,12 +58,12 @@ void warn_of_repairs(const std::string& place, const std::vector<std::string>& r
 }
 
 /// The answer of the geometry helper about one file, as faults, warnings and blocks.
-void take_mesh(MeshEntry& entry, const ImportedMesh& mesh, BlockReading& reading)
+void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, BlockReading& reading)
 {
     const std::string place = entry.file.place() + ": " + entry.name;
     warn_of_repairs(place, mesh.repairs, reading.findings);
     bool stone_refused = false;
-    for (const Stone& stone : mesh.stones) {
+    for (const importers::helper::Stone& stone : mesh.stones) {
         const std::string stone_place = place + ": " + stone.name;
         warn_of_repairs(stone_place, stone.repairs, reading.findings);
         stone_refused = stone_refused || !stone.reason.empty();
@@ -93,18 +93,21 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
     const std::optional<char> up = entry.find_choice<char>("up", {{"x", 'x'}, {"y", 'y'}, {"z", 'z'}});
     if (!up) entry.took_default("up", "as stated in the file, otherwise z");
     mesh.request.up = up.value_or(0);
-    mesh.request.stones = entry.choice_or<StoneLevel>("stones",
-                                                      {{"detect", StoneLevel::detect},
-                                                       {"file", StoneLevel::file},
-                                                       {"object", StoneLevel::object},
-                                                       {"group", StoneLevel::group},
-                                                       {"node", StoneLevel::node},
-                                                       {"component", StoneLevel::component}},
-                                                      StoneLevel::detect);
-    mesh.request.planarity = entry.quantity_or("planarity", dimension::number, Range{0, 0.01, false, true}, 1e-5);
+    mesh.request.stones =
+        entry.choice_or<importers::helper::StoneLevel>("stones",
+                                                       {{"detect", importers::helper::StoneLevel::detect},
+                                                        {"file", importers::helper::StoneLevel::file},
+                                                        {"object", importers::helper::StoneLevel::object},
+                                                        {"group", importers::helper::StoneLevel::group},
+                                                        {"node", importers::helper::StoneLevel::node},
+                                                        {"component", importers::helper::StoneLevel::component}},
+                                                       importers::helper::StoneLevel::detect);
+    mesh.request.planarity =
+        entry.quantity_or("planarity", words::dimension::number, words::Range{0, 0.01, false, true}, 1e-5);
     mesh.request.volume_error =
-        entry.quantity_or("volume_error", dimension::number, Range{0, 0.2, false, true}, 0.01);
-    mesh.request.close_joints = entry.quantity_or("close_joints", dimension::length, Range::non_negative(), 0);
+        entry.quantity_or("volume_error", words::dimension::number, words::Range{0, 0.2, false, true}, 0.01);
+    mesh.request.close_joints =
+        entry.quantity_or("close_joints", words::dimension::length, words::Range::non_negative(), 0);
     entry.reject_unknown_keys();
     if (mesh.name.empty()) return;
     if (!std::filesystem::is_regular_file(mesh.request.file))
@@ -116,9 +119,10 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
 void import_meshes(BlockReading& reading)
 {
     if (reading.meshes.empty()) return;
-    std::vector<MeshRequest> requests;
+    std::vector<importers::helper::MeshRequest> requests;
     for (const MeshEntry& mesh : reading.meshes) requests.push_back(mesh.request);
-    const Geometry& geometry = reading.findings.geometry = import_geometry(requests, {});
+    const importers::helper::Geometry& geometry = reading.findings.geometry =
+        importers::helper::import_geometry(requests, {});
     reading.mesh_origin = geometry.origin;
     Model& model = reading.model;
     model.origin = is_planar(model.kinematics) ? to_space(from_space<2>(geometry.origin)) : geometry.origin;
@@ -128,4 +132,4 @@ void import_meshes(BlockReading& reading)
     judge_overlaps(geometry, reading);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -11,7 +11,7 @@
 #include "app/reader/wave.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -25,19 +25,21 @@ struct Scaling {
 Scaling read_scaling(YamlCursor& map)
 {
     Scaling scaling;
-    scaling.scale = map.find_quantity("scale", dimension::number, Range::any());
-    scaling.scale_to_pga = map.find_quantity("scale_to_pga", dimension::acceleration, Range::positive());
+    scaling.scale = map.find_quantity("scale", words::dimension::number, words::Range::any());
+    scaling.scale_to_pga =
+        map.find_quantity("scale_to_pga", words::dimension::acceleration, words::Range::positive());
     scaling.end_correction = map.find("end_correction") && map.boolean_or("end_correction", false);
     if (scaling.scale && scaling.scale_to_pga) map.fault("both scale and scale_to_pga", "give one of the two");
     return scaling;
 }
 
 /// Scales and corrects as asked, and says so in `description`.
-GroundMotion scale(GroundMotion motion, const Channel& channel, const Scaling& asked, std::string& description)
+GroundMotion scale(GroundMotion motion, const records::Channel& channel, const Scaling& asked,
+                   std::string& description)
 {
     if (asked.scale_to_pga && !(motion.peak_acceleration() > 0))
         throw InputError("", "its peak acceleration is 0", "it cannot be scaled to a peak");
-    if (asked.end_correction && channel.quantity != Quantity::acceleration)
+    if (asked.end_correction && channel.quantity != records::Quantity::acceleration)
         throw InputError("", "end_correction of a record that is not an acceleration", "remove it");
     const double factor =
         asked.scale_to_pga ? *asked.scale_to_pga / motion.peak_acceleration() : asked.scale.value_or(1);
@@ -50,16 +52,17 @@ GroundMotion scale(GroundMotion motion, const Channel& channel, const Scaling& a
 }
 
 /// A channel, processed and scaled as its motion says.
-std::optional<GroundMotion> finish(YamlCursor& map, const Channel& channel, const std::string& source,
+std::optional<GroundMotion> finish(YamlCursor& map, const records::Channel& channel, const std::string& source,
                                    const YamlCursor& blamed, std::string& description)
 {
     const std::size_t faults = map.fault_count();
     const Scaling scaling = read_scaling(map);
     try {
-        const std::optional<std::vector<Channel>> processed = process_as_written(map, {channel}, {}, description);
+        const std::optional<std::vector<records::Channel>> processed =
+            process_as_written(map, {channel}, {}, description);
         if (!processed || map.fault_count() > faults) return std::nullopt;
-        const Channel& result = processed->front();
-        return scale(to_ground_motion(result, source), result, scaling, description);
+        const records::Channel& result = processed->front();
+        return scale(records::to_ground_motion(result, source), result, scaling, description);
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults)
             blamed.fault(fault.place.empty() ? fault.found : fault.place + ": " + fault.found, fault.expected);
@@ -78,9 +81,9 @@ void read_in_vain(YamlCursor& map)
 std::optional<GroundMotion> read_recorded(YamlCursor& map, const YamlCursor& file, const MotionContext& context,
                                           std::string& description)
 {
-    const ReadOptions options = read_record_options(map, context.folder);
-    const std::optional<Record> record = read_named_record(file, context.folder, options);
-    const Channel* channel = record ? choose_channel(map, file, *record) : nullptr;
+    const records::ReadOptions options = read_record_options(map, context.folder);
+    const std::optional<records::Record> record = read_named_record(file, context.folder, options);
+    const records::Channel* channel = record ? choose_channel(map, file, *record) : nullptr;
     if (!channel) {
         map.find("component");  // known, even with nothing to choose from
         read_in_vain(map);
@@ -94,10 +97,11 @@ std::optional<GroundMotion> read_sine(YamlCursor& sine, std::optional<double> st
                                       std::string& description)
 {
     if (!sine.expect_map("a sine {acceleration: 0.5 g, frequency: 2.5 Hz}")) return std::nullopt;
-    const double amplitude = sine.quantity("acceleration", dimension::acceleration, Range::any());
-    const double frequency = sine.quantity("frequency", dimension::frequency, Range::positive());
-    const double phase = sine.quantity_or("phase", dimension::angle, Range::any(), 0);
-    std::optional<double> duration = sine.find_quantity("duration", dimension::time, Range::positive());
+    const double amplitude = sine.quantity("acceleration", words::dimension::acceleration, words::Range::any());
+    const double frequency = sine.quantity("frequency", words::dimension::frequency, words::Range::positive());
+    const double phase = sine.quantity_or("phase", words::dimension::angle, words::Range::any(), 0);
+    std::optional<double> duration =
+        sine.find_quantity("duration", words::dimension::time, words::Range::positive());
     sine.reject_unknown_keys();
     if (!duration && !stage_duration) sine.require("duration", "a time, here or as the stage's duration");
     if (!duration && stage_duration)
@@ -160,7 +164,7 @@ std::shared_ptr<const GroundMotion> read_motion(YamlCursor& map, const std::stri
         motion = read_sine(source, stage_duration, description);
         for (const char* key : {"processing", "scale", "scale_to_pga", "end_correction"})
             map.forbid(key, "a sine is defined by its parameters: change these, or use a ramped_sine");
-    } else if (const std::optional<Channel> wave = read_wave(sources[0], source, description)) {
+    } else if (const std::optional<records::Channel> wave = read_wave(sources[0], source, description)) {
         motion = finish(map, *wave, sources[0], source, description);
     } else {
         read_in_vain(map);
@@ -174,16 +178,16 @@ namespace
 {
 
 /// The motion of one channel of several along `component`, which is said with what was done to all of them.
-void add_joint_motion(YamlCursor& map, const Channel& channel, int component, const std::string& said,
+void add_joint_motion(YamlCursor& map, const records::Channel& channel, int component, const std::string& said,
                       MotionContext& context, std::vector<AxisMotion>& motions)
 {
     const bool is_taken = std::any_of(motions.begin(), motions.end(),
                                       [&](const AxisMotion& other) { return other.component == component; });
     if (is_taken) return map.fault("a second channel along " + channel.component, "omit one of the two");
     try {
-        motions.push_back(
-            {component, map,
-             noted(to_ground_motion(channel, channel.component), said + "along " + channel.component, context)});
+        motions.push_back({component, map,
+                           noted(records::to_ground_motion(channel, channel.component),
+                                 said + "along " + channel.component, context)});
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
     }
@@ -193,10 +197,10 @@ void add_joint_motion(YamlCursor& map, const Channel& channel, int component, co
 std::vector<AxisMotion> read_joint_motions(YamlCursor& map, const std::string& whose, MotionContext& context)
 {
     std::string description = whose + ": ";
-    const std::vector<Channel> channels = read_joint_records(map, context.folder, description);
+    const std::vector<records::Channel> channels = read_joint_records(map, context.folder, description);
     const auto axes = axes_of(context.kinematics);
     std::vector<AxisMotion> motions;
-    for (const Channel& channel : channels) {
+    for (const records::Channel& channel : channels) {
         const int component = channel.component[0] - 'x';
         if (std::find(axes.begin(), axes.end(), component) == axes.end()) {
             map.warn("the motion along " + channel.component + " is ignored: the scene has no such axis");
@@ -232,4 +236,4 @@ std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& wh
     return motions;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -11,7 +11,7 @@
 #include "app/reader/yaml_cursor.h"
 #include "libdda/model/ground_motion.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// What every motion of a case needs to be read.
@@ -38,4 +38,4 @@ struct AxisMotion {
 std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& whose,
                                           std::optional<double> stage_duration, MotionContext& context);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -4,24 +4,25 @@
 #include "app/reader/wave.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
-std::vector<Channel> parse_wave_motion(const std::string& text, const std::string& option,
-                                       std::string& description)
+std::vector<records::Channel> parse_wave_motion(const std::string& text, const std::string& option,
+                                                std::string& description)
 {
     Findings findings;
     const YamlNode tree = parse_yaml(text, option, false);
     YamlCursor map(tree, option, findings);
-    std::vector<Channel> channels;
+    std::vector<records::Channel> channels;
     if (map.expect_map("a wave {ricker: {...}}")) {
         std::vector<std::string> found;
         for (const std::string& key : wave_keys())
             if (map.find(key)) found.push_back(key);
         if (found.size() == 1) {
             YamlCursor value = *map.find(found[0]);
-            if (std::optional<Channel> wave = read_wave(found[0], value, description))
-                channels = process_as_written(map, {*wave}, {}, description).value_or(std::vector<Channel>{});
+            if (std::optional<records::Channel> wave = read_wave(found[0], value, description))
+                channels =
+                    process_as_written(map, {*wave}, {}, description).value_or(std::vector<records::Channel>{});
         }
         map.find("processing");
         map.reject_unknown_keys();
@@ -33,4 +34,4 @@ std::vector<Channel> parse_wave_motion(const std::string& text, const std::strin
     return channels;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

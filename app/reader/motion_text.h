@@ -6,13 +6,13 @@
 
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// Reads `{ricker: {acceleration: 0.3 g, frequency: 2 Hz}, processing: [...]}`.
 /// @param option for messages; @param description what it is and what was done, added to
 /// @throws InputError with every fault
-std::vector<Channel> parse_wave_motion(const std::string& text, const std::string& option,
-                                       std::string& description);
+std::vector<records::Channel> parse_wave_motion(const std::string& text, const std::string& option,
+                                                std::string& description);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

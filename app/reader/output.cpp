@@ -7,7 +7,7 @@
 #include "app/reader/plane.h"
 #include "app/words/nearest_word.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -27,7 +27,7 @@ HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model&
         const bool found = std::binary_search(blocks.begin(), blocks.end(), history.block);
         // Without blocks there are faults already, and a missing one is only their echo.
         if (!found && !blocks.empty() && !history.block.empty())
-            block->fault("no block \"" + history.block + "\"", suggestion(history.block, blocks));
+            block->fault("no block \"" + history.block + "\"", words::suggestion(history.block, blocks));
     }
     if (const std::optional<YamlCursor> point = map.find("point"))
         history.point = read_place(*point, model.kinematics);
@@ -44,9 +44,9 @@ void read_size(const YamlCursor& value, SnapshotOptions& snapshots)
     if (!value.is_list()) return;
     if (sides.size() != 2)
         return value.fault(fmt::format("a list of {}", sides.size()), "expected [width, height]");
-    const Range pixels{200, 8000, true, true};
-    const double width = sides[0].as_quantity(dimension::number, pixels);
-    const double height = sides[1].as_quantity(dimension::number, pixels);
+    const words::Range pixels{200, 8000, true, true};
+    const double width = sides[0].as_quantity(words::dimension::number, pixels);
+    const double height = sides[1].as_quantity(words::dimension::number, pixels);
     if (!(width > 0) || !(height > 0)) return;
     snapshots.width = static_cast<int>(width);
     snapshots.height = static_cast<int>(height);
@@ -65,7 +65,7 @@ void read_times(YamlCursor& map, const std::vector<Stage>& stages, SnapshotOptio
     double end = 0;
     for (const Stage& stage : stages) end += stage.type == StageType::dynamic ? stage.duration : 0;
     for (const YamlCursor& time : times->items("a list of times, [0 s, 2.5 s]")) {
-        snapshots.times.push_back(time.as_quantity(dimension::time, Range::non_negative()));
+        snapshots.times.push_back(time.as_quantity(words::dimension::time, words::Range::non_negative()));
         if (end > 0 && snapshots.times.back() > end)
             time.fault(time.found(), fmt::format("the run ends at {:g} s", end));
     }
@@ -87,7 +87,8 @@ SnapshotOptions read_snapshots(YamlCursor& map, const Model& model, const std::v
         read_size(*size, snapshots);
     else
         map.took_default("size", fmt::format("[{}, {}]", snapshots.width, snapshots.height));
-    snapshots.deformation_scale = map.find_quantity("deformation_scale", dimension::number, Range::positive());
+    snapshots.deformation_scale =
+        map.find_quantity("deformation_scale", words::dimension::number, words::Range::positive());
     if (!snapshots.deformation_scale) map.took_default("deformation_scale", "1");
     map.reject_unknown_keys();
     return snapshots;
@@ -113,7 +114,7 @@ OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector
         return output;
     }
     if (!map->expect_map("output {every: 20 ms}")) return output;
-    output.every = map->quantity_or("every", dimension::time, Range::positive(), default_interval);
+    output.every = map->quantity_or("every", words::dimension::time, words::Range::positive(), default_interval);
     for (const Stage& stage : stages)
         if (stage.type == StageType::dynamic && stage.duration / output.every > max_intervals)
             map->fault(fmt::format("{:.3g} intervals in {}", stage.duration / output.every, stage.name),
@@ -128,4 +129,4 @@ OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector
     return output;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -8,10 +8,10 @@
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// Blocks named in histories must be in the model; times of snapshots must lie in the run.
 OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector<Stage>& stages);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

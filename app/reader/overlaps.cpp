@@ -8,7 +8,7 @@
 #include "libdda/geometry/box_tree.h"
 #include "libdda/geometry/plane.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -124,4 +124,4 @@ std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, std::s
     return overlaps;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -7,7 +7,7 @@
 
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// Depth by which two convex shapes overlap [m]: the shortest shift that parts them; <= 0 if they do not.
@@ -31,4 +31,4 @@ constexpr std::size_t max_overlaps = 1000;
 /// one's diagonal.
 std::vector<BlockOverlap> find_overlaps(const std::vector<Block>& blocks, std::size_t count);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -7,7 +7,7 @@
 
 #include "app/reader/renamed_keys.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -128,4 +128,4 @@ void apply_override(const std::string& setting, YamlNode& root, Findings& findin
     if (target->kind == YamlNode::Kind::null) take_away(*parent, steps.back());
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

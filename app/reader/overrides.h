@@ -7,7 +7,7 @@
 #include "app/reader/findings.h"
 #include "app/reader/yaml_tree.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// Puts `key=value` into the tree: the key is a path of names and list positions ("stages[1].time_step"), the
@@ -15,4 +15,4 @@ namespace voussoir
 /// key away. What cannot be done is a fault placed at "--set stages[1].time_step".
 void apply_override(const std::string& setting, YamlNode& root, Findings& findings);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -7,7 +7,7 @@
 
 #include "libdda/geometry/plane.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -52,24 +52,25 @@ Eigen::Vector2d read_block_format(YamlCursor& map)
         return format;
     }
     const std::vector<YamlCursor> sizes = value->items("length and height of a block");
-    for (int i = 0; i < 2; ++i) format[i] = sizes[i].as_quantity(dimension::length, Range::positive());
+    for (int i = 0; i < 2; ++i)
+        format[i] = sizes[i].as_quantity(words::dimension::length, words::Range::positive());
     return format;
 }
 
-Opening read_opening(YamlCursor& map)
+importers::patterns::Opening read_opening(YamlCursor& map)
 {
-    Opening opening;
-    opening.at = map.quantity("at", dimension::length, Range::non_negative());
-    opening.sill = map.quantity_or("sill", dimension::length, Range::non_negative(), 0);
-    opening.width = map.quantity("width", dimension::length, Range::positive());
-    opening.height = map.quantity("height", dimension::length, Range::positive());
+    importers::patterns::Opening opening;
+    opening.at = map.quantity("at", words::dimension::length, words::Range::non_negative());
+    opening.sill = map.quantity_or("sill", words::dimension::length, words::Range::non_negative(), 0);
+    opening.width = map.quantity("width", words::dimension::length, words::Range::positive());
+    opening.height = map.quantity("height", words::dimension::length, words::Range::positive());
     map.reject_unknown_keys();
     return opening;
 }
 
-Lintel read_lintel(YamlCursor& map, const Eigen::Vector2d& block, bool needed)
+importers::patterns::Lintel read_lintel(YamlCursor& map, const Eigen::Vector2d& block, bool needed)
 {
-    Lintel lintel{block.y(), block.x() / 2};
+    importers::patterns::Lintel lintel{block.y(), block.x() / 2};
     std::optional<YamlCursor> keys = map.find("lintel");
     if (!keys) {
         if (needed)
@@ -78,13 +79,14 @@ Lintel read_lintel(YamlCursor& map, const Eigen::Vector2d& block, bool needed)
         return lintel;
     }
     if (!keys->expect_map("a lintel {height, bearing}")) return lintel;
-    lintel.height = keys->quantity_or("height", dimension::length, Range::positive(), lintel.height);
-    lintel.bearing = keys->quantity_or("bearing", dimension::length, Range::positive(), lintel.bearing);
+    lintel.height = keys->quantity_or("height", words::dimension::length, words::Range::positive(), lintel.height);
+    lintel.bearing =
+        keys->quantity_or("bearing", words::dimension::length, words::Range::positive(), lintel.bearing);
     keys->reject_unknown_keys();
     return lintel;
 }
 
-MasonryBase read_base(YamlCursor& map, double otherwise)
+importers::patterns::MasonryBase read_base(YamlCursor& map, double otherwise)
 {
     std::optional<YamlCursor> keys = map.find("base");
     if (!keys) {
@@ -92,40 +94,42 @@ MasonryBase read_base(YamlCursor& map, double otherwise)
         return {otherwise, 0};
     }
     if (!keys->expect_map("a base {height, projection}")) return {};
-    MasonryBase base;
-    base.height = keys->quantity("height", dimension::length, Range::positive());
-    base.projection = keys->quantity_or("projection", dimension::length, Range::non_negative(), 0);
+    importers::patterns::MasonryBase base;
+    base.height = keys->quantity("height", words::dimension::length, words::Range::positive());
+    base.projection = keys->quantity_or("projection", words::dimension::length, words::Range::non_negative(), 0);
     keys->reject_unknown_keys();
     return base;
 }
 
-Imperfection read_imperfection(YamlCursor& map)
+importers::patterns::Imperfection read_imperfection(YamlCursor& map)
 {
-    Imperfection imperfection;
+    importers::patterns::Imperfection imperfection;
     std::optional<YamlCursor> keys = map.find("imperfection");
     if (!keys || !keys->expect_map("imperfections {seed, size, joint, friction}")) return imperfection;
     imperfection.seed =
         static_cast<std::uint64_t>(keys->integer_or("seed", 0, std::numeric_limits<int>::max(), 1));
-    imperfection.size = keys->quantity_or("size", dimension::number, Range::non_negative(), 0);
-    imperfection.joint = keys->quantity_or("joint", dimension::length, Range::non_negative(), 0);
-    imperfection.friction = keys->quantity_or("friction", dimension::number, Range::non_negative(), 0);
+    imperfection.size = keys->quantity_or("size", words::dimension::number, words::Range::non_negative(), 0);
+    imperfection.joint = keys->quantity_or("joint", words::dimension::length, words::Range::non_negative(), 0);
+    imperfection.friction =
+        keys->quantity_or("friction", words::dimension::number, words::Range::non_negative(), 0);
     keys->reject_unknown_keys();
     return imperfection;
 }
 
-Placement read_placement(YamlCursor& map, const BlockReading& reading)
+importers::patterns::Placement read_placement(YamlCursor& map, const BlockReading& reading)
 {
     const bool planar = is_planar(reading.model.kinematics);
-    Placement placement;
+    importers::patterns::Placement placement;
     if (const std::optional<YamlCursor> origin = map.find("origin"))
-        placement.origin = planar && origin->is_list_of(2) ? to_space(origin->as_plane_vector(dimension::length))
-                                                           : origin->as_vector(dimension::length);
+        placement.origin = planar && origin->is_list_of(2)
+                               ? to_space(origin->as_plane_vector(words::dimension::length))
+                               : origin->as_vector(words::dimension::length);
     else
         map.took_default("origin", "[0, 0, 0]");
     if (planar)
         map.forbid("direction", "a wall of a planar scene runs along x");
     else
-        placement.direction = map.quantity_or("direction", dimension::angle, Range::any(), 0);
+        placement.direction = map.quantity_or("direction", words::dimension::angle, words::Range::any(), 0);
     return placement;
 }
 
@@ -134,10 +138,10 @@ void place_faults(const InputError& error, const YamlCursor& map)
     for (const Fault& fault : error.faults) follow(map, fault.place).fault(fault.found, fault.expected);
 }
 
-void add_pattern(const std::vector<MasonryBlock>& blocks, const YamlCursor& map, PatternEntry& entry,
-                 BlockReading& reading)
+void add_pattern(const std::vector<importers::patterns::MasonryBlock>& blocks, const YamlCursor& map,
+                 PatternEntry& entry, BlockReading& reading)
 {
-    for (const MasonryBlock& block : blocks) {
+    for (const importers::patterns::MasonryBlock& block : blocks) {
         const auto known = reading.places.find(block.name);
         if (known == reading.places.end()) continue;
         return map.fault("a second block named " + block.name,
@@ -148,10 +152,10 @@ void add_pattern(const std::vector<MasonryBlock>& blocks, const YamlCursor& map,
     std::vector<Block>& all = reading.model.blocks;
     all.reserve(all.size() + blocks.size());
     try {
-        for (const MasonryBlock& block : blocks) {
+        for (const importers::patterns::MasonryBlock& block : blocks) {
             const std::size_t before = all.size();
             add_block(block.name, place, group_of(block.name, entry.groups), entry.material,
-                      {to_polyhedron(block)}, reading);
+                      {importers::patterns::to_polyhedron(block)}, reading);
             if (all.size() > before) all.back().friction_factor = block.friction_factor;
         }
     } catch (const InputError& error) {
@@ -161,4 +165,4 @@ void add_pattern(const std::vector<MasonryBlock>& blocks, const YamlCursor& map,
                            "blocks are named " + blocks.front().name + ", ..., " + blocks.back().name);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -7,7 +7,7 @@
 #include "app/reader/block_reading.h"
 #include "importers/patterns/masonry.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// What an entry says beside its pattern: `material` and `groups`.
@@ -24,25 +24,25 @@ std::string read_pattern_name(YamlCursor& map, const std::string& otherwise);
 Eigen::Vector2d read_block_format(YamlCursor& map);
 
 /// `{at, sill, width, height}`, the keys of an opening; sill 0 by default.
-Opening read_opening(YamlCursor& map);
+importers::patterns::Opening read_opening(YamlCursor& map);
 
 /// `lintel: {height, bearing}`; by default as high as a block, bearing on half a block's length.
-Lintel read_lintel(YamlCursor& map, const Eigen::Vector2d& block, bool needed);
+importers::patterns::Lintel read_lintel(YamlCursor& map, const Eigen::Vector2d& block, bool needed);
 
 /// `base: {height, projection}`. @param otherwise height when the key is absent [m]; 0: no base
-MasonryBase read_base(YamlCursor& map, double otherwise);
+importers::patterns::MasonryBase read_base(YamlCursor& map, double otherwise);
 
 /// `imperfection: {seed, size, joint, friction}`.
-Imperfection read_imperfection(YamlCursor& map);
+importers::patterns::Imperfection read_imperfection(YamlCursor& map);
 
 /// `origin: [x, y, z]`, in planar scenes [x, z] too, and `direction`, which a planar scene has not.
-Placement read_placement(YamlCursor& map, const BlockReading& reading);
+importers::patterns::Placement read_placement(YamlCursor& map, const BlockReading& reading);
 
 /// Turns the faults of a pattern, named by its parameters ("openings[1]"), into faults of the case.
 void place_faults(const InputError& error, const YamlCursor& map);
 
 /// Adds the blocks of a pattern to the model.
-void add_pattern(const std::vector<MasonryBlock>& blocks, const YamlCursor& map, PatternEntry& entry,
-                 BlockReading& reading);
+void add_pattern(const std::vector<importers::patterns::MasonryBlock>& blocks, const YamlCursor& map,
+                 PatternEntry& entry, BlockReading& reading);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -7,7 +7,7 @@
 #include "app/reader/block_reading.h"
 #include "libdda/geometry/plane.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -62,9 +62,9 @@ void rotate_corners(YamlCursor& rotate, const Vector2d& centre, std::vector<Vect
     if (!rotate.expect_map("a rotation {angle: 45 deg, about: [x, z]}")) return;
     rotate.forbid("axis", "a box with corners [x, z] is rotated in the plane, from x to z");
     Vector2d about = centre;
-    const double angle = rotate.quantity("angle", dimension::angle, Range::any());
+    const double angle = rotate.quantity("angle", words::dimension::angle, words::Range::any());
     if (const auto value = rotate.find("about"))
-        about = value->as_plane_vector(dimension::length);
+        about = value->as_plane_vector(words::dimension::length);
     else
         rotate.took_default("about", "the centre of the box");
     rotate.reject_unknown_keys();
@@ -75,7 +75,7 @@ void rotate_corners(YamlCursor& rotate, const Vector2d& centre, std::vector<Vect
 Vector2d read_flat_corner(YamlCursor& box, const std::string& key)
 {
     const auto value = box.require(key, "the " + key + " corner [x, z]");
-    return value ? value->as_plane_vector(dimension::length) : Vector2d::Constant(std::nan(""));
+    return value ? value->as_plane_vector(words::dimension::length) : Vector2d::Constant(std::nan(""));
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ void read_polygon(YamlCursor& entry, YamlCursor& polygon, BlockReading& reading)
     std::vector<Vector2d> corners;
     if (const auto list = polygon.require("corners", "the outline [[x, z], ...]"))
         for (const YamlCursor& corner : list->items("an outline [[x, z], ...]"))
-            corners.push_back(corner.as_plane_vector(dimension::length));
+            corners.push_back(corner.as_plane_vector(words::dimension::length));
     polygon.reject_unknown_keys();
     const Belonging belonging = read_belonging(entry, reading.model.materials);
     if (reading.findings.faults.size() > faults_before) return;
@@ -136,7 +136,8 @@ void read_polygon(YamlCursor& entry, YamlCursor& polygon, BlockReading& reading)
 
 std::optional<double> read_thickness(YamlCursor& top, Kinematics kinematics)
 {
-    if (is_planar(kinematics)) return top.find_quantity("thickness", dimension::length, Range::positive());
+    if (is_planar(kinematics))
+        return top.find_quantity("thickness", words::dimension::length, words::Range::positive());
     top.forbid("thickness", "it belongs to planar scenes");
     return std::nullopt;
 }
@@ -151,4 +152,4 @@ void settle_thickness(const YamlCursor& top, std::optional<double> thickness, Bl
     set_thickness(reading.model, thickness.value_or(drawn));
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -6,13 +6,13 @@
 
 #include "libdda/geometry/plane.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
 
 /// @returns (3) in space, y as it is written
-Eigen::Vector3d read_vector(const YamlCursor& value, const Dimension& dimension, Kinematics kinematics)
+Eigen::Vector3d read_vector(const YamlCursor& value, const words::Dimension& dimension, Kinematics kinematics)
 {
     if (is_planar(kinematics) && !value.is_list_of(3)) return to_space(value.as_plane_vector(dimension));
     return value.as_vector(dimension);
@@ -38,7 +38,7 @@ void read_plane_condition(YamlCursor& top, Model& model)
 
 Eigen::Vector3d read_direction(const YamlCursor& value, Kinematics kinematics)
 {
-    const Eigen::Vector3d direction = read_vector(value, dimension::number, kinematics);
+    const Eigen::Vector3d direction = read_vector(value, words::dimension::number, kinematics);
     if (is_planar(kinematics) && std::abs(direction.y()) > 0)  // NaN is a fault already
         value.fault(fmt::format("{:g} along y", direction.y()), "a planar scene lies in x and z: give [x, z]");
     return direction;
@@ -46,7 +46,7 @@ Eigen::Vector3d read_direction(const YamlCursor& value, Kinematics kinematics)
 
 Eigen::Vector3d read_place(const YamlCursor& value, Kinematics kinematics)
 {
-    const Eigen::Vector3d place = read_vector(value, dimension::length, kinematics);
+    const Eigen::Vector3d place = read_vector(value, words::dimension::length, kinematics);
     if (!is_planar(kinematics)) return place;
     if (std::abs(place.y()) > 0)
         value.warn(fmt::format(
@@ -54,4 +54,4 @@ Eigen::Vector3d read_place(const YamlCursor& value, Kinematics kinematics)
     return {place.x(), 0, place.z()};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -4,7 +4,7 @@
 #include "app/reader/yaml_cursor.h"
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// The key `y` means nothing in a planar scene.
@@ -20,4 +20,4 @@ Eigen::Vector3d read_direction(const YamlCursor& value, Kinematics kinematics);
 /// points across the plane move alike.
 Eigen::Vector3d read_place(const YamlCursor& value, Kinematics kinematics);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -4,14 +4,14 @@
 #include "app/reader/yaml_cursor.h"
 #include "records/processing/processing.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// Reads `[{window: {arias: [0.1 %, 99 %]}}, mean, {band_pass: {low: 0.1 Hz, high: 25 Hz}}, ...]`.
 /// @returns the steps, with faults where one cannot be used
-Processing read_processing_steps(const YamlCursor& list);
+records::processing::Processing read_processing_steps(const YamlCursor& list);
 
 /// The same from a command line. @throws InputError with every fault
-Processing parse_processing_steps(const std::string& text, const std::string& option);
+records::processing::Processing parse_processing_steps(const std::string& text, const std::string& option);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

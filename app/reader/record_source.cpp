@@ -15,15 +15,15 @@
 #include "libdda/text/words.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
 
-std::string_view unit_of(Quantity quantity)
+std::string_view unit_of(records::Quantity quantity)
 {
-    if (quantity == Quantity::acceleration) return "m/s2";
-    return quantity == Quantity::velocity ? "m/s" : "m";
+    if (quantity == records::Quantity::acceleration) return "m/s2";
+    return quantity == records::Quantity::velocity ? "m/s" : "m";
 }
 
 std::vector<YamlCursor> files_of(const YamlCursor& records)
@@ -33,7 +33,7 @@ std::vector<YamlCursor> files_of(const YamlCursor& records)
 }
 
 /// The axes the user gave to the channels, in order.
-void name_axes(const YamlCursor& list, std::vector<Channel>& channels)
+void name_axes(const YamlCursor& list, std::vector<records::Channel>& channels)
 {
     const std::vector<YamlCursor> items = list.items("an axis for each channel, [x, y, z]");
     if (items.size() != channels.size())
@@ -51,7 +51,7 @@ void name_axes(const YamlCursor& list, std::vector<Channel>& channels)
 }
 
 /// Where channels point whose files do not say it. One that points down is turned over: our vertical is upward.
-void read_azimuths(const YamlCursor& list, std::vector<Channel>& channels)
+void read_azimuths(const YamlCursor& list, std::vector<records::Channel>& channels)
 {
     const std::vector<YamlCursor> items = list.items("a direction for each channel, [0 deg, 90 deg, up]");
     if (items.size() != channels.size())
@@ -64,7 +64,8 @@ void read_azimuths(const YamlCursor& list, std::vector<Channel>& channels)
             for (double& sample : channels[i].samples) sample = -sample;
         channels[i].azimuth.reset();
         if (!channels[i].is_vertical)
-            channels[i].azimuth = items[i].as_quantity(dimension::angle, Range::any()) * 180 / std::numbers::pi;
+            channels[i].azimuth =
+                items[i].as_quantity(words::dimension::angle, words::Range::any()) * 180 / std::numbers::pi;
     }
 }
 
@@ -85,7 +86,7 @@ void blame(const YamlCursor& map, const std::optional<YamlCursor>& list, const I
 }
 
 /// Every channel must say where it points.
-void require_directions(const YamlCursor& records, const std::vector<Channel>& channels)
+void require_directions(const YamlCursor& records, const std::vector<records::Channel>& channels)
 {
     for (std::size_t i = 0; i < channels.size(); ++i)
         if (!channels[i].is_vertical && !channels[i].azimuth)
@@ -93,15 +94,15 @@ void require_directions(const YamlCursor& records, const std::vector<Channel>& c
                           "give azimuths: [0 deg, 90 deg, up], or axes: [x, y, z], one for each channel");
 }
 
-std::vector<Channel> read_all(const YamlCursor& records, const std::filesystem::path& folder,
-                              const ReadOptions& options, std::string& description)
+std::vector<records::Channel> read_all(const YamlCursor& records, const std::filesystem::path& folder,
+                                       const records::ReadOptions& options, std::string& description)
 {
-    std::vector<Channel> channels;
+    std::vector<records::Channel> channels;
     if (records.is_list_of(0)) records.fault("no record", "name at least one file");
     for (const YamlCursor& file : files_of(records)) {
-        std::optional<Record> record = read_named_record(file, folder, options);
+        std::optional<records::Record> record = read_named_record(file, folder, options);
         if (!record) continue;
-        for (Channel& channel : record->channels) {
+        for (records::Channel& channel : record->channels) {
             description += (channels.empty() ? "" : ", ") + in_words(*record, channel, file.as_text());
             channels.push_back(std::move(channel));
         }
@@ -111,28 +112,28 @@ std::vector<Channel> read_all(const YamlCursor& records, const std::filesystem::
 
 }  // namespace
 
-ReadOptions read_record_options(YamlCursor& map, const std::filesystem::path& folder)
+records::ReadOptions read_record_options(YamlCursor& map, const std::filesystem::path& folder)
 {
-    ReadOptions options;
+    records::ReadOptions options;
     options.unit = map.find_text("unit");
-    options.time_step = map.find_quantity("time_step", dimension::time, Range::positive());
+    options.time_step = map.find_quantity("time_step", words::dimension::time, words::Range::positive());
     if (map.find("column")) options.column = map.integer_or("column", 1, 10000, 1);
     if (const std::optional<std::string> response = map.find_text("response"))
         options.response = folder / *response;
     return options;
 }
 
-std::optional<Record> read_named_record(const YamlCursor& file, const std::filesystem::path& folder,
-                                        const ReadOptions& options)
+std::optional<records::Record> read_named_record(const YamlCursor& file, const std::filesystem::path& folder,
+                                                 const records::ReadOptions& options)
 {
     const std::string name = file.as_text();
     try {
         if (name.empty()) throw InputError("", "no file name", "name a record");
-        Record record = read_record(folder / name, options);
-        for (const Channel& channel : record.channels)
-            if (!has_unit(channel))
+        records::Record record = records::read_record(folder / name, options);
+        for (const records::Channel& channel : record.channels)
+            if (!records::has_unit(channel))
                 throw InputError("", "the unit of \"" + name + "\" is not known",
-                                 "give unit: one of " + known_units());
+                                 "give unit: one of " + records::known_units());
         for (const std::string& remark : record.remarks) file.warn(name + ": " + remark);
         return record;
     } catch (const InputError& error) {
@@ -142,7 +143,7 @@ std::optional<Record> read_named_record(const YamlCursor& file, const std::files
     return std::nullopt;
 }
 
-const Channel* choose_channel(YamlCursor& map, const YamlCursor& file, const Record& record)
+const records::Channel* choose_channel(YamlCursor& map, const YamlCursor& file, const records::Record& record)
 {
     const std::optional<YamlCursor> component = map.find("component");
     if (!component && record.channels.size() == 1) return &record.channels.front();
@@ -159,15 +160,18 @@ const Channel* choose_channel(YamlCursor& map, const YamlCursor& file, const Rec
     }
     const std::string wanted = component->as_text();
     for (std::size_t i = 0; i < names.size(); ++i)
-        if (equal_ignoring_case(names[i], wanted) || wanted == std::to_string(i + 1)) return &record.channels[i];
-    if (!wanted.empty()) component->fault("no channel \"" + wanted + "\"", suggestion(wanted, names));
+        if (text::equal_ignoring_case(names[i], wanted) || wanted == std::to_string(i + 1))
+            return &record.channels[i];
+    if (!wanted.empty()) component->fault("no channel \"" + wanted + "\"", words::suggestion(wanted, names));
     return nullptr;
 }
 
-std::optional<std::vector<Channel>> process_as_written(YamlCursor& map, std::vector<Channel> channels,
-                                                       const Processing& afterwards, std::string& description)
+std::optional<std::vector<records::Channel>> process_as_written(YamlCursor& map,
+                                                                std::vector<records::Channel> channels,
+                                                                const records::processing::Processing& afterwards,
+                                                                std::string& description)
 {
-    Processing steps;
+    records::processing::Processing steps;
     const std::size_t faults = map.fault_count();
     const std::optional<YamlCursor> list = map.find("processing");
     if (list) steps = read_processing_steps(*list);
@@ -175,7 +179,7 @@ std::optional<std::vector<Channel>> process_as_written(YamlCursor& map, std::vec
     steps.insert(steps.end(), afterwards.begin(), afterwards.end());
     if (steps.empty() && channels.size() == 1) return channels;
     try {
-        ProcessedRecord processed = process(channels, steps);
+        records::processing::ProcessedRecord processed = records::processing::process(channels, steps);
         for (const std::string& sentence : processed.sentences) description += "; " + sentence;
         return std::move(processed.channels);
     } catch (const InputError& error) {
@@ -184,28 +188,29 @@ std::optional<std::vector<Channel>> process_as_written(YamlCursor& map, std::vec
     return std::nullopt;
 }
 
-std::string in_words(const Record& record, const Channel& channel, const std::string& name)
+std::string in_words(const records::Record& record, const records::Channel& channel, const std::string& name)
 {
-    const double step = channel.times.empty() ? channel.time_step : resampled_evenly(channel).time_step;
-    return fmt::format("{} ({}, {:g} s, {:g} {})", name, record.format, step, peak(channel),
+    const double step = channel.times.empty() ? channel.time_step : records::resampled_evenly(channel).time_step;
+    return fmt::format("{} ({}, {:g} s, {:g} {})", name, record.format, step, records::peak(channel),
                        unit_of(channel.quantity));
 }
 
-std::vector<Channel> read_joint_records(YamlCursor& map, const std::filesystem::path& folder,
-                                        std::string& description)
+std::vector<records::Channel> read_joint_records(YamlCursor& map, const std::filesystem::path& folder,
+                                                 std::string& description)
 {
     const std::size_t faults = map.fault_count();
     const YamlCursor records = *map.find("records");
-    const ReadOptions options = read_record_options(map, folder);
-    std::vector<Channel> channels = read_all(records, folder, options, description);
+    const records::ReadOptions options = read_record_options(map, folder);
+    std::vector<records::Channel> channels = read_all(records, folder, options, description);
     const std::optional<YamlCursor> axes = map.find("axes"), azimuths = map.find("azimuths");
     const std::optional<YamlCursor> x_azimuth = map.find("x_azimuth");
     if (axes && (azimuths || x_azimuth)) axes->fault("axes and azimuths", "give one of the two");
-    Processing afterwards;
+    records::processing::Processing afterwards;
     if (!axes) {
         const double east = std::numbers::pi / 2;
-        afterwards.push_back(
-            Rotate{map.quantity_or("x_azimuth", dimension::angle, Range::any(), east) * 180 / std::numbers::pi});
+        afterwards.push_back(records::processing::Rotate{
+            map.quantity_or("x_azimuth", words::dimension::angle, words::Range::any(), east) * 180 /
+            std::numbers::pi});
     }
     if (map.fault_count() == faults) {  // else there may be fewer channels than files
         if (azimuths) read_azimuths(*azimuths, channels);
@@ -213,7 +218,8 @@ std::vector<Channel> read_joint_records(YamlCursor& map, const std::filesystem::
         if (!axes && map.fault_count() == faults) require_directions(azimuths.value_or(records), channels);
     }
     if (map.fault_count() > faults) channels.clear();
-    return process_as_written(map, std::move(channels), afterwards, description).value_or(std::vector<Channel>{});
+    return process_as_written(map, std::move(channels), afterwards, description)
+        .value_or(std::vector<records::Channel>{});
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -1,6 +1,6 @@
 #include "app/reader/renamed_keys.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -30,4 +30,4 @@ std::string_view present_name(std::string_view former_key)
     return {};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

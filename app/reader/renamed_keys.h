@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// The name that `key` had in the release before, "dashpot" of "relaxation_time"; empty if it had no other.
@@ -13,4 +13,4 @@ std::string_view former_name(std::string_view key);
 /// The name that a key of the release before has now; empty if it kept its name.
 std::string_view present_name(std::string_view former_key);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -8,7 +8,7 @@
 #include "app/reader/step_control.h"
 #include "app/words/nearest_word.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -30,8 +30,8 @@ bool is_dynamic(const Stage& stage)
 void read_damping(YamlCursor& map, Damping& damping)
 {
     if (!map.expect_map("damping {rate: 0.5 1/s} or {factor_per_step: 0.94}")) return;
-    const auto rate = map.find_quantity("rate", dimension::rate, Range::non_negative());
-    const auto factor = map.find_quantity("factor_per_step", dimension::number, {0, 1, true, true});
+    const auto rate = map.find_quantity("rate", words::dimension::rate, words::Range::non_negative());
+    const auto factor = map.find_quantity("factor_per_step", words::dimension::number, {0, 1, true, true});
     map.reject_unknown_keys();
     if (rate && factor) map.fault("both rate and factor_per_step", "give one of the two");
     damping.rate = rate.value_or(0);
@@ -52,7 +52,7 @@ void read_dynamic(YamlCursor& map, StageEntry& entry)
 {
     for (const char* key : {"unbalanced_tolerance", "max_static_steps", "gravity_increments"})
         map.forbid(key, "it belongs to static stages");
-    entry.duration = map.find_quantity("duration", dimension::time, Range::positive());
+    entry.duration = map.find_quantity("duration", words::dimension::time, words::Range::positive());
     entry.motion = map.find("motion");
     entry.body_acceleration = map.find("body_acceleration");
     entry.expects_motion = entry.motion || entry.body_acceleration;
@@ -69,8 +69,8 @@ void read_static(YamlCursor& map, Stage& stage)
     map.forbid("duration", "a static stage ends at equilibrium");
     for (const char* key : {"motion", "body_acceleration", "damping", "collapse", "integrator", "dissipation"})
         map.forbid(key, "it belongs to dynamic stages");
-    stage.unbalanced_tolerance = map.quantity_or("unbalanced_tolerance", dimension::number, {0, 1, false, false},
-                                                 stage.unbalanced_tolerance);
+    stage.unbalanced_tolerance = map.quantity_or("unbalanced_tolerance", words::dimension::number,
+                                                 {0, 1, false, false}, stage.unbalanced_tolerance);
     stage.max_static_steps = map.integer_or("max_static_steps", 1, 1'000'000'000, stage.max_static_steps);
     stage.gravity_increments = map.integer_or("gravity_increments", 1, 1'000'000, stage.gravity_increments);
 }
@@ -127,7 +127,7 @@ StageEntry* stage_of_motion(const FoundationEntry& foundation, std::vector<Stage
         for (StageEntry* entry : dynamic)
             if (entry->stage.name == name) return entry;
         if (!name.empty())
-            foundation.motion_stage->fault("no dynamic stage \"" + name + "\"", suggestion(name, names));
+            foundation.motion_stage->fault("no dynamic stage \"" + name + "\"", words::suggestion(name, names));
         return nullptr;
     }
     if (dynamic.size() == 1) return dynamic.front();
@@ -206,8 +206,8 @@ Eigen::Vector3d read_gravity(YamlCursor& top, Kinematics kinematics)
         return otherwise;
     }
     if (!map->expect_map("gravity {magnitude: 9.80665 m/s2, direction: [0, 0, -1]}")) return otherwise;
-    const double magnitude =
-        map->quantity_or("magnitude", dimension::acceleration, Range::non_negative(), otherwise.norm());
+    const double magnitude = map->quantity_or("magnitude", words::dimension::acceleration,
+                                              words::Range::non_negative(), otherwise.norm());
     Eigen::Vector3d direction = otherwise.normalized();
     if (const std::optional<YamlCursor> value = map->find("direction")) {
         direction = read_direction(*value, kinematics);
@@ -245,4 +245,4 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
     return stages;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -9,7 +9,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// `gravity: {magnitude: 9.80665 m/s2, direction: [0, 0, -1]}` as a vector [m/s2]; none along y in a planar scene.
@@ -20,4 +20,4 @@ Eigen::Vector3d read_gravity(YamlCursor& top, Kinematics kinematics);
 std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<FoundationEntry>& foundations,
                                MotionContext& context);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

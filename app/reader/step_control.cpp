@@ -1,6 +1,6 @@
 #include "app/reader/step_control.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -19,7 +19,7 @@ void read_integrator(YamlCursor& stage, StepControl& control)
         control.integrator);
     if (control.integrator == Integrator::energy_decaying)
         control.dissipation =
-            stage.quantity_or("dissipation", dimension::number, {0, 1, true, true}, control.dissipation);
+            stage.quantity_or("dissipation", words::dimension::number, {0, 1, true, true}, control.dissipation);
     else
         stage.forbid("dissipation", "it belongs to integrator: energy_decaying");
 }
@@ -35,8 +35,8 @@ void read_open_close(YamlCursor& stage, StepControl& control)
         return;
     }
     control.max_open_close = stage.integer_or("max_open_close", 1, 100'000, control.max_open_close);
-    control.force_tolerance =
-        stage.quantity_or("force_tolerance", dimension::number, {0, 1, false, false}, control.force_tolerance);
+    control.force_tolerance = stage.quantity_or("force_tolerance", words::dimension::number, {0, 1, false, false},
+                                                control.force_tolerance);
 }
 
 /// What only dynamic stages have.
@@ -58,10 +58,10 @@ StepControl read_step_control(YamlCursor& stage, StageType type)
 {
     StepControl control;
     const bool is_static = type == StageType::static_equilibrium;
-    control.time_step = stage.quantity_or("time_step", dimension::time, Range::positive(),
+    control.time_step = stage.quantity_or("time_step", words::dimension::time, words::Range::positive(),
                                           is_static ? static_time_step : dynamic_time_step);
-    control.min_time_step =
-        stage.quantity_or("min_time_step", dimension::time, Range::positive(), control.min_time_step);
+    control.min_time_step = stage.quantity_or("min_time_step", words::dimension::time, words::Range::positive(),
+                                              control.min_time_step);
     if (control.min_time_step > control.time_step)
         stage.fault("min_time_step exceeds time_step", "it must be the smaller one");
     read_open_close(stage, control);
@@ -72,9 +72,9 @@ StepControl read_step_control(YamlCursor& stage, StageType type)
                                                    {"cholmod", Kind::cholmod},
                                                    {"conjugate_gradients", Kind::conjugate_gradients}},
                                                   control.linear_solver);
-    control.linear_tolerance =
-        stage.quantity_or("linear_tolerance", dimension::number, {0, 1, false, false}, control.linear_tolerance);
+    control.linear_tolerance = stage.quantity_or("linear_tolerance", words::dimension::number,
+                                                 {0, 1, false, false}, control.linear_tolerance);
     return control;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

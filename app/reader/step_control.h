@@ -5,10 +5,10 @@
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// Reads time_step, integrator, open_close, tolerances and solver of one stage.
 StepControl read_step_control(YamlCursor& stage, StageType type);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -3,7 +3,7 @@
 #include "importers/patterns/house.h"
 #include "importers/patterns/wall.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -37,13 +37,16 @@ void finish(const YamlCursor& map, YamlCursor& entry, std::size_t faults_before,
     }
 }
 
-HouseOpening read_house_opening(YamlCursor& map)
+importers::patterns::HouseOpening read_house_opening(YamlCursor& map)
 {
-    HouseOpening opening;
-    const std::optional<Side> side = map.find_choice<Side>(
-        "wall", {{"south", Side::south}, {"east", Side::east}, {"north", Side::north}, {"west", Side::west}});
+    importers::patterns::HouseOpening opening;
+    const std::optional<importers::patterns::Side> side =
+        map.find_choice<importers::patterns::Side>("wall", {{"south", importers::patterns::Side::south},
+                                                            {"east", importers::patterns::Side::east},
+                                                            {"north", importers::patterns::Side::north},
+                                                            {"west", importers::patterns::Side::west}});
     if (!side) map.require("wall", "south, east, north or west");
-    opening.side = side.value_or(Side::south);
+    opening.side = side.value_or(importers::patterns::Side::south);
     opening.opening = read_opening(map);
     return opening;
 }
@@ -54,11 +57,11 @@ void read_wall(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
 {
     if (!map.expect_map("a wall {length, height, thickness, block: [length, height], ...}")) return;
     const std::size_t faults_before = reading.findings.faults.size();
-    Wall asked;
+    importers::patterns::Wall asked;
     asked.name = read_pattern_name(map, "wall");
-    asked.length = map.quantity("length", dimension::length, Range::positive());
-    asked.height = map.quantity("height", dimension::length, Range::positive());
-    asked.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    asked.length = map.quantity("length", words::dimension::length, words::Range::positive());
+    asked.height = map.quantity("height", words::dimension::length, words::Range::positive());
+    asked.thickness = map.quantity("thickness", words::dimension::length, words::Range::positive());
     asked.leaves = map.integer_or("leaves", 1, 99, 1);
     if (asked.leaves > 1) asked.header_every = map.integer_or("header_every", 0, 1000, 0);
     if (const auto openings = map.find("openings"))
@@ -67,7 +70,7 @@ void read_wall(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
                 asked.openings.push_back(read_opening(item));
     read_common_keys(map, false, asked, reading);
     asked.flat = is_planar(reading.model.kinematics);
-    finish(map, entry, faults_before, reading, [&] { return wall(asked); });
+    finish(map, entry, faults_before, reading, [&] { return importers::patterns::wall(asked); });
 }
 
 void read_house(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
@@ -76,18 +79,18 @@ void read_house(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
         return map.fault("a house in a planar scene", "use a wall, or set kinematics to a spatial one");
     if (!map.expect_map("a house {length, width, height, wall_thickness, block: [length, height], ...}")) return;
     const std::size_t faults_before = reading.findings.faults.size();
-    House asked;
+    importers::patterns::House asked;
     asked.name = read_pattern_name(map, "house");
-    asked.length = map.quantity("length", dimension::length, Range::positive());
-    asked.width = map.quantity("width", dimension::length, Range::positive());
-    asked.height = map.quantity("height", dimension::length, Range::positive());
-    asked.wall_thickness = map.quantity("wall_thickness", dimension::length, Range::positive());
+    asked.length = map.quantity("length", words::dimension::length, words::Range::positive());
+    asked.width = map.quantity("width", words::dimension::length, words::Range::positive());
+    asked.height = map.quantity("height", words::dimension::length, words::Range::positive());
+    asked.wall_thickness = map.quantity("wall_thickness", words::dimension::length, words::Range::positive());
     if (const auto openings = map.find("openings"))
         for (YamlCursor& item : openings->items("a list of openings {wall, at, sill, width, height}"))
             if (item.expect_map("an opening {wall, at, sill, width, height}"))
                 asked.openings.push_back(read_house_opening(item));
     read_common_keys(map, true, asked, reading);
-    finish(map, entry, faults_before, reading, [&] { return house(asked); });
+    finish(map, entry, faults_before, reading, [&] { return importers::patterns::house(asked); });
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

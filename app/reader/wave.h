@@ -9,7 +9,7 @@
 #include "records/record.h"
 #include "records/synthetic/target_spectrum.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// The keys under which a motion may name a wave.
@@ -20,9 +20,9 @@ const std::vector<std::string>& wave_keys();
 /// @param key one of wave_keys(), present in `map`
 /// @param description what it is, added to
 /// @returns nothing, with faults, when it cannot be used
-std::optional<Channel> read_wave(const std::string& key, YamlCursor& value, std::string& description);
+std::optional<records::Channel> read_wave(const std::string& key, YamlCursor& value, std::string& description);
 
 /// Reads `{eurocode_8: {type: 1, ground: B, acceleration: 0.25 g}}` or `{table: [[0.1 s, 0.4 g], ...]}`.
-std::optional<TargetSpectrum> read_target_spectrum(YamlCursor& map);
+std::optional<records::synthetic::TargetSpectrum> read_target_spectrum(YamlCursor& map);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

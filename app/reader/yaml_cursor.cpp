@@ -12,7 +12,7 @@
 #include "app/reader/renamed_keys.h"
 #include "app/words/nearest_word.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -105,7 +105,7 @@ std::string YamlCursor::as_text() const
     return {};
 }
 
-double YamlCursor::as_quantity(const Dimension& dimension, const Range& range) const
+double YamlCursor::as_quantity(const words::Dimension& dimension, const words::Range& range) const
 {
     constexpr double unusable = std::numeric_limits<double>::quiet_NaN();
     const std::string expected = fmt::format("expected {} such as {}", dimension.name, dimension.example);
@@ -113,13 +113,14 @@ double YamlCursor::as_quantity(const Dimension& dimension, const Range& range) c
         fault(found(), expected);
         return unusable;
     }
-    const ParsedQuantity quantity = parse_quantity(node_->text);
+    const words::ParsedQuantity quantity = words::parse_quantity(node_->text);
     if (!quantity.problem.empty()) {
         fault(found() + ": " + quantity.problem, expected);
     } else if (!quantity.bare && !quantity.has(dimension)) {
         fault(found() + " has the wrong dimension", expected);
     } else if (!range.contains(quantity.value)) {
-        fault(quantity.bare ? in_words(quantity.value, dimension) : node_->text, in_words(range, dimension));
+        fault(quantity.bare ? words::in_words(quantity.value, dimension) : node_->text,
+              words::in_words(range, dimension));
     } else {
         return quantity.value;
     }
@@ -127,7 +128,8 @@ double YamlCursor::as_quantity(const Dimension& dimension, const Range& range) c
 }
 
 template <int N>
-Eigen::Matrix<double, N, 1> YamlCursor::as_components(const Dimension& dimension, std::string_view form) const
+Eigen::Matrix<double, N, 1> YamlCursor::as_components(const words::Dimension& dimension,
+                                                      std::string_view form) const
 {
     using Vector = Eigen::Matrix<double, N, 1>;
     Vector vector = Vector::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -137,16 +139,16 @@ Eigen::Matrix<double, N, 1> YamlCursor::as_components(const Dimension& dimension
         return vector;
     }
     for (int i = 0; i < N; ++i)
-        vector[i] = child(node_->items[i], fmt::format("[{}]", i)).as_quantity(dimension, Range::any());
+        vector[i] = child(node_->items[i], fmt::format("[{}]", i)).as_quantity(dimension, words::Range::any());
     return vector;
 }
 
-Eigen::Vector3d YamlCursor::as_vector(const Dimension& dimension) const
+Eigen::Vector3d YamlCursor::as_vector(const words::Dimension& dimension) const
 {
     return as_components<3>(dimension, "three components [x, y, z]");
 }
 
-Eigen::Vector2d YamlCursor::as_plane_vector(const Dimension& dimension) const
+Eigen::Vector2d YamlCursor::as_plane_vector(const words::Dimension& dimension) const
 {
     return as_components<2>(dimension, "two components [x, z]");
 }
@@ -210,30 +212,31 @@ void YamlCursor::reject_unknown_keys() const
         if (!is_new) {
             report_duplicate(first->second, i);
         } else if (!contains(asked_, key) && !contains(forbidden_, key)) {
-            child(node_->items[i], key.empty() ? "\"\"" : key).fault("unknown key", suggestion(key, asked_));
+            child(node_->items[i], key.empty() ? "\"\"" : key)
+                .fault("unknown key", words::suggestion(key, asked_));
         }
     }
 }
 
-double YamlCursor::quantity(const std::string& key, const Dimension& dimension, const Range& range)
+double YamlCursor::quantity(const std::string& key, const words::Dimension& dimension, const words::Range& range)
 {
     const auto value = require(key, fmt::format("{} such as {}", dimension.name, dimension.example));
     return value ? value->as_quantity(dimension, range) : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::optional<double> YamlCursor::find_quantity(const std::string& key, const Dimension& dimension,
-                                                const Range& range)
+std::optional<double> YamlCursor::find_quantity(const std::string& key, const words::Dimension& dimension,
+                                                const words::Range& range)
 {
     const std::optional<YamlCursor> value = find(key);
     if (!value) return std::nullopt;
     return value->as_quantity(dimension, range);
 }
 
-double YamlCursor::quantity_or(const std::string& key, const Dimension& dimension, const Range& range,
-                               double otherwise)
+double YamlCursor::quantity_or(const std::string& key, const words::Dimension& dimension,
+                               const words::Range& range, double otherwise)
 {
     const std::optional<double> value = find_quantity(key, dimension, range);
-    if (!value) took_default(key, in_words(otherwise, dimension));
+    if (!value) took_default(key, words::in_words(otherwise, dimension));
     return value.value_or(otherwise);
 }
 
@@ -284,9 +287,9 @@ int YamlCursor::find_word(const std::string& key, const std::vector<std::string>
     }
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    const std::string near = value->is_scalar() ? nearest_word(value->node_->text, names) : "";
+    const std::string near = value->is_scalar() ? words::nearest_word(value->node_->text, names) : "";
     value->fault(value->found(), "expected one of " + list + (near.empty() ? "" : "; did you mean " + near + "?"));
     return -1;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

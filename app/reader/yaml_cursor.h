@@ -14,7 +14,7 @@
 #include "app/reader/yaml_tree.h"
 #include "app/words/quantity.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// A node of the tree and the path that led there. The map functions remember which keys were asked for;
@@ -52,9 +52,9 @@ class YamlCursor
     /// The entries of a map whose keys are names the user chose; all count as asked for.
     std::vector<std::pair<std::string, YamlCursor>> named_entries(std::string_view what);
     std::string as_text() const;
-    double as_quantity(const Dimension& dimension, const Range& range) const;
-    Eigen::Vector3d as_vector(const Dimension& dimension) const;        // [x, y, z]
-    Eigen::Vector2d as_plane_vector(const Dimension& dimension) const;  // [x, z]
+    double as_quantity(const words::Dimension& dimension, const words::Range& range) const;
+    Eigen::Vector3d as_vector(const words::Dimension& dimension) const;        // [x, y, z]
+    Eigen::Vector2d as_plane_vector(const words::Dimension& dimension) const;  // [x, z]
 
     // Keys of a map. A key that was renamed is also found under its former name, with a warning; both are a fault.
     std::optional<YamlCursor> find(const std::string& key);
@@ -63,9 +63,11 @@ class YamlCursor
     void forbid(const std::string& key, const std::string& why);
     void reject_unknown_keys() const;
 
-    double quantity(const std::string& key, const Dimension& dimension, const Range& range);
-    std::optional<double> find_quantity(const std::string& key, const Dimension& dimension, const Range& range);
-    double quantity_or(const std::string& key, const Dimension& dimension, const Range& range, double otherwise);
+    double quantity(const std::string& key, const words::Dimension& dimension, const words::Range& range);
+    std::optional<double> find_quantity(const std::string& key, const words::Dimension& dimension,
+                                        const words::Range& range);
+    double quantity_or(const std::string& key, const words::Dimension& dimension, const words::Range& range,
+                       double otherwise);
     int integer_or(const std::string& key, int lowest, int highest, int otherwise);
     bool boolean_or(const std::string& key, bool otherwise);
     std::string text(const std::string& key, std::string_view what);
@@ -81,7 +83,7 @@ class YamlCursor
  private:
     YamlCursor child(const YamlNode& node, const std::string& key) const;
     template <int N>
-    Eigen::Matrix<double, N, 1> as_components(const Dimension& dimension, std::string_view form) const;
+    Eigen::Matrix<double, N, 1> as_components(const words::Dimension& dimension, std::string_view form) const;
     /// The value at a key as it is written; none when the node is no map.
     std::optional<YamlCursor> at(const std::string& key) const;
     std::optional<YamlCursor> find_former(const std::string& key, bool is_given);
@@ -115,4 +117,4 @@ Choice YamlCursor::choice_or(const std::string& key, Choices<Choice> choices, Ch
     return otherwise;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

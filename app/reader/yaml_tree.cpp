@@ -12,7 +12,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -204,4 +204,4 @@ YamlNode parse_yaml(const std::string& text, const std::string& name, bool with_
     return std::move(builder.root);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

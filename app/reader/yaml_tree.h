@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 struct YamlNode {
@@ -29,4 +29,4 @@ YamlNode parse_yaml(const std::string& text, const std::string& name, bool with_
 /// "a list", "a map", "nothing", or the scalar's text in quotes (cut when long).
 std::string describe(const YamlNode& node);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

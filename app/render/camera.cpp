@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 using Eigen::Vector2d;
@@ -134,4 +134,4 @@ Camera camera_from(const std::vector<Vector3d>& points, const PictureArea& area,
     return camera;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 /// The part of the picture that is to be filled, from -1 (left, bottom) to 1 (right, top).
@@ -30,4 +30,4 @@ Camera camera_for(const std::vector<Eigen::Vector3d>& points, const PictureArea&
 Camera camera_from(const std::vector<Eigen::Vector3d>& points, const PictureArea& area, double aspect,
                    const Eigen::Vector3d& back);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -7,7 +7,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 namespace
@@ -96,4 +96,4 @@ Image Canvas::image() const
     return averaged(context_->samples, context_->width, context_->height);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -7,7 +7,7 @@
 
 #include "app/render/camera.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 /// Pixels as 0xAARRGGBB with premultiplied alpha, rows from the top; transparent where nothing was drawn.
@@ -44,4 +44,4 @@ class Canvas
     std::unique_ptr<Context> context_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

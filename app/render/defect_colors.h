@@ -4,15 +4,15 @@
 #include "app/drawing/color_map.h"
 #include "app/render/defect_pictures.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 struct LookColor {
-    Rgb color;
+    drawing::Rgb color;
     float opacity;  // 1: not seen through
 };
 
 LookColor color_of(StoneLook look);
-Rgb color_of(MarkLook look);
+drawing::Rgb color_of(MarkLook look);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

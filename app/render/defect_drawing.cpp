@@ -9,7 +9,7 @@
 
 #include "app/render/defect_colors.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 namespace
@@ -58,7 +58,7 @@ std::vector<Facet> facets_of(const std::vector<PictureShape>& shapes, const Defe
         const PictureShape& shape = shapes[stone.shape];
         for (const std::vector<int>& face : shape.faces) {
             if (face.size() < 3) continue;
-            const Rgb color = look.color * brightness(normal_of(shape, face), light);
+            const drawing::Rgb color = look.color * brightness(normal_of(shape, face), light);
             double depth = 0;
             for (const int v : face)
                 depth += camera.back.dot(shape.vertices[v]) / static_cast<double>(face.size());
@@ -97,7 +97,8 @@ void draw_edges(const std::vector<Facet>& facets, const Eigen::Vector4f& color, 
     glEnd();
 }
 
-void draw_mark(const MarkedFeature& feature, const Rgb& color, float opacity, double stroke)
+void draw_mark(const importers::mesh::MarkedFeature& feature, const drawing::Rgb& color, float opacity,
+               double stroke)
 {
     glColor4f(color.x(), color.y(), color.z(), 0.5F * opacity * opacity);
     for (const std::vector<Vector3d>& polygon : feature.polygons) {
@@ -151,7 +152,7 @@ LookColor color_of(StoneLook look)
     return {{0.72F, 0.75F, 0.80F}, 0.11F};
 }
 
-Rgb color_of(MarkLook look)
+drawing::Rgb color_of(MarkLook look)
 {
     if (look == MarkLook::gap) return {0.05F, 0.35F, 0.85F};
     if (look == MarkLook::contact) return {0.78F, 0.05F, 0.62F};
@@ -196,4 +197,4 @@ Image draw_defect(Canvas& canvas, const std::vector<PictureShape>& shapes, const
     return canvas.image();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -12,7 +12,7 @@
 #include "app/render/page.h"
 #include "app/render/sheet.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 namespace
@@ -28,7 +28,7 @@ constexpr double smallest_mark = 26;  // smaller marks get a ring
 
 struct Callout {
     std::string words;
-    Rgb color;
+    drawing::Rgb color;
     Vector2d anchor, low, high;  // of the mark on the sheet
 };
 
@@ -64,7 +64,7 @@ std::vector<std::string> wrapped(cairo_t* pen, const std::string& text, double w
         const std::size_t end = std::min(text.find(' ', start), text.size());
         const std::string word = text.substr(start, end - start);
         const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-        if (!lines.back().empty() && width_of(pen, longer) > width)
+        if (!lines.back().empty() && drawing::width_of(pen, longer) > width)
             lines.push_back(word);
         else
             lines.back() = longer;
@@ -78,9 +78,9 @@ void draw_callout(const Sheet& sheet, const Callout& callout, const std::vector<
 {
     cairo_t* pen = sheet.pen;
     double width = 0;
-    for (const std::string& words : lines) width = std::max(width, width_of(pen, words));
+    for (const std::string& words : lines) width = std::max(width, drawing::width_of(pen, words));
     const double height = line * static_cast<double>(lines.size()) + 8, edge = left ? x + width + 16 : x;
-    use(pen, callout.color);
+    drawing::use(pen, callout.color);
     cairo_set_line_width(pen, 1.6);
     cairo_move_to(pen, edge, y + height / 2);
     cairo_line_to(pen, callout.anchor.x(), callout.anchor.y());
@@ -96,11 +96,11 @@ void draw_callout(const Sheet& sheet, const Callout& callout, const std::vector<
     cairo_rectangle(pen, x, y, width + 16, height);
     cairo_set_source_rgba(pen, 1, 1, 1, 0.94);
     cairo_fill_preserve(pen);
-    use(pen, callout.color);
+    drawing::use(pen, callout.color);
     cairo_stroke(pen);
-    use(pen, ink);
+    drawing::use(pen, ink);
     for (std::size_t i = 0; i < lines.size(); ++i)
-        write(pen, lines[i], x + 8, y + line * static_cast<double>(i + 1) - 2);
+        drawing::write(pen, lines[i], x + 8, y + line * static_cast<double>(i + 1) - 2);
 }
 
 /// One column of callouts, in the order of their marks from top to bottom, none over another.
@@ -137,7 +137,7 @@ void draw_callouts(const Sheet& sheet, const DefectPicture& picture, const Camer
                                                                     : right.size() > left.size() + 2;
         (goes_left ? left : right).push_back(std::move(callout));
     }
-    font(sheet.pen, 15);
+    drawing::font(sheet.pen, 15);
     draw_column(sheet, std::move(left), true);
     draw_column(sheet, std::move(right), false);
 }
@@ -145,30 +145,30 @@ void draw_callouts(const Sheet& sheet, const DefectPicture& picture, const Camer
 void write_legend_and_notes(const Sheet& sheet, const DefectPicture& picture)
 {
     cairo_t* pen = sheet.pen;
-    font(pen, 15);
+    drawing::font(pen, 15);
     double x = margin, y = sheet.height - foot + 40;
     for (const auto& [look, words] : picture.legend) {
-        if (x + width_of(pen, words) + 80 > sheet.width) {
+        if (x + drawing::width_of(pen, words) + 80 > sheet.width) {
             x = margin;
             y += 26;
         }
         const LookColor color = color_of(look);  // as it looks over white
-        const Rgb shown = color.opacity * color.color + (1 - color.opacity) * Rgb::Ones();
+        const drawing::Rgb shown = color.opacity * color.color + (1 - color.opacity) * drawing::Rgb::Ones();
         x = legend_entry(pen, words, shown, true, x, y);
     }
     for (const auto& [look, words] : picture.mark_legend) {
-        if (x + width_of(pen, words) + 80 > sheet.width) {
+        if (x + drawing::width_of(pen, words) + 80 > sheet.width) {
             x = margin;
             y += 26;
         }
         x = legend_entry(pen, words, color_of(look), false, x, y);
     }
     y += 32;
-    use(pen, ink);
+    drawing::use(pen, ink);
     for (const std::string& note : picture.notes)
         for (const std::string& words : wrapped(pen, note, sheet.width - 2 * margin)) {
             if (y > sheet.height - 8) return;
-            write(pen, words, margin, y);
+            drawing::write(pen, words, margin, y);
             y += line;
         }
 }
@@ -211,4 +211,4 @@ std::vector<std::filesystem::path> draw_defect_pages(const DefectPictures& pictu
     return files;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

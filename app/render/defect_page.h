@@ -6,7 +6,7 @@
 #include "app/render/canvas.h"
 #include "app/render/defect_pictures.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 /// The part of a picture that is free for the drawing.
@@ -20,4 +20,4 @@ void write_defect_page(const Image& drawing, const DefectPicture& picture, const
 std::vector<std::filesystem::path> draw_defect_pages(const DefectPictures& pictures,
                                                      const std::filesystem::path& folder);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

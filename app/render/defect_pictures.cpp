@@ -7,7 +7,7 @@
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 namespace
@@ -138,11 +138,12 @@ DefectRequest defects_from_json(const std::string& text)
 
 std::vector<fs::path> draw_defects(const DefectPictures& pictures, const fs::path& folder)
 {
-    const fs::path helper = helper_folder() / "voussoir-defects";
+    const fs::path helper = importers::process::helper_folder() / "voussoir-defects";
     if (!fs::exists(helper))
         throw InputError(helper.string(), "there is no such program",
                          "build voussoir with VOUSSOIR_RENDER=ON to have pictures");
-    const ChildAnswer answer = ask_child(helper, to_json(pictures, folder), seconds_allowed, max_output);
+    const importers::process::ChildAnswer answer =
+        importers::process::ask_child(helper, to_json(pictures, folder), seconds_allowed, max_output);
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-defects drew no pictures: " + answer.failure,
                          "see its message");
@@ -152,4 +153,4 @@ std::vector<fs::path> draw_defects(const DefectPictures& pictures, const fs::pat
     return files;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

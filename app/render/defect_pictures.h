@@ -9,7 +9,7 @@
 
 #include "importers/helper/geometry.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 /// How a stone is drawn.
@@ -39,7 +39,7 @@ struct PictureStone {
 };
 
 struct PictureMark {
-    MarkedFeature feature;  // without a label it gets no callout
+    importers::mesh::MarkedFeature feature;  // without a label it gets no callout
     MarkLook look = MarkLook::defect;
 };
 
@@ -77,4 +77,4 @@ struct DefectRequest {
 /// @throws std::exception when the text is not what to_json wrote
 DefectRequest defects_from_json(const std::string& text);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

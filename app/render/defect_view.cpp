@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 namespace
@@ -89,7 +89,7 @@ std::vector<Vector3d> samples_of_all(const DefectPicture& picture)
 
 }  // namespace
 
-std::vector<Vector3d> samples_of(const MarkedFeature& feature)
+std::vector<Vector3d> samples_of(const importers::mesh::MarkedFeature& feature)
 {
     std::vector<Vector3d> samples = feature.points;
     for (const auto& [from, to] : feature.lines) samples.insert(samples.end(), {0.5 * (from + to), from, to});
@@ -149,4 +149,4 @@ Vector3d best_direction(const std::vector<PictureShape>& shapes, const DefectPic
     return best;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -17,8 +17,9 @@ int main(int argc, char**)
     }
     try {
         const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-        const voussoir::DefectRequest request = voussoir::defects_from_json(text);
-        for (const std::filesystem::path& file : voussoir::draw_defect_pages(request.pictures, request.folder))
+        const voussoir::app::render::DefectRequest request = voussoir::app::render::defects_from_json(text);
+        for (const std::filesystem::path& file :
+             voussoir::app::render::draw_defect_pages(request.pictures, request.folder))
             std::cout << file.string() << '\n';
         std::cout.flush();
         return std::cout ? 0 : 1;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 using Eigen::Vector3d;
@@ -29,7 +29,7 @@ void load_color_map()
 {
     std::array<float, 3 * 256> colors{};
     for (int i = 0; i < 256; ++i) {
-        const Rgb color = viridis(static_cast<float>(i) / 255);
+        const drawing::Rgb color = drawing::viridis(static_cast<float>(i) / 255);
         std::copy(color.data(), color.data() + 3, colors.begin() + 3 * i);
     }
     glTexImage1D(GL_TEXTURE_1D, 0, GL_RGB8, 256, 0, GL_RGB, GL_FLOAT, colors.data());
@@ -39,13 +39,13 @@ void load_color_map()
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 }
 
-void draw_triangles(const Scene& scene, bool foundations, const Lights& lights, const ColorScale& scale)
+void draw_triangles(const Scene& scene, bool foundations, const Lights& lights, const drawing::ColorScale& scale)
 {
-    const Rgb base = foundations ? foundation_color() : Rgb::Ones();
+    const drawing::Rgb base = foundations ? foundation_color() : drawing::Rgb::Ones();
     glBegin(GL_TRIANGLES);
     for (const Triangle& triangle : scene.triangles) {
         if (triangle.foundation != foundations) continue;
-        const Rgb color = base * brightness(triangle.normal, lights);
+        const drawing::Rgb color = base * brightness(triangle.normal, lights);
         glColor3fv(color.data());
         for (int corner = 0; corner < 3; ++corner) {
             glTexCoord1f(scale.share(triangle.values[corner]));
@@ -55,7 +55,7 @@ void draw_triangles(const Scene& scene, bool foundations, const Lights& lights, 
     glEnd();
 }
 
-void draw_lines(const std::vector<Segment>& lines, const Rgb& color, double width)
+void draw_lines(const std::vector<Segment>& lines, const drawing::Rgb& color, double width)
 {
     glLineWidth(static_cast<float>(width));
     glColor3fv(color.data());
@@ -69,17 +69,17 @@ void draw_lines(const std::vector<Segment>& lines, const Rgb& color, double widt
 
 }  // namespace
 
-Rgb opened_color()
+drawing::Rgb opened_color()
 {
     return {0.86F, 0.08F, 0.10F};
 }
 
-Rgb slid_color()
+drawing::Rgb slid_color()
 {
     return {1.0F, 0.55F, 0.0F};
 }
 
-Rgb foundation_color()
+drawing::Rgb foundation_color()
 {
     return {0.76F, 0.76F, 0.77F};
 }
@@ -89,7 +89,7 @@ Drawing::Drawing(int width, int height) : canvas_(width, height)
     load_color_map();
 }
 
-Image Drawing::draw(const Scene& scene, const Camera& camera, const ColorScale& scale, double pixel)
+Image Drawing::draw(const Scene& scene, const Camera& camera, const drawing::ColorScale& scale, double pixel)
 {
     const Lights lights{(-0.55 * camera.right + 0.70 * camera.up + 0.75 * camera.back).normalized(),
                         (0.9 * camera.right + 0.1 * camera.up + 0.4 * camera.back).normalized()};
@@ -113,4 +113,4 @@ Image Drawing::draw(const Scene& scene, const Camera& camera, const ColorScale& 
     return canvas_.image();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

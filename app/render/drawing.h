@@ -6,7 +6,7 @@
 #include "app/render/canvas.h"
 #include "app/render/scene.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 /// Draws scenes of one size.
@@ -17,15 +17,15 @@ class Drawing
     Drawing(int width, int height);
 
     /// @param pixel size of one logical pixel (1 at a picture height of 900)
-    Image draw(const Scene& scene, const Camera& camera, const ColorScale& scale, double pixel);
+    Image draw(const Scene& scene, const Camera& camera, const drawing::ColorScale& scale, double pixel);
 
  private:
     Canvas canvas_;
 };
 
 /// Colours of marks and of foundations, shared with the legend.
-Rgb opened_color();
-Rgb slid_color();
-Rgb foundation_color();
+drawing::Rgb opened_color();
+drawing::Rgb slid_color();
+drawing::Rgb foundation_color();
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 namespace
 {
 
-void close_face(int block, int part, SurfaceMesh& mesh)
+void close_face(int block, int part, results::SurfaceMesh& mesh)
 {
     mesh.face_first.push_back(static_cast<std::int32_t>(mesh.face_vertices.size()));
     mesh.face_block.push_back(block);
@@ -17,7 +17,7 @@ void close_face(int block, int part, SurfaceMesh& mesh)
 }
 
 /// The loop at y = -half (the front), then the same at y = half.
-void add_vertices(const SurfaceMesh& outlines, int face, double half, SurfaceMesh& mesh)
+void add_vertices(const results::SurfaceMesh& outlines, int face, double half, results::SurfaceMesh& mesh)
 {
     for (const double y : {-half, half})
         for (int i = outlines.face_first[face]; i < outlines.face_first[face + 1]; ++i) {
@@ -27,7 +27,7 @@ void add_vertices(const SurfaceMesh& outlines, int face, double half, SurfaceMes
         }
 }
 
-void add_prism(const SurfaceMesh& outlines, int face, double half, SurfaceMesh& mesh)
+void add_prism(const results::SurfaceMesh& outlines, int face, double half, results::SurfaceMesh& mesh)
 {
     const int block = outlines.face_block[face], part = outlines.face_part[face];
     const int corners = outlines.face_first[face + 1] - outlines.face_first[face];
@@ -46,9 +46,9 @@ void add_prism(const SurfaceMesh& outlines, int face, double half, SurfaceMesh& 
 
 }  // namespace
 
-SurfaceMesh extruded(const SurfaceMesh& outlines, double thickness)
+results::SurfaceMesh extruded(const results::SurfaceMesh& outlines, double thickness)
 {
-    SurfaceMesh mesh;
+    results::SurfaceMesh mesh;
     mesh.face_first = {0};
     for (int face = 0; face < static_cast<int>(outlines.face_block.size()); ++face)
         add_prism(outlines, face, thickness / 2, mesh);
@@ -61,10 +61,10 @@ SurfaceMesh extruded(const SurfaceMesh& outlines, double thickness)
     return mesh;
 }
 
-RecordedModel in_space(RecordedModel model)
+results::RecordedModel in_space(results::RecordedModel model)
 {
     if (model.mesh.dimension == 2) model.mesh = extruded(model.mesh, model.thickness);
     return model;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

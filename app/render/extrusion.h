@@ -3,14 +3,14 @@
 
 #include "app/results/results_reader.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 /// Prisms over the outlines of a planar mesh, from y = -thickness/2 to thickness/2.
 /// @param outlines of dimension 2, the vertices of each face its own and in the order of its loop
-SurfaceMesh extruded(const SurfaceMesh& outlines, double thickness);
+results::SurfaceMesh extruded(const results::SurfaceMesh& outlines, double thickness);
 
 /// The model with a mesh in space: of a planar scene the outlines extruded by its thickness.
-RecordedModel in_space(RecordedModel model);
+results::RecordedModel in_space(results::RecordedModel model);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

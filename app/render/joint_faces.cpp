@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 using Eigen::Vector3d;
@@ -18,7 +18,7 @@ struct FacePlane {
     Vector3d middle = Vector3d::Zero();       // m
 };
 
-FacePlane plane_of(const SurfaceMesh& mesh, int face, const std::vector<Vector3d>& places)
+FacePlane plane_of(const results::SurfaceMesh& mesh, int face, const std::vector<Vector3d>& places)
 {
     FacePlane plane;
     const int first = mesh.face_first[face], end = mesh.face_first[face + 1];
@@ -38,7 +38,7 @@ struct BestFace {
 };
 
 /// Smallest sum of distance from the centre to the plane and of the tilt against the direction, as a length.
-BestFace best_face(const SurfaceMesh& mesh, const std::vector<Vector3d>& places, int block,
+BestFace best_face(const results::SurfaceMesh& mesh, const std::vector<Vector3d>& places, int block,
                    const Vector3d& outward, const Vector3d& centre)
 {
     BestFace best;
@@ -60,7 +60,7 @@ BestFace best_face(const SurfaceMesh& mesh, const std::vector<Vector3d>& places,
 
 }  // namespace
 
-std::vector<int> faces_of_joint(const SurfaceMesh& mesh, const std::vector<Vector3d>& places,
+std::vector<int> faces_of_joint(const results::SurfaceMesh& mesh, const std::vector<Vector3d>& places,
                                 const JointResultant& joint)
 {
     const BestFace a = best_face(mesh, places, joint.block_a, -joint.normal, joint.centre);
@@ -71,4 +71,4 @@ std::vector<int> faces_of_joint(const SurfaceMesh& mesh, const std::vector<Vecto
     return faces;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

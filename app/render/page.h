@@ -7,7 +7,7 @@
 
 #include "app/render/drawing.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 struct PageText {
@@ -25,7 +25,7 @@ PictureArea drawing_area(int width, int height);
 double logical_pixel(int width, int height);
 
 /// @throws InputError when the file cannot be written
-void write_page(const Image& drawing, const ColorScale& scale, const PageText& text,
+void write_page(const Image& drawing, const drawing::ColorScale& scale, const PageText& text,
                 const std::filesystem::path& path);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -14,8 +14,8 @@ namespace
 {
 
 using voussoir::InputError;
-using voussoir::SnapshotColor;
-using voussoir::SnapshotOptions;
+using voussoir::app::SnapshotColor;
+using voussoir::app::SnapshotOptions;
 
 struct Arguments {
     std::filesystem::path results, folder = "snapshots";
@@ -70,7 +70,7 @@ void render(Arguments& arguments)
     arguments.options.color =
         arguments.color == "displacement" ? SnapshotColor::displacement : SnapshotColor::principal_stress;
     arguments.options.deformation_scale = arguments.deformation_scale;
-    for (const std::filesystem::path& picture : voussoir::render_run(
+    for (const std::filesystem::path& picture : voussoir::app::render::render_run(
              arguments.results, arguments.folder, arguments.options, arguments.joint_threshold_mm * 1e-3)) {
         fmt::print("{}\n", picture.string());
     }
@@ -79,8 +79,8 @@ void render(Arguments& arguments)
 /// The results may be anybody's. A picture of 8000 x 8000 pixels takes 4 GB.
 void limit_resources()
 {
-    voussoir::limit_self(RLIMIT_CORE, 0);
-    voussoir::limit_own_memory(rlim_t{8} << 30);
+    voussoir::importers::process::limit_self(RLIMIT_CORE, 0);
+    voussoir::importers::process::limit_own_memory(rlim_t{8} << 30);
 }
 
 int run(int count, char** words)

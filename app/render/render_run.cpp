@@ -12,7 +12,7 @@
 #include "app/render/page.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 using Eigen::Vector3d;
@@ -33,7 +33,7 @@ std::size_t nearest_frame(const std::vector<double>& times, std::size_t first, d
 }
 
 /// The first frame of a dynamic stage; 0 when the run has none.
-std::size_t first_dynamic_frame(const ResultsReader& results)
+std::size_t first_dynamic_frame(const results::ResultsReader& results)
 {
     const std::vector<std::int32_t>& stages = results.stages;
     for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -72,7 +72,7 @@ std::vector<Vector3d> points_to_see(const std::vector<Scene>& scenes)
 }
 
 /// One scale for all pictures: from the smallest value to the largest, a displacement's from zero.
-ColorScale scale_of(const std::vector<Scene>& scenes, SnapshotColor color)
+drawing::ColorScale scale_of(const std::vector<Scene>& scenes, SnapshotColor color)
 {
     const bool displacement = color == SnapshotColor::displacement;
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -87,8 +87,9 @@ ColorScale scale_of(const std::vector<Scene>& scenes, SnapshotColor color)
         }
     }
     if (lowest > highest) lowest = highest = 0;  // foundations only
-    if (displacement) return make_scale(lowest, highest, "displacement relative to the ground", length_units);
-    return make_scale(lowest, highest, "largest compressive principal stress", stress_units);
+    if (displacement)
+        return drawing::make_scale(lowest, highest, "displacement relative to the ground", drawing::length_units);
+    return drawing::make_scale(lowest, highest, "largest compressive principal stress", drawing::stress_units);
 }
 
 /// "12.3 mm"; micrometres only where a tenth of a millimetre is too coarse.
@@ -111,7 +112,7 @@ std::string ground_in_words(const Vector3d& ground)
     return words;
 }
 
-PageText words_of(const Scene& scene, const RecordedModel& model, const SceneOptions& options)
+PageText words_of(const Scene& scene, const results::RecordedModel& model, const SceneOptions& options)
 {
     PageText text;
     text.title = model.title.empty() ? "voussoir" : model.title;
@@ -130,7 +131,7 @@ PageText words_of(const Scene& scene, const RecordedModel& model, const SceneOpt
     return text;
 }
 
-void check(const ResultsReader& results, const fs::path& file, const SnapshotOptions& options)
+void check(const results::ResultsReader& results, const fs::path& file, const SnapshotOptions& options)
 {
     if (results.times.empty()) {
         throw InputError(file.string(), "no frame", "give the results of a run that has written a frame");
@@ -144,7 +145,7 @@ void check(const ResultsReader& results, const fs::path& file, const SnapshotOpt
 
 }  // namespace
 
-std::vector<std::size_t> choose_frames(const ResultsReader& results, const SnapshotOptions& options)
+std::vector<std::size_t> choose_frames(const results::ResultsReader& results, const SnapshotOptions& options)
 {
     std::vector<std::size_t> frames;
     for (const double time : options.times) frames.push_back(nearest_frame(results.times, 0, time));
@@ -165,20 +166,20 @@ std::vector<std::size_t> choose_frames(const ResultsReader& results, const Snaps
 std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& folder,
                                  const SnapshotOptions& options, double joint_threshold)
 {
-    const ResultsReader results(results_file);
+    const results::ResultsReader results(results_file);
     check(results, results_file, options);
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw InputError(folder.string(), "cannot be created: " + error.message(), "give another folder");
 
     const SceneOptions scene_options{options.color, options.deformation_scale.value_or(1), joint_threshold};
-    const RecordedModel model = in_space(results.model);
-    const RecordedFrame first = results.frame(0);
+    const results::RecordedModel model = in_space(results.model);
+    const results::RecordedFrame first = results.frame(0);
     std::vector<Scene> scenes;
     for (const std::size_t frame : choose_frames(results, options)) {
         scenes.push_back(make_scene(model, first, results.frame(frame), scene_options));
     }
-    const ColorScale scale = scale_of(scenes, options.color);
+    const drawing::ColorScale scale = scale_of(scenes, options.color);
     const double aspect = static_cast<double>(options.width) / options.height;
     const View view = is_planar(model.kinematics) ? View::straight_on : View::from_aside;
     const Camera camera =
@@ -193,4 +194,4 @@ std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& f
     return pictures;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -7,12 +7,12 @@
 #include "app/case/case.h"
 #include "app/results/results_reader.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 /// The frame nearest to each asked time, each frame once; without times `count` frames spread over the dynamic
 /// stages (over the run if there are none), the last frame always among them. @returns ascending indices
-std::vector<std::size_t> choose_frames(const ResultsReader& results, const SnapshotOptions& options);
+std::vector<std::size_t> choose_frames(const results::ResultsReader& results, const SnapshotOptions& options);
 
 /// Draws the chosen frames into `folder` as snapshot_0001_t=12.340s.png, ...
 /// @param joint_threshold [m] openings and slips larger than this are marked
@@ -21,4 +21,4 @@ std::vector<std::filesystem::path> render_run(const std::filesystem::path& resul
                                               const std::filesystem::path& folder, const SnapshotOptions& options,
                                               double joint_threshold);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

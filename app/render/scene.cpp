@@ -6,7 +6,7 @@
 
 #include "app/render/joint_faces.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 using Eigen::Vector3d;
@@ -20,11 +20,12 @@ struct Vertices {
     std::vector<double> values;           // SI
 };
 
-Vertices place_vertices(const RecordedModel& model, const RecordedFrame& frame, const SceneOptions& options)
+Vertices place_vertices(const results::RecordedModel& model, const results::RecordedFrame& frame,
+                        const SceneOptions& options)
 {
     Vertices vertices;
-    const SurfaceMesh& mesh = model.mesh;
-    const std::vector<double> positions = positions_of(mesh, model.kinematics, frame.state);
+    const results::SurfaceMesh& mesh = model.mesh;
+    const std::vector<double> positions = results::positions_of(mesh, model.kinematics, frame.state);
     for (std::size_t v = 0; v < mesh.vertex_block.size(); ++v) {
         const int block = mesh.vertex_block[v];
         const Vector3d actual(positions.data() + 3 * v);
@@ -39,7 +40,7 @@ Vertices place_vertices(const RecordedModel& model, const RecordedFrame& frame, 
     return vertices;
 }
 
-void add_face(const SurfaceMesh& mesh, int face, const Vertices& vertices, bool foundation, Scene& scene)
+void add_face(const results::SurfaceMesh& mesh, int face, const Vertices& vertices, bool foundation, Scene& scene)
 {
     const std::int32_t* loop = mesh.face_vertices.data() + mesh.face_first[face];
     const int corners = mesh.face_first[face + 1] - mesh.face_first[face];
@@ -62,7 +63,7 @@ void add_face(const SurfaceMesh& mesh, int face, const Vertices& vertices, bool 
     }
 }
 
-void add_outline(const SurfaceMesh& mesh, int face, const std::vector<Vector3d>& places,
+void add_outline(const results::SurfaceMesh& mesh, int face, const std::vector<Vector3d>& places,
                  std::vector<Segment>& lines)
 {
     const int first = mesh.face_first[face], end = mesh.face_first[face + 1];
@@ -72,8 +73,9 @@ void add_outline(const SurfaceMesh& mesh, int face, const std::vector<Vector3d>&
     }
 }
 
-void mark_joints(const RecordedModel& model, const RecordedFrame& first, const RecordedFrame& frame,
-                 const Vertices& vertices, const SceneOptions& options, Scene& scene)
+void mark_joints(const results::RecordedModel& model, const results::RecordedFrame& first,
+                 const results::RecordedFrame& frame, const Vertices& vertices, const SceneOptions& options,
+                 Scene& scene)
 {
     const auto same_pair = [](const JointResultant& a, const JointResultant& b) {
         return a.block_a == b.block_a && a.block_b == b.block_b;
@@ -104,8 +106,8 @@ double largest_compression(const Eigen::Matrix3d& stress)
     return -Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-Scene make_scene(const RecordedModel& model, const RecordedFrame& first, const RecordedFrame& frame,
-                 const SceneOptions& options)
+Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& first,
+                 const results::RecordedFrame& frame, const SceneOptions& options)
 {
     Scene scene;
     scene.time = frame.time;
@@ -121,4 +123,4 @@ Scene make_scene(const RecordedModel& model, const RecordedFrame& first, const R
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

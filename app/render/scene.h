@@ -7,7 +7,7 @@
 #include "app/case/case.h"
 #include "app/results/results_reader.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 struct SceneOptions {
@@ -38,10 +38,10 @@ struct Scene {
 
 /// @param model with a mesh in space; @param first the run's first frame: joints that it has and `frame` has not
 /// are wide open
-Scene make_scene(const RecordedModel& model, const RecordedFrame& first, const RecordedFrame& frame,
-                 const SceneOptions& options);
+Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& first,
+                 const results::RecordedFrame& frame, const SceneOptions& options);
 
 /// Largest compressive principal stress [Pa], > 0 in compression.
 double largest_compression(const Eigen::Matrix3d& stress);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

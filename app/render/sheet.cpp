@@ -7,7 +7,7 @@
 
 #include "app/drawing/pen.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 namespace
@@ -45,7 +45,7 @@ Surface surface_of(const Image& image)
 
 }  // namespace
 
-const Rgb ink(0.13F, 0.14F, 0.17F), faint_ink(0.38F, 0.40F, 0.44F);
+const drawing::Rgb ink(0.13F, 0.14F, 0.17F), faint_ink(0.38F, 0.40F, 0.44F);
 
 Sheet::Sheet(const Image& drawing, double pixel) : width(drawing.width / pixel), height(drawing.height / pixel)
 {
@@ -67,32 +67,33 @@ Sheet::~Sheet()
 void Sheet::write(const std::filesystem::path& path) const
 {
     cairo_surface_flush(surface_);
-    write_png(surface_, path);
+    drawing::write_png(surface_, path);
 }
 
 void write_head(const Sheet& sheet, const std::string& title, const std::string& subtitle, double margin)
 {
-    font(sheet.pen, 25, true);
-    const double share = (sheet.width - 2 * margin) / std::max(width_of(sheet.pen, title), 1.0);
-    font(sheet.pen, 25 * std::clamp(share, 0.66, 1.0), true);
-    use(sheet.pen, ink);
-    write(sheet.pen, title, margin, 52);
-    font(sheet.pen, 18);
-    use(sheet.pen, faint_ink);
-    write(sheet.pen, subtitle, margin, 82);
+    drawing::font(sheet.pen, 25, true);
+    const double share = (sheet.width - 2 * margin) / std::max(drawing::width_of(sheet.pen, title), 1.0);
+    drawing::font(sheet.pen, 25 * std::clamp(share, 0.66, 1.0), true);
+    drawing::use(sheet.pen, ink);
+    drawing::write(sheet.pen, title, margin, 52);
+    drawing::font(sheet.pen, 18);
+    drawing::use(sheet.pen, faint_ink);
+    drawing::write(sheet.pen, subtitle, margin, 82);
 }
 
-double legend_entry(cairo_t* pen, const std::string& words, const Rgb& color, bool area, double x, double y)
+double legend_entry(cairo_t* pen, const std::string& words, const drawing::Rgb& color, bool area, double x,
+                    double y)
 {
-    use(pen, color);
+    drawing::use(pen, color);
     cairo_rectangle(pen, x, area ? y - 12 : y - 7, 26, area ? 14 : 4);
     cairo_fill_preserve(pen);
-    use(pen, area ? ink : color);
+    drawing::use(pen, area ? ink : color);
     cairo_set_line_width(pen, area ? 1 : 0.1);
     cairo_stroke(pen);
-    use(pen, ink);
-    write(pen, words, x + 35, y);
-    return x + 35 + width_of(pen, words) + 30;
+    drawing::use(pen, ink);
+    drawing::write(pen, words, x + 35, y);
+    return x + 35 + drawing::width_of(pen, words) + 30;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

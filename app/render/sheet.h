@@ -10,7 +10,7 @@
 struct _cairo;  // the library's own names, so that its header stays out of ours
 struct _cairo_surface;
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 class Sheet
@@ -32,12 +32,13 @@ class Sheet
     _cairo_surface* surface_ = nullptr;
 };
 
-extern const Rgb ink, faint_ink;
+extern const drawing::Rgb ink, faint_ink;
 
 /// Title and subtitle at the upper left. A title too long for the sheet is written smaller, down to two thirds.
 void write_head(const Sheet& sheet, const std::string& title, const std::string& subtitle, double margin);
 
 /// A colour, as a line or an area, and what it means. @returns where the next entry starts
-double legend_entry(_cairo* pen, const std::string& words, const Rgb& color, bool area, double x, double y);
+double legend_entry(_cairo* pen, const std::string& words, const drawing::Rgb& color, bool area, double x,
+                    double y);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

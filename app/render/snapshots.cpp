@@ -8,7 +8,7 @@
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 namespace
@@ -52,7 +52,7 @@ std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::p
 {
     // A name that begins with a dash would be taken for an option.
     const fs::path folder = asked_folder.string().starts_with('-') ? "." / asked_folder : asked_folder;
-    const fs::path helper = helper_folder() / "voussoir-render";
+    const fs::path helper = importers::process::helper_folder() / "voussoir-render";
     if (!fs::exists(helper)) {
         throw InputError(helper.string(), "there is no such program",
                          "build voussoir with VOUSSOIR_RENDER=ON, or ask for no snapshots");
@@ -60,8 +60,8 @@ std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::p
     for (const fs::path& path : {results_file, folder})
         if (path.string().find('\n') != std::string::npos)
             throw InputError(path.string(), "a name of two lines", "rename it");
-    const ChildAnswer answer =
-        ask_child(helper, request(results_file, folder, options), seconds_allowed, max_output);
+    const importers::process::ChildAnswer answer =
+        importers::process::ask_child(helper, request(results_file, folder, options), seconds_allowed, max_output);
     if (!answer.failure.empty()) {
         throw InputError(results_file.string(), "voussoir-render drew no pictures: " + answer.failure,
                          "see its message");
@@ -73,4 +73,4 @@ std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::p
     return pictures;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

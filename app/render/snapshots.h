@@ -7,7 +7,7 @@
 
 #include "app/case/case.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 
 /// Starts `voussoir-render` (beside the running program) on a results file and returns the pictures it made.
@@ -16,4 +16,4 @@ std::vector<std::filesystem::path> render_snapshots(const std::filesystem::path&
                                                     const std::filesystem::path& folder,
                                                     const SnapshotOptions& options);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -10,7 +10,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -83,4 +83,4 @@ std::string read_whole_file(const std::filesystem::path& path)
     return bytes;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

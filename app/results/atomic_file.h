@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Writes under a temporary name beside `path`, syncs to the disk, renames, syncs the folder.
@@ -21,4 +21,4 @@ std::string read_whole_file(const std::filesystem::path& path);
 /// Refusal of a file that cannot be written, with the system's words for `error_number`.
 [[noreturn]] void refuse_writing(const std::filesystem::path& path, int error_number);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

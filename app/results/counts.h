@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Neither negative nor so large that a run could count past the end of its type.
@@ -13,4 +13,4 @@ constexpr bool is_count(std::int64_t value)
     return value >= 0 && value <= most;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -1,6 +1,6 @@
 #include "app/results/energy_terms.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 std::vector<std::pair<std::string, double>> energy_terms(const EnergyLedger& energy)
@@ -28,4 +28,4 @@ std::vector<std::pair<std::string, double>> energy_terms(const EnergyLedger& ene
             {"residual_J", energy.residual()}};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

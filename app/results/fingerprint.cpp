@@ -6,7 +6,7 @@
 
 #include "app/results/packed.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -76,8 +76,8 @@ Fingerprint fingerprint_of(const Case& the_case)
 {
     Packer overrides;
     overrides.list(the_case.overrides);
-    return {engine_version(), fnv1a(the_case.text), fnv1a(overrides.bytes), hash_of_blocks(the_case.model),
-            hash_of_motions(the_case.stages)};
+    return {version::engine_version(), fnv1a(the_case.text), fnv1a(overrides.bytes),
+            hash_of_blocks(the_case.model), hash_of_motions(the_case.stages)};
 }
 
 bool same_input(const Fingerprint& before, const Fingerprint& now)
@@ -99,4 +99,4 @@ std::string differences(const Fingerprint& before, const Fingerprint& now)
     return changed;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

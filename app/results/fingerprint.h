@@ -7,12 +7,12 @@
 #include "app/case/case.h"
 #include "app/version/version.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Hashes of all that decides a run.
 struct Fingerprint {
-    EngineVersion engine;
+    version::EngineVersion engine;
     std::uint64_t text = 0;       // of the case file
     std::uint64_t overrides = 0;  // of --set
     std::uint64_t blocks = 0;     // of the shapes, masses and names that came of patterns and mesh files
@@ -27,4 +27,4 @@ bool same_input(const Fingerprint& before, const Fingerprint& now);
 /// What differs beside the engine, in words: "the case file, a record"; empty if nothing does.
 std::string differences(const Fingerprint& before, const Fingerprint& now);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

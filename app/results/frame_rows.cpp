@@ -6,7 +6,7 @@
 #include "app/results/scene_vectors.h"
 #include "libdda/analysis/joint_resultants.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 using Eigen::Vector3d;
@@ -179,4 +179,4 @@ std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const 
     return rows;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

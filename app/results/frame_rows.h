@@ -5,7 +5,7 @@
 #include "app/results/surface_mesh.h"
 #include "libdda/model/report.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// The datasets under /frames.
@@ -16,4 +16,4 @@ std::vector<GrowingDataset> frame_datasets(const Model& model, const SurfaceMesh
 std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const State& state,
                              const RunReport& report, std::int64_t& first_joint);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

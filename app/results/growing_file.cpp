@@ -7,7 +7,7 @@
 #include "app/results/model_records.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -139,4 +139,4 @@ void GrowingFile::close()
     file_.close();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -5,7 +5,7 @@
 #include "app/results/growing_rows.h"
 #include "app/results/surface_mesh.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// The beginning of another results file, to start from.
@@ -40,4 +40,4 @@ class GrowingFile
     std::vector<Hdf5Series> series_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -8,7 +8,7 @@
 
 #include "app/results/hdf5_file.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// A dataset that grows along its first axis.
@@ -27,4 +27,4 @@ struct Rows {
     std::uint64_t count = 1;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -8,7 +8,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir::hdf5_detail
+namespace voussoir::app::results
 {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t), "HDF5 identifiers are 64 bits wide since 1.10");
@@ -82,4 +82,4 @@ Hdf5Id access_properties()
     return properties;
 }
 
-}  // namespace voussoir::hdf5_detail
+}  // namespace voussoir::app::results

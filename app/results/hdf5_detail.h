@@ -6,7 +6,7 @@
 
 #include "app/results/hdf5_file.h"
 
-namespace voussoir::hdf5_detail
+namespace voussoir::app::results
 {
 
 std::int64_t native(ElementType type);
@@ -19,4 +19,4 @@ Hdf5Id simple_space(const Extents& extents);
 /// Access without file locks, and HDF5's own printing of errors off.
 Hdf5Id access_properties();
 
-}  // namespace voussoir::hdf5_detail
+}  // namespace voussoir::app::results

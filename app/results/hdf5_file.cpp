@@ -8,7 +8,7 @@
 #include "app/results/hdf5_detail.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 using namespace hdf5_detail;
@@ -220,4 +220,4 @@ void Hdf5File::close()
     file_ = Hdf5Id();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

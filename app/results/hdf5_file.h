@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 enum class ElementType { float32, float64, int32, int64 };
@@ -145,4 +145,4 @@ class Hdf5File
     Hdf5Id file_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -5,7 +5,7 @@
 
 #include "app/results/hdf5_detail.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 using namespace hdf5_detail;
@@ -168,4 +168,4 @@ double Hdf5File::number_attribute(const std::string& object, const std::string& 
     return value;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

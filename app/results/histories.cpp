@@ -12,7 +12,7 @@
 #include "app/results/surface_mesh.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 using Eigen::Vector3d;
@@ -103,4 +103,4 @@ std::vector<double> Histories::flush()
     return std::exchange(pending_, {});
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -9,7 +9,7 @@
 #include "libdda/analysis/material_point.h"
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// The point of a model that a case's history follows.
@@ -42,4 +42,4 @@ class Histories
     std::ofstream stream_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

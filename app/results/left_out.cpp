@@ -2,7 +2,7 @@
 
 #include "app/results/results_writer.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -49,4 +49,4 @@ std::vector<std::string> left_out(const Case& the_case)
     return words;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -7,7 +7,7 @@
 #include "app/results/settings.h"
 #include "app/version/version.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -22,13 +22,13 @@ void write_scene(const Model& model, Hdf5File& file)
     if (is_deformable(model.kinematics)) file.attribute("/", "plane", std::string(name_of(model.plane)));
 }
 
-void write_engine(const EngineVersion& engine, Hdf5File& file)
+void write_engine(const version::EngineVersion& engine, Hdf5File& file)
 {
     file.attribute("/", "voussoir_version", engine.version);
     file.attribute("/", "engine_commit", engine.commit);
-    const char* const dirty = engine.dirty == Dirty::unknown ? "unknown"
-                              : engine.dirty == Dirty::yes   ? "yes"
-                                                             : "no";
+    const char* const dirty = engine.dirty == version::Dirty::unknown ? "unknown"
+                              : engine.dirty == version::Dirty::yes   ? "yes"
+                                                                      : "no";
     file.attribute("/", "engine_dirty", std::string(dirty));
     file.attribute("/", "engine_sources", engine.sources);
     const Compilation& compiled = engine.compilation;
@@ -39,7 +39,7 @@ void write_engine(const EngineVersion& engine, Hdf5File& file)
 void write_case(const Case& the_case, Hdf5File& file)
 {
     file.attribute("/", "format", std::string("voussoir results 1"));
-    write_engine(engine_version(), file);
+    write_engine(version::engine_version(), file);
     file.attribute("/", "title", the_case.title);
     write_scene(the_case.model, file);
     file.make_group("/case");
@@ -263,4 +263,4 @@ void write_model_records(const Case& the_case, const SurfaceMesh& mesh, Hdf5File
     write_motions(the_case, file);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

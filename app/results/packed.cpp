@@ -5,7 +5,7 @@
 #include "app/results/atomic_file.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 static_assert(std::endian::native == std::endian::little, "packed files are little-endian");
@@ -42,4 +42,4 @@ void refuse_damaged(const std::filesystem::path& path)
     throw InputError(path.string(), "damaged", "start the run again");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// FNV-1a. @param hash of what came before
@@ -152,4 +152,4 @@ class Unpacker
     std::string_view bytes_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

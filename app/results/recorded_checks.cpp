@@ -5,7 +5,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -82,4 +82,4 @@ void check_recorded(const RecordedFrame& frame, const RecordedModel& model, cons
         expect(is_block(joint.block_a) && is_block(joint.block_b), "a joint between no blocks");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

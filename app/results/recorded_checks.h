@@ -5,7 +5,7 @@
 
 #include "app/results/results_reader.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Lists and indices fit each other. @param place the file, for faults
@@ -16,4 +16,4 @@ void check_recorded(const RecordedModel& model, const std::string& place);
 /// @throws InputError as above
 void check_recorded(const RecordedFrame& frame, const RecordedModel& model, const std::string& place);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

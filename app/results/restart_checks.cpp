@@ -7,7 +7,7 @@
 #include "app/results/counts.h"
 #include "app/results/state_checks.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -95,4 +95,4 @@ bool fits(const Restart& restart, const Case& the_case)
            fits(restart.state, the_case.model) && fits(restart.position.report, the_case.model);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -3,7 +3,7 @@
 
 #include "app/results/restart_file.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Its state is sound, its outcome is one that there is, and no count is negative or about to overflow.
@@ -13,4 +13,4 @@ bool is_sound(const Restart& restart);
 /// of its blocks. An ended run has no state and fits.
 bool fits(const Restart& restart, const Case& the_case);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -5,7 +5,7 @@
 #include "app/results/state_fields.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -113,4 +113,4 @@ void check_fits(const Restart& restart, const Case& the_case, const std::filesys
         throw InputError(path.string(), "the restart of another case", "start the run again");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -8,7 +8,7 @@
 #include "app/results/fingerprint.h"
 #include "libdda/run/run.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// All that a run carries from one step to the next, and how much of its results was written by then.
@@ -34,4 +34,4 @@ Restart load_restart(const std::filesystem::path& path);
 /// A restart that was loaded is one of this case. @param path of the restart, for the fault; @throws InputError
 void check_fits(const Restart& restart, const Case& the_case, const std::filesystem::path& path);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -8,7 +8,7 @@
 #include "app/results/settings.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 using Eigen::Matrix3d;
@@ -188,4 +188,4 @@ std::vector<JointResultant> ResultsReader::joints(std::size_t frame) const
     return joints;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

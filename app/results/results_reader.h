@@ -10,7 +10,7 @@
 #include "app/results/surface_mesh.h"
 #include "libdda/analysis/joint_resultants.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// What is constant in a results file.
@@ -62,4 +62,4 @@ class ResultsReader
     std::string place_;  // the file, for faults
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -14,7 +14,7 @@
 #include "app/results/xdmf.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -197,4 +197,4 @@ fs::path ResultsWriter::results_file() const
     return implementation_->results();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -10,7 +10,7 @@
 #include "app/results/restart_file.h"
 #include "app/results/summary.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// What a run did not need and therefore did not create ("strains", "renderer", "ground motion", ...).
@@ -44,4 +44,4 @@ class ResultsWriter
     std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -11,7 +11,7 @@
 #include "app/results/atomic_file.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -51,4 +51,4 @@ RunLock::~RunLock()
     ::close(descriptor_);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Holds `run.lock` in a folder of results, made if need be, as long as it lives. The lock belongs to the process:
@@ -22,4 +22,4 @@ class RunLock
     int descriptor_ = -1;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -1,6 +1,6 @@
 #include "app/results/scene_vectors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 using Eigen::Matrix3d;
@@ -69,4 +69,4 @@ Matrix3d tensor_of(const std::vector<std::string>& names, const double* componen
     return tensor;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

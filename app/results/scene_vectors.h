@@ -7,7 +7,7 @@
 
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// "x", "y", "z", or "x", "z".
@@ -32,4 +32,4 @@ double component(const Eigen::Matrix3d& tensor, const std::string& name);
 /// The symmetric tensor with these components; 0 where none is named.
 Eigen::Matrix3d tensor_of(const std::vector<std::string>& names, const double* components);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -4,7 +4,7 @@
 
 #include "app/results/scene_vectors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 std::string_view name_of(Integrator integrator)
@@ -99,4 +99,4 @@ std::string settings_json(const std::vector<Stage>& stages, Kinematics kinematic
     return list.dump(2);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -7,7 +7,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 std::string_view name_of(Integrator integrator);
@@ -20,4 +20,4 @@ std::string_view name_of(PlaneCondition plane);
 /// All settings of all stages as JSON text, SI units, keys as in the Stage struct with units appended.
 std::string settings_json(const std::vector<Stage>& stages, Kinematics kinematics);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -6,7 +6,7 @@
 #include "app/results/counts.h"
 #include "libdda/contact/placed_part.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -40,7 +40,7 @@ bool fits(const ContactSetIn<D>& contacts, const Model& model)
 {
     const auto is_side = [&](const ContactPatchIn<D>& patch, int block, int part, std::uint32_t face) {
         if (block < 0 || static_cast<std::size_t>(block) >= model.blocks.size()) return false;
-        const auto& parts = ShapeIn<D>::of(model.blocks[block]);
+        const auto& parts = contact::ShapeIn<D>::of(model.blocks[block]);
         if (part < 0 || static_cast<std::size_t>(part) >= parts.size()) return false;
         return patch.edge_edge || face < faces_of(parts[part]);
     };
@@ -77,4 +77,4 @@ bool fits(const State& state, const Model& model)
            fits(state.planar_contacts, model);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -3,7 +3,7 @@
 
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Every patch has its points, every point a status that there is, and no count is negative or about to overflow.
@@ -13,4 +13,4 @@ bool is_sound(const State& state);
 /// between parts that there are.
 bool fits(const State& state, const Model& model);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

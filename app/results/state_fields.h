@@ -3,7 +3,7 @@
 
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// One list of fields for both directions, so that they cannot disagree.
@@ -60,4 +60,4 @@ void state_fields(Archive& archive, SomeState& state)
     contact_fields(archive, state.planar_contacts);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -5,7 +5,7 @@
 #include "app/results/state_fields.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -35,4 +35,4 @@ void check_fits(const State& state, const Model& model, const std::filesystem::p
     if (!fits(state, model)) throw InputError(path.string(), "the state of another model", "start the run again");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

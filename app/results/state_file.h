@@ -5,7 +5,7 @@
 
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Writes every bit of the state; the file is there whole or not at all. @throws InputError
@@ -18,4 +18,4 @@ State load_state(const std::filesystem::path& path);
 /// @param path of the state, for the fault; @throws InputError
 void check_fits(const State& state, const Model& model, const std::filesystem::path& path);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

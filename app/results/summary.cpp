@@ -10,7 +10,7 @@
 #include "app/words/diagnosis_words.h"
 #include "libdda/analysis/crushing.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -110,15 +110,15 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
 {
     const Model& model = the_case.model;
     std::vector<std::string> warnings = the_case.warnings;
-    for (std::string& warning : warnings_of(report, model, the_case.stages))
+    for (std::string& warning : words::warnings_of(report, model, the_case.stages))
         warnings.push_back(std::move(warning));
     Json json;
     json["case"] = the_case.file.string();
     json["title"] = the_case.title;
-    json["voussoir_version"] = engine_version().version;
-    json["engine"] = Json::parse(engine_json());
+    json["voussoir_version"] = version::engine_version().version;
+    json["engine"] = Json::parse(version::engine_json());
     json["outcome"] = name_of(report.outcome);
-    json["message"] = message_of(report, model, the_case.stages);
+    json["message"] = words::message_of(report, model, the_case.stages);
     json["kinematics"] = name_of(model.kinematics);
     if (is_planar(model.kinematics)) json["thickness_m"] = model.thickness;
     if (model.kinematics == Kinematics::planar_deformable) json["plane"] = name_of(model.plane);
@@ -153,4 +153,4 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -8,7 +8,7 @@
 #include "libdda/model/report.h"
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 struct CommandTimes {
@@ -20,4 +20,4 @@ struct CommandTimes {
 std::string summary_json(const Case& the_case, const State& state, const RunReport& report,
                          const CommandTimes& times, const std::vector<std::string>& files);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 using Eigen::Vector3d;
@@ -107,4 +107,4 @@ Vector3d ground_displacement(const Model& model, const State& state)
     return sum.cwiseQuotient(count.cwiseMax(1));
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -7,7 +7,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Vertices of all convex parts of all blocks, block after block; faces as loops into them. The faces of a planar
@@ -33,4 +33,4 @@ std::vector<double> positions_of(const SurfaceMesh& mesh, Kinematics kinematics,
 /// Where all foundations follow one motion, it is that motion's displacement. @returns (3) m
 Eigen::Vector3d ground_displacement(const Model& model, const State& state);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

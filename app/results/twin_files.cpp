@@ -10,7 +10,7 @@
 
 #include "app/results/atomic_file.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace fs = std::filesystem;
@@ -126,4 +126,4 @@ void TwinFiles::finish(const std::string& summary)
     front_->close();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

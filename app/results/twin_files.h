@@ -7,7 +7,7 @@
 
 #include "app/results/growing_file.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// HDF5 changes a file in many places, and a process may die between any two. So nothing is ever written into
@@ -47,4 +47,4 @@ class TwinFiles
     std::vector<std::vector<Rows>> added_;       // what neither has
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -7,7 +7,7 @@
 #include "app/results/atomic_file.h"
 #include "app/results/results_reader.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -105,4 +105,4 @@ void write_xdmf(const std::filesystem::path& results_file, const std::filesystem
     write_atomically(xdmf_file, text);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

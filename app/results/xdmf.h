@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// Describes every whole frame of a results file, of a finished or a killed run: one mesh of polygons, its
@@ -12,4 +12,4 @@ namespace voussoir
 /// @throws InputError when the results cannot be read or the description not written
 void write_xdmf(const std::filesystem::path& results_file, const std::filesystem::path& xdmf_file);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace voussoir
+namespace voussoir::app::version
 {
 
 namespace
@@ -48,4 +48,4 @@ std::string engine_paragraph(const std::string& behaviour)
            ". The page is up to date as long as `tests/libdda/golden_hashes.json` has this behaviour.\n";
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::version

@@ -6,7 +6,7 @@
 
 #include "libdda/compilation.h"
 
-namespace voussoir
+namespace voussoir::app::version
 {
 
 /// Whether files under version control differed from the commit when the program was built.
@@ -35,4 +35,4 @@ std::string engine_json(const std::string& behaviour = "");
 /// The last lines of a study's page. @param behaviour of golden::behaviour
 std::string engine_paragraph(const std::string& behaviour);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::version

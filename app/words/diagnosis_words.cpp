@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::app::words
 {
 
 namespace
@@ -254,4 +254,4 @@ std::vector<std::string> warnings_of(const RunReport& report, const Model& model
     return warnings;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::words

@@ -9,7 +9,7 @@
 #include "libdda/model/report.h"
 #include "libdda/model/stage.h"
 
-namespace voussoir
+namespace voussoir::app::words
 {
 
 /// One sentence without a full stop. @param diagnosis whole, of a run of this model and these stages
@@ -22,4 +22,4 @@ std::string message_of(const RunReport& report, const Model& model, const std::v
 std::vector<std::string> warnings_of(const RunReport& report, const Model& model,
                                      const std::vector<Stage>& stages);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::words

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace voussoir
+namespace voussoir::app::words
 {
 
 std::string error_in_words(double error)
@@ -16,4 +16,4 @@ std::string step_in_words(double time_step)
     return time_step < 1 ? fmt::format("{:.4g} ms", 1e3 * time_step) : fmt::format("{:.6g} s", time_step);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::words

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace voussoir
+namespace voussoir::app::words
 {
 
 /// "0.13 %", "3.2e-06", "0"; errors of 0.1 % and more as per cent.
@@ -12,4 +12,4 @@ std::string error_in_words(double error);
 /// "1 ms", "0.1 ms". @param time_step [s]
 std::string step_in_words(double time_step);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::words

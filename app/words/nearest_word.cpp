@@ -4,7 +4,7 @@
 
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::app::words
 {
 
 int edit_distance(std::string_view a, std::string_view b)
@@ -34,7 +34,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     int nearest_distance = word.size() <= 2 ? 1 : static_cast<int>((word.size() + 1) / 3) + 1;
     for (const std::string& candidate : known) {
         if (candidate.size() > longest) continue;
-        const int distance = edit_distance(lower_case(word), lower_case(candidate));
+        const int distance = edit_distance(text::lower_case(word), text::lower_case(candidate));
         if (distance < nearest_distance) {
             nearest_distance = distance;
             nearest = candidate;
@@ -54,4 +54,4 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
     return list.empty() ? "there is none to choose from" : "known here: " + list;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::words

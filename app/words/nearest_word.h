@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::words
 {
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn one word into the other.
@@ -19,4 +19,4 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 /// "did you mean young?" or, with nothing near, "known here: a, b, c".
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::words

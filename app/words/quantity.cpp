@@ -11,7 +11,7 @@
 #include "libdda/model/standard_gravity.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::app::words
 {
 namespace
 {
@@ -117,7 +117,7 @@ void apply_unit(std::string_view unit, ParsedQuantity& quantity)
 ParsedQuantity parse_quantity(std::string_view text)
 {
     ParsedQuantity quantity;
-    text = trim(text);
+    text = text::trim(text);
     if (text.starts_with('+')) text.remove_prefix(1);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), quantity.value);
     const bool yaml_not_finite = text.starts_with(".inf") || text.starts_with("-.inf") || text.starts_with(".nan");
@@ -131,7 +131,7 @@ ParsedQuantity parse_quantity(std::string_view text)
         return quantity;
     }
     text.remove_prefix(end - text.data());
-    text = trim(text);
+    text = text::trim(text);
     quantity.bare = text.empty();
     if (!quantity.bare) apply_unit(text, quantity);
     if (quantity.problem.empty() && !std::isfinite(quantity.value)) quantity.problem = "not a finite number";
@@ -157,4 +157,4 @@ std::string in_words(const Range& range, const Dimension& dimension)
     return "must be " + (text.empty() ? "finite" : text);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::words

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace voussoir
+namespace voussoir::app::words
 {
 
 /// Exponents of metre, kilogram, second and radian, with a name and an example for messages.
@@ -71,4 +71,4 @@ std::string in_words(const Range& range, const Dimension& dimension);
 /// "0.002 s", "1.5708 rad (90 deg)".
 std::string in_words(double value, const Dimension& dimension);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::words

@@ -9,7 +9,7 @@
 #include "importers/assembly/assembly_shapes.h"
 #include "importers/assembly/assembly_words.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 namespace
 {
@@ -144,4 +144,4 @@ Assembly examine_assembly(std::vector<AssemblyStone> stones, const std::vector<S
     return assembly;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

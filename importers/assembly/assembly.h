@@ -8,7 +8,7 @@
 
 #include "libdda/geometry/convex_polyhedron.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 
 /// Shares of a stone's size, the cube root of its volume.
@@ -138,4 +138,4 @@ double volume_inside(const std::vector<std::vector<Eigen::Vector3d>>& region);
 /// "25 mm", "1.25 m": three digits in the unit that suits.
 std::string length_words(double metres);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

@@ -10,7 +10,7 @@
 #include "libdda/contact/find_contacts.h"
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 namespace
 {
@@ -38,9 +38,9 @@ ContactSet search(const Model& model, const State& state, double share)
 {
     std::vector<double> reach(model.blocks.size());
     for (std::size_t b = 0; b < reach.size(); ++b) reach[b] = share * size_of(model, static_cast<int>(b));
-    std::vector<PlacedPart> parts;
+    std::vector<contact::PlacedPart> parts;
     ContactSet found;
-    find_contacts<3>(model, state, reach, 1, parts, found);
+    contact::find_contacts<3>(model, state, reach, 1, parts, found);
     return found;
 }
 
@@ -239,4 +239,4 @@ void find_contacts_and_gaps(Assembly& assembly)
     assembly.gaps = gaps_of(assembly, model, state);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

@@ -5,10 +5,10 @@
 
 #include "importers/assembly/assembly.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 
 /// Fills contacts and gaps of an assembly whose stones are there.
 void find_contacts_and_gaps(Assembly& assembly);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

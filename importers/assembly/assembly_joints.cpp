@@ -3,7 +3,7 @@
 
 #include "importers/assembly/assembly_phrases.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 namespace
 {
@@ -126,4 +126,4 @@ void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& 
              stones_of(small), true});
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

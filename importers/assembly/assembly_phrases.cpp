@@ -6,7 +6,7 @@
 
 #include "importers/assembly/assembly_words.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 
 std::string plural(std::size_t count, const std::string& word)
@@ -58,4 +58,4 @@ double closing_width(double widest)
     return std::ceil(widest / digit * (1 + 1e-12)) * digit;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

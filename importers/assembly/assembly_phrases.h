@@ -5,7 +5,7 @@
 
 #include "importers/assembly/assembly.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 
 /// "1 pair", "3 pairs".
@@ -28,4 +28,4 @@ void tell_overlaps(const Assembly& assembly, std::vector<AssemblyFinding>& findi
 void tell_gaps(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings);
 void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& findings);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

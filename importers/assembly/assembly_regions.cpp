@@ -3,7 +3,7 @@
 
 #include "importers/assembly/assembly.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 namespace
 {
@@ -74,4 +74,4 @@ double volume_inside(const std::vector<std::vector<Eigen::Vector3d>>& region)
     return volume;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

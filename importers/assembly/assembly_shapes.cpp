@@ -6,7 +6,7 @@
 
 #include "libdda/geometry/extent.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 namespace
 {
@@ -109,4 +109,4 @@ void judge_shapes(Assembly& assembly)
     judge_sizes(assembly);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

@@ -3,10 +3,10 @@
 
 #include "importers/assembly/assembly.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 
 /// Fills slivers, the largest and the smallest stone, the typical size and the extent.
 void judge_shapes(Assembly& assembly);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

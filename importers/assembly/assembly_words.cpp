@@ -7,7 +7,7 @@
 
 #include "importers/assembly/assembly_phrases.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 namespace
 {
@@ -188,4 +188,4 @@ std::vector<AssemblyFinding> findings_in_words(const Assembly& assembly, const A
     return findings;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

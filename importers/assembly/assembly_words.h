@@ -3,7 +3,7 @@
 
 #include "importers/assembly/assembly.h"
 
-namespace voussoir
+namespace voussoir::importers::assembly
 {
 
 /// Findings, the grave ones first; none when the assembly is sound.
@@ -12,4 +12,4 @@ std::vector<AssemblyFinding> findings_in_words(const Assembly& assembly, const A
 /// The joint gap to close that is certain to close gaps up to `widest` [m]: the next larger length of two digits.
 double closing_width(double widest);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::assembly

@@ -10,7 +10,7 @@
 
 #include <map>
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -112,4 +112,4 @@ bool fill_cap(const std::vector<Vector3d>& points, const Vector3d& normal, const
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -7,7 +7,7 @@
 
 #include "importers/exact/triangle_surface.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// Directed edges, with how often each occurs.
@@ -20,4 +20,4 @@ using DirectedEdges = std::map<std::pair<int, int>, int>;
 bool fill_cap(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& normal,
               const DirectedEdges& edges, std::vector<Eigen::Vector3i>& triangles);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -12,7 +12,7 @@
 #include "importers/exact/weld.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 namespace
@@ -49,7 +49,7 @@ std::string weld_vertices(Draft& draft)
 void mend_joints_of_faces(Draft& draft)
 {
     if (edge_use(draft.surface).open.empty()) return;
-    PolygonSurface mended = draft.surface;
+    mesh::PolygonSurface mended = draft.surface;
     const int inserted = insert_corners_on_open_edges(mended, draft.options.weld_tolerance * draft.diagonal);
     if (inserted == 0 || !edge_use(mended).open.empty()) return;
     draft.surface = std::move(mended);
@@ -89,7 +89,7 @@ std::string check_shells(Draft& draft)
     draft.shell = shell_of_faces(draft.surface);
     const int count = *std::max_element(draft.shell.begin(), draft.shell.end()) + 1;
     if (count == 1) return "";
-    const std::vector<PolygonSurface> shells = shells_of(draft.surface);
+    const std::vector<mesh::PolygonSurface> shells = shells_of(draft.surface);
     int outside = 0;
     for (int s = 1; s < count; ++s)
         if (diagonal_of(shells[s].vertices) > diagonal_of(shells[outside].vertices)) outside = s;
@@ -211,14 +211,14 @@ std::string check_volume(Draft& draft)
 
 void Draft::mark_edges(const std::string& label, const std::vector<std::pair<int, int>>& edges)
 {
-    MarkedFeature feature{label, {}, {}, {}};
+    mesh::MarkedFeature feature{label, {}, {}, {}};
     for (const auto& [a, b] : edges) feature.lines.push_back({surface.vertices[a], surface.vertices[b]});
     certificate.features.push_back(std::move(feature));
 }
 
 void Draft::mark_faces(const std::string& label, const std::vector<int>& faces)
 {
-    MarkedFeature feature{label, {}, {}, {}};
+    mesh::MarkedFeature feature{label, {}, {}, {}};
     for (const int f : std::set<int>(faces.begin(), faces.end())) {
         std::vector<Eigen::Vector3d>& polygon = feature.polygons.emplace_back();
         for (const int v : surface.faces[f]) polygon.push_back(surface.vertices[v]);
@@ -226,7 +226,7 @@ void Draft::mark_faces(const std::string& label, const std::vector<int>& faces)
     certificate.features.push_back(std::move(feature));
 }
 
-Certificate certify(PolygonSurface surface, const CertifyOptions& options)
+Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options)
 {
     Draft draft;
     draft.surface = std::move(surface);
@@ -247,4 +247,4 @@ Certificate certify(PolygonSurface surface, const CertifyOptions& options)
     return std::move(draft.certificate);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -10,7 +10,7 @@
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// What is still accepted.
@@ -35,8 +35,8 @@ struct Certificate {
     std::vector<ConvexPolyhedron> parts;  // one, or the glued parts of a concave stone; empty when refused
     Moments moments;          // of the surface as drawn, known when it is closed and does not cross itself
     double volume_error = 0;  // share of the volume by which the parts differ from it
-    std::vector<MarkedFeature> features;  // what is wrong where
-    PolygonSurface surface;               // as it was judged
+    std::vector<mesh::MarkedFeature> features;  // what is wrong where
+    mesh::PolygonSurface surface;               // as it was judged
 };
 
 /// Welds, mends what has one cure (repeated faces, triangles without area, faces that meet without sharing their
@@ -45,6 +45,6 @@ struct Certificate {
 /// is turned), a volume. A convex stone becomes one part with coplanar faces merged into polygons, a concave one
 /// several (decompose).
 /// @param surface in metres, z up, near the origin
-Certificate certify(PolygonSurface surface, const CertifyOptions& options = {});
+Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options = {});
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

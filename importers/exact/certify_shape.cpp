@@ -5,7 +5,7 @@
 #include "importers/exact/draft.h"
 #include "importers/exact/weld.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 namespace
@@ -15,7 +15,7 @@ namespace
 /// its hull.
 bool is_convex(const Draft& draft, double allowed)
 {
-    const PolygonSurface& surface = draft.surface;
+    const mesh::PolygonSurface& surface = draft.surface;
     if (surface.faces.size() * surface.vertices.size() < 100'000'000)
         return worst_outlier(surface).distance <= allowed;
     const TriangleSurface triangles{surface.vertices, draft.examination.triangles};
@@ -28,7 +28,7 @@ bool is_convex(const Draft& draft, double allowed)
 void make_one_part(Draft& draft)
 {
     const double tolerance = draft.options.planarity_tolerance, volume = draft.certificate.moments.volume;
-    PolygonSurface merged = draft.surface;
+    mesh::PolygonSurface merged = draft.surface;
     merged.faces = merge_coplanar_faces(merged.vertices, merged.faces, tolerance / 4);
     drop_unused_vertices(merged);
     draft.certificate.parts.push_back(
@@ -86,4 +86,4 @@ std::string check_convex(Draft& draft)
     return "";
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

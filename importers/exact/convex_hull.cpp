@@ -8,7 +8,7 @@
 
 #include "importers/exact/triangle_surface.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 TriangleSurface convex_hull(const std::vector<Eigen::Vector3d>& points)
@@ -33,4 +33,4 @@ TriangleSurface convex_hull(const std::vector<Eigen::Vector3d>& points)
     return result;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -27,7 +27,7 @@ struct FacePlane {
 
 }  // namespace
 
-Outlier worst_outlier(const PolygonSurface& surface)
+Outlier worst_outlier(const mesh::PolygonSurface& surface)
 {
     Outlier worst;
     for (std::size_t f = 0; f < surface.faces.size(); ++f) {
@@ -39,7 +39,7 @@ Outlier worst_outlier(const PolygonSurface& surface)
     return worst;
 }
 
-std::vector<Outlier> cut_bent_faces(PolygonSurface& surface, const SurfaceExamination& examination,
+std::vector<Outlier> cut_bent_faces(mesh::PolygonSurface& surface, const SurfaceExamination& examination,
                                     double tolerance)
 {
     std::vector<Outlier> bent;
@@ -67,4 +67,4 @@ std::vector<Outlier> cut_bent_faces(PolygonSurface& surface, const SurfaceExamin
     return bent;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -5,7 +5,7 @@
 
 #include "importers/exact/surface_checks.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 struct Outlier {
@@ -16,11 +16,11 @@ struct Outlier {
 /// The vertex that lies farthest outside the plane of a face; vertex -1 when none lies outside any.
 ///
 /// In plain doubles, relative to the face: the tolerance this is compared with is 1e9 times their rounding.
-Outlier worst_outlier(const PolygonSurface& surface);
+Outlier worst_outlier(const mesh::PolygonSurface& surface);
 
 /// Cuts every face whose corners lie more than `tolerance` off its plane into its triangles.
 /// @returns one outlier per face that was cut, with the number of the face before
-std::vector<Outlier> cut_bent_faces(PolygonSurface& surface, const SurfaceExamination& examination,
+std::vector<Outlier> cut_bent_faces(mesh::PolygonSurface& surface, const SurfaceExamination& examination,
                                     double tolerance);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -194,4 +194,4 @@ std::vector<CutPlane> cutting_planes(const TriangleSurface& surface, const std::
     return planes;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -5,7 +5,7 @@
 
 #include "importers/exact/cut_solid.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// An edge at which the solid is concave.
@@ -29,4 +29,4 @@ void weight_by_depth(std::vector<ReentrantEdge>& edges, const TriangleSurface& h
 std::vector<CutPlane> cutting_planes(const TriangleSurface& surface, const std::vector<ReentrantEdge>& edges,
                                      double tolerance, std::size_t count);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -6,7 +6,7 @@
 #include "importers/exact/cap.h"
 #include "importers/exact/shell.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -97,9 +97,9 @@ class Half
     DirectedEdges at_cut_;
 };
 
-PolygonSurface polygons_of(const TriangleSurface& surface)
+mesh::PolygonSurface polygons_of(const TriangleSurface& surface)
 {
-    PolygonSurface result{"", surface.vertices, {}};
+    mesh::PolygonSurface result{"", surface.vertices, {}};
     for (const Eigen::Vector3i& t : surface.triangles) result.faces.push_back({t[0], t[1], t[2]});
     return result;
 }
@@ -159,4 +159,4 @@ std::optional<Halves> cut_solid(const TriangleSurface& solid, const CutPlane& pl
     return Halves{connected_pieces(behind.half), connected_pieces(before.half)};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

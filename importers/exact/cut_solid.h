@@ -6,7 +6,7 @@
 
 #include "importers/exact/triangle_surface.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 struct CutPlane {
@@ -24,4 +24,4 @@ struct Halves {
 /// @returns nothing when the plane misses the solid or the cut is no sound region
 std::optional<Halves> cut_solid(const TriangleSurface& solid, const CutPlane& plane, double tolerance);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

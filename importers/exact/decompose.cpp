@@ -10,7 +10,7 @@
 #include "libdda/errors.h"
 #include "libdda/geometry/moments.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -172,7 +172,7 @@ TriangleSurface without_near_corners(const TriangleSurface& hull, double distanc
 ConvexPolyhedron part_of(const Piece& piece, double planarity, double diagonal, const std::string& name)
 {
     const TriangleSurface hull = without_near_corners(piece.hull, planarity * diagonal);
-    PolygonSurface merged{name, hull.vertices, {}};
+    mesh::PolygonSurface merged{name, hull.vertices, {}};
     for (const Eigen::Vector3i& t : hull.triangles) merged.faces.push_back({t[0], t[1], t[2]});
     merged.faces = merge_coplanar_faces(merged.vertices, merged.faces, planarity / 4);
     drop_unused_vertices(merged);
@@ -206,4 +206,4 @@ Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& 
     return result;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -7,7 +7,7 @@
 #include "importers/exact/triangle_surface.h"
 #include "libdda/geometry/convex_polyhedron.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// How far to cut.
@@ -38,4 +38,4 @@ struct Decomposition {
 Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& options = {},
                         const std::string& name = "stone");
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -9,7 +9,7 @@
 #include "importers/exact/certify.h"
 #include "importers/exact/surface_checks.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// printf into a string.
@@ -22,7 +22,7 @@ std::string format(const char* pattern, Values... values)
 }
 
 struct Draft {
-    PolygonSurface surface;
+    mesh::PolygonSurface surface;
     CertifyOptions options;
     double diagonal = 0;       // m
     std::vector<int> shell;    // per face: 0 the outside, others cavities
@@ -50,4 +50,4 @@ using CertifyStep = std::string (*)(Draft&);
 // The shape of a closed, outward surface: one convex part, or several.
 std::string check_convex(Draft& draft);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -8,7 +8,7 @@
 #include "libdda/geometry/box_tree.h"
 #include "libdda/geometry/moments.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -147,7 +147,7 @@ double overlap_volume(const std::vector<ConvexPolyhedron>& a, const std::vector<
 {
     double volume = 0;
     for (const ConvexPolyhedron& part_a : a)
-        for (const ConvexPolyhedron& part_b : b) volume += voussoir::overlap_volume(part_a, part_b);
+        for (const ConvexPolyhedron& part_b : b) volume += exact::overlap_volume(part_a, part_b);
     return volume;
 }
 
@@ -182,4 +182,4 @@ std::vector<OverlappingPair> find_overlaps(std::span<const std::vector<ConvexPol
     return pairs;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

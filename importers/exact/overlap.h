@@ -6,7 +6,7 @@
 
 #include "libdda/geometry/convex_polyhedron.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// Volume shared by two convex polyhedra [m3].
@@ -28,4 +28,4 @@ struct OverlappingPair {
 std::vector<OverlappingPair> find_overlaps(std::span<const std::vector<ConvexPolyhedron>> stones,
                                            double tolerance = 1e-6);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

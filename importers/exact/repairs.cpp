@@ -7,7 +7,7 @@
 
 #include "importers/exact/shell.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -36,7 +36,7 @@ bool insert_between(std::vector<Loop>& faces, std::size_t except, int a, int b, 
 
 }  // namespace
 
-int drop_repeated_faces(PolygonSurface& surface)
+int drop_repeated_faces(mesh::PolygonSurface& surface)
 {
     std::set<Loop> seen;
     const std::size_t before = surface.faces.size();
@@ -48,7 +48,7 @@ int drop_repeated_faces(PolygonSurface& surface)
     return static_cast<int>(before - surface.faces.size());
 }
 
-std::vector<int> drop_collinear_triangles(PolygonSurface& surface, const std::vector<int>& faces)
+std::vector<int> drop_collinear_triangles(mesh::PolygonSurface& surface, const std::vector<int>& faces)
 {
     std::vector<int> dropped;
     for (const int f : faces) {
@@ -68,7 +68,7 @@ std::vector<int> drop_collinear_triangles(PolygonSurface& surface, const std::ve
     return dropped;
 }
 
-int insert_corners_on_open_edges(PolygonSurface& surface, double tolerance)
+int insert_corners_on_open_edges(mesh::PolygonSurface& surface, double tolerance)
 {
     const std::vector<std::pair<int, int>> open = edge_use(surface).open;
     if (open.size() > max_open_edges) return 0;
@@ -107,4 +107,4 @@ int insert_corners_on_open_edges(PolygonSurface& surface, double tolerance)
     return count;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -31,7 +31,7 @@ struct FaceAtEdge {
 
 using FacesAtEdges = std::map<std::pair<int, int>, std::vector<FaceAtEdge>>;
 
-FacesAtEdges faces_at_edges(const PolygonSurface& surface)
+FacesAtEdges faces_at_edges(const mesh::PolygonSurface& surface)
 {
     FacesAtEdges edges;
     for (int f = 0; f < static_cast<int>(surface.faces.size()); ++f)
@@ -42,7 +42,7 @@ FacesAtEdges faces_at_edges(const PolygonSurface& surface)
     return edges;
 }
 
-Vector3d normal_of(const PolygonSurface& surface, int face)
+Vector3d normal_of(const mesh::PolygonSurface& surface, int face)
 {
     const std::vector<int>& loop = surface.faces[face];
     const Vector3d& origin = surface.vertices[loop.front()];
@@ -56,13 +56,13 @@ Vector3d normal_of(const PolygonSurface& surface, int face)
 class Fan
 {
  public:
-    Fan(const PolygonSurface& surface, const std::pair<int, int>& edge, const FaceAtEdge& start)
+    Fan(const mesh::PolygonSurface& surface, const std::pair<int, int>& edge, const FaceAtEdge& start)
     {
         along_ = (surface.vertices[edge.second] - surface.vertices[edge.first]).normalized();
         inward_ = -normal_of(surface, start.face);
         into_ = into(surface, start);
     }
-    double angle(const PolygonSurface& surface, const FaceAtEdge& other) const
+    double angle(const mesh::PolygonSurface& surface, const FaceAtEdge& other) const
     {
         const Vector3d direction = into(surface, other);
         const double a = std::atan2(direction.dot(inward_), direction.dot(into_));
@@ -71,14 +71,14 @@ class Fan
 
  private:
     /// From the edge into the face.
-    Vector3d into(const PolygonSurface& surface, const FaceAtEdge& at) const
+    Vector3d into(const mesh::PolygonSurface& surface, const FaceAtEdge& at) const
     {
         return (at.forward ? 1 : -1) * normal_of(surface, at.face).cross(along_);
     }
     Vector3d along_, inward_, into_;
 };
 
-bool some_coincide(const PolygonSurface& surface, const std::pair<int, int>& edge,
+bool some_coincide(const mesh::PolygonSurface& surface, const std::pair<int, int>& edge,
                    const std::vector<FaceAtEdge>& faces)
 {
     for (const FaceAtEdge& a : faces)
@@ -91,7 +91,7 @@ bool some_coincide(const PolygonSurface& surface, const std::pair<int, int>& edg
 
 /// Pairs of faces that continue each other at an edge where more than two meet: from each forward face the first
 /// backward one on the way round through the inside. Empty when that is ambiguous.
-std::vector<std::pair<int, int>> pairs_at(const PolygonSurface& surface, const std::pair<int, int>& edge,
+std::vector<std::pair<int, int>> pairs_at(const mesh::PolygonSurface& surface, const std::pair<int, int>& edge,
                                           const std::vector<FaceAtEdge>& faces)
 {
     std::vector<std::pair<int, int>> pairs;
@@ -114,7 +114,7 @@ std::vector<std::pair<int, int>> pairs_at(const PolygonSurface& surface, const s
 
 }  // namespace
 
-EdgeUse edge_use(const PolygonSurface& surface)
+EdgeUse edge_use(const mesh::PolygonSurface& surface)
 {
     std::map<std::pair<int, int>, Use> uses;
     for (const std::vector<int>& face : surface.faces)
@@ -132,7 +132,7 @@ EdgeUse edge_use(const PolygonSurface& surface)
     return result;
 }
 
-double winding_number(const PolygonSurface& surface, const Vector3d& point)
+double winding_number(const mesh::PolygonSurface& surface, const Vector3d& point)
 {
     double sum = 0;
     for (const std::vector<int>& face : surface.faces)
@@ -145,7 +145,7 @@ double winding_number(const PolygonSurface& surface, const Vector3d& point)
     return sum / (4 * std::numbers::pi);
 }
 
-std::vector<int> shell_of_faces(const PolygonSurface& surface, TouchingEdges touching)
+std::vector<int> shell_of_faces(const mesh::PolygonSurface& surface, TouchingEdges touching)
 {
     std::vector<int> leader(surface.faces.size());
     std::iota(leader.begin(), leader.end(), 0);
@@ -169,4 +169,4 @@ std::vector<int> shell_of_faces(const PolygonSurface& surface, TouchingEdges tou
     return number;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

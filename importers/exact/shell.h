@@ -6,7 +6,7 @@
 
 #include "importers/mesh/polygon_surface.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// How the edges of a surface are used; an edge is listed as (smaller vertex, larger vertex).
@@ -16,7 +16,7 @@ struct EdgeUse {
     std::vector<std::pair<int, int>> clashing;   // two faces that run along it in the same direction
 };
 
-EdgeUse edge_use(const PolygonSurface& surface);
+EdgeUse edge_use(const mesh::PolygonSurface& surface);
 
 /// What shells that touch in an edge only, no face on a face, are taken for.
 enum class TouchingEdges {
@@ -27,9 +27,10 @@ enum class TouchingEdges {
 /// For every face the number of its shell, in the order of first faces. Shells are faces connected by edges; where
 /// stones touch face to face and share vertices, more than two faces meet in an edge, and each is followed round
 /// through the inside of its stone to its own neighbour.
-std::vector<int> shell_of_faces(const PolygonSurface& surface, TouchingEdges touching = TouchingEdges::connect);
+std::vector<int> shell_of_faces(const mesh::PolygonSurface& surface,
+                                TouchingEdges touching = TouchingEdges::connect);
 
 /// How often a closed surface winds round a point: 1 inside, 0 outside. Source: [VanOosteromStrackee1983].
-double winding_number(const PolygonSurface& surface, const Eigen::Vector3d& point);
+double winding_number(const mesh::PolygonSurface& surface, const Eigen::Vector3d& point);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

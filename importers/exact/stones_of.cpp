@@ -9,7 +9,7 @@
 #include "importers/exact/triangle_surface.h"
 #include "importers/exact/weld.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 namespace
 {
 
-bool is_closed(const PolygonSurface& surface)
+bool is_closed(const mesh::PolygonSurface& surface)
 {
     const EdgeUse use = edge_use(surface);
     return use.open.empty() && use.branching.empty();
@@ -25,7 +25,7 @@ bool is_closed(const PolygonSurface& surface)
 
 struct Box {
     Vector3d lower = Vector3d::Constant(1e300), upper = Vector3d::Constant(-1e300);
-    explicit Box(const PolygonSurface& surface)
+    explicit Box(const mesh::PolygonSurface& surface)
     {
         for (const Vector3d& x : surface.vertices) {
             lower = lower.cwiseMin(x);
@@ -40,7 +40,7 @@ struct Box {
 
 /// Puts shells that lie inside a stone into it, as its cavities; a stone inside a cavity stays a stone of its own.
 /// @returns how many cavities there are
-int join_cavities(std::vector<PolygonSurface>& shells)
+int join_cavities(std::vector<mesh::PolygonSurface>& shells)
 {
     const std::vector<Box> boxes(shells.begin(), shells.end());
     std::vector<std::vector<std::size_t>> hosts(shells.size());  // how deep a shell is, is how many hold it
@@ -53,7 +53,7 @@ int join_cavities(std::vector<PolygonSurface>& shells)
         const std::size_t innermost =
             *std::max_element(hosts[i].begin(), hosts[i].end(),
                               [&](std::size_t a, std::size_t b) { return hosts[a].size() < hosts[b].size(); });
-        PolygonSurface& host = shells[innermost];
+        mesh::PolygonSurface& host = shells[innermost];
         const int first = static_cast<int>(host.vertices.size());
         host.vertices.insert(host.vertices.end(), shells[i].vertices.begin(), shells[i].vertices.end());
         for (std::vector<int> face : shells[i].faces) {
@@ -63,21 +63,21 @@ int join_cavities(std::vector<PolygonSurface>& shells)
         shells[i].faces.clear();
         ++count;
     }
-    std::erase_if(shells, [](const PolygonSurface& shell) { return shell.faces.empty(); });
+    std::erase_if(shells, [](const mesh::PolygonSurface& shell) { return shell.faces.empty(); });
     return count;
 }
 
 }  // namespace
 
-std::vector<PolygonSurface> shells_of(const PolygonSurface& surface)
+std::vector<mesh::PolygonSurface> shells_of(const mesh::PolygonSurface& surface)
 {
     const std::vector<int> shell = shell_of_faces(surface);
     const int count = shell.empty() ? 0 : *std::max_element(shell.begin(), shell.end()) + 1;
     // One pass per shell would be quadratic for a survey of thousands of stones in one object.
-    std::vector<PolygonSurface> parts(count, PolygonSurface{surface.name, {}, {}});
+    std::vector<mesh::PolygonSurface> parts(count, mesh::PolygonSurface{surface.name, {}, {}});
     std::vector<std::map<int, int>> local(count);
     for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-        PolygonSurface& part = parts[shell[f]];
+        mesh::PolygonSurface& part = parts[shell[f]];
         std::vector<int> loop;
         for (const int v : surface.faces[f]) {
             const auto [entry, is_new] = local[shell[f]].emplace(v, static_cast<int>(part.vertices.size()));
@@ -89,9 +89,9 @@ std::vector<PolygonSurface> shells_of(const PolygonSurface& surface)
     return parts;
 }
 
-bool lies_inside(const PolygonSurface& shell, const PolygonSurface& host)
+bool lies_inside(const mesh::PolygonSurface& shell, const mesh::PolygonSurface& host)
 {
-    PolygonSurface oriented = host;
+    mesh::PolygonSurface oriented = host;
     if (!edge_use(host).clashing.empty() && !orient_consistently(oriented)) return false;
     // A vertex on the host's surface has a share of a turn only: a stone that sits in a notch is not inside.
     const std::size_t stride = std::max<std::size_t>(1, shell.vertices.size() / 24);
@@ -100,13 +100,13 @@ bool lies_inside(const PolygonSurface& shell, const PolygonSurface& host)
     return true;
 }
 
-SeparatedStones separate_stones(PolygonSurface surface, double weld_tolerance)
+SeparatedStones separate_stones(mesh::PolygonSurface surface, double weld_tolerance)
 {
     SeparatedStones result;
-    std::vector<PolygonSurface> shells = shells_of(surface);  // by the file's own vertices
+    std::vector<mesh::PolygonSurface> shells = shells_of(surface);  // by the file's own vertices
     const auto all_closed = [&] { return std::all_of(shells.begin(), shells.end(), is_closed); };
     if (!all_closed()) {
-        PolygonSurface welded = surface;
+        mesh::PolygonSurface welded = surface;
         weld(welded, 0);
         shells = shells_of(welded);
         if (!all_closed()) {
@@ -135,4 +135,4 @@ SeparatedStones separate_stones(PolygonSurface surface, double weld_tolerance)
     return result;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -6,24 +6,25 @@
 
 #include "importers/mesh/polygon_surface.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// The stones of one surface.
 struct SeparatedStones {
-    std::vector<PolygonSurface> stones;  // named NAME, or NAME.1, NAME.2 ... in the order of their first faces
-    std::vector<std::string> repairs;    // what was done, in words
+    std::vector<mesh::PolygonSurface>
+        stones;                        // named NAME, or NAME.1, NAME.2 ... in the order of their first faces
+    std::vector<std::string> repairs;  // what was done, in words
 };
 
 /// The shells of a surface (shell_of_faces), each with vertices of its own.
-std::vector<PolygonSurface> shells_of(const PolygonSurface& surface);
+std::vector<mesh::PolygonSurface> shells_of(const mesh::PolygonSurface& surface);
 
 /// Does a closed shell lie inside another one, without touching it? Directions of faces do not matter.
-bool lies_inside(const PolygonSurface& shell, const PolygonSurface& host);
+bool lies_inside(const mesh::PolygonSurface& shell, const mesh::PolygonSurface& host);
 
 /// Takes a surface apart into its closed shells. A shell inside another one is that one's cavity and stays with
 /// it. A surface with fewer than two closed shells is left as it is.
 /// @param surface in any unit @param weld_tolerance share of its diagonal within which vertices are one
-SeparatedStones separate_stones(PolygonSurface surface, double weld_tolerance);
+SeparatedStones separate_stones(mesh::PolygonSurface surface, double weld_tolerance);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

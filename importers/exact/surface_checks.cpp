@@ -19,7 +19,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 namespace
@@ -33,14 +33,14 @@ using FaceNumbers = Mesh::Property_map<Mesh::Face_index, int>;
 /// CGAL prints before it throws; the exception says it all.
 void quiet(const char*, const char*, const char*, int, const char*) {}
 
-std::vector<Kernel::Point_3> points_of(const PolygonSurface& surface)
+std::vector<Kernel::Point_3> points_of(const mesh::PolygonSurface& surface)
 {
     std::vector<Kernel::Point_3> points;
     for (const Eigen::Vector3d& x : surface.vertices) points.emplace_back(x.x(), x.y(), x.z());
     return points;
 }
 
-std::vector<std::vector<std::size_t>> polygons_of(const PolygonSurface& surface)
+std::vector<std::vector<std::size_t>> polygons_of(const mesh::PolygonSurface& surface)
 {
     std::vector<std::vector<std::size_t>> polygons;
     for (const std::vector<int>& face : surface.faces) polygons.emplace_back(face.begin(), face.end());
@@ -59,7 +59,7 @@ struct NumberingVisitor {
 
 /// A face as a fan from its first corner, as most programs read it, so that a face that is not flat encloses the
 /// volume it has elsewhere; one polygon when the fan would fold over.
-std::vector<std::vector<int>> fan_of(const PolygonSurface& surface, const std::vector<int>& face)
+std::vector<std::vector<int>> fan_of(const mesh::PolygonSurface& surface, const std::vector<int>& face)
 {
     std::vector<std::vector<int>> triangles;
     std::vector<Eigen::Vector3d> normals;
@@ -75,7 +75,7 @@ std::vector<std::vector<int>> fan_of(const PolygonSurface& surface, const std::v
     return triangles;
 }
 
-Mesh to_mesh(const PolygonSurface& surface, FaceNumbers& numbers)
+Mesh to_mesh(const mesh::PolygonSurface& surface, FaceNumbers& numbers)
 {
     Mesh mesh;
     std::vector<Mesh::Vertex_index> vertices;
@@ -118,7 +118,7 @@ void list_crossings(const Mesh& mesh, const FaceNumbers& numbers, SurfaceExamina
     found.crossing_faces.assign(unique.begin(), unique.end());
 }
 
-SurfaceExamination examine_unguarded(const PolygonSurface& surface)
+SurfaceExamination examine_unguarded(const mesh::PolygonSurface& surface)
 {
     FaceNumbers numbers;
     Mesh mesh = to_mesh(surface, numbers);
@@ -135,7 +135,7 @@ SurfaceExamination examine_unguarded(const PolygonSurface& surface)
 
 }  // namespace
 
-bool orient_consistently(PolygonSurface& surface)
+bool orient_consistently(mesh::PolygonSurface& surface)
 {
     std::vector<Kernel::Point_3> points = points_of(surface);
     std::vector<std::vector<std::size_t>> polygons = polygons_of(surface);
@@ -145,7 +145,7 @@ bool orient_consistently(PolygonSurface& surface)
     return true;
 }
 
-SurfaceExamination examine(const PolygonSurface& surface)
+SurfaceExamination examine(const mesh::PolygonSurface& surface)
 {
     CGAL::set_error_handler(quiet);
     CGAL::set_warning_handler(quiet);
@@ -157,4 +157,4 @@ SurfaceExamination examine(const PolygonSurface& surface)
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

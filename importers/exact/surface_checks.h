@@ -7,13 +7,13 @@
 
 #include "importers/mesh/polygon_surface.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// Turns faces so that neighbours run along their shared edge in opposite directions.
 /// @returns false when no choice of directions does (a one-sided surface), or when shells touch in a vertex only;
 /// the surface is then untouched
-bool orient_consistently(PolygonSurface& surface);
+bool orient_consistently(mesh::PolygonSurface& surface);
 
 struct SurfaceExamination {
     std::vector<Eigen::Vector3i> triangles;  // of all faces, in the faces' direction
@@ -25,6 +25,6 @@ struct SurfaceExamination {
 /// Triangulates and examines a surface with exact predicates (CGAL, Polygon Mesh Processing).
 /// @pre every edge is used once in each direction
 /// @throws InputError when CGAL itself refuses
-SurfaceExamination examine(const PolygonSurface& surface);
+SurfaceExamination examine(const mesh::PolygonSurface& surface);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

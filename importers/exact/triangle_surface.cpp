@@ -4,7 +4,7 @@
 
 #include "libdda/geometry/moments.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -38,4 +38,4 @@ double diagonal_of(const std::vector<Vector3d>& vertices)
     return (upper - lower).norm();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

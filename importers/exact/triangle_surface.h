@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 /// Triangles by vertex indices.
@@ -25,4 +25,4 @@ double diagonal_of(const std::vector<Eigen::Vector3d>& vertices);
 /// The convex hull of points by exact predicates (CGAL); no triangles when the points lie in a plane.
 TriangleSurface convex_hull(const std::vector<Eigen::Vector3d>& points);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

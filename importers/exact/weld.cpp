@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <map>
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 using Eigen::Vector3d;
@@ -89,7 +89,7 @@ std::vector<int> without_repeats(const std::vector<int>& face, const std::vector
 
 }  // namespace
 
-WeldReport weld(PolygonSurface& surface, double tolerance)
+WeldReport weld(mesh::PolygonSurface& surface, double tolerance)
 {
     WeldReport report;
     if (surface.vertices.empty()) return report;
@@ -116,7 +116,7 @@ WeldReport weld(PolygonSurface& surface, double tolerance)
     return report;
 }
 
-void drop_unused_vertices(PolygonSurface& surface)
+void drop_unused_vertices(mesh::PolygonSurface& surface)
 {
     std::vector<int> place(surface.vertices.size(), -1);
     for (const std::vector<int>& face : surface.faces)
@@ -132,4 +132,4 @@ void drop_unused_vertices(PolygonSurface& surface)
     surface.vertices = std::move(kept);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

@@ -3,7 +3,7 @@
 
 #include "importers/mesh/polygon_surface.h"
 
-namespace voussoir
+namespace voussoir::importers::exact
 {
 
 struct WeldReport {
@@ -16,9 +16,9 @@ struct WeldReport {
 
 /// Every vertex within `tolerance` (unit of the surface) of an earlier one becomes that one; faces lose repeated
 /// corners, faces without three corners go, and so do vertices that no face uses.
-WeldReport weld(PolygonSurface& surface, double tolerance);
+WeldReport weld(mesh::PolygonSurface& surface, double tolerance);
 
 /// Keeps only the vertices that faces use, in their order.
-void drop_unused_vertices(PolygonSurface& surface);
+void drop_unused_vertices(mesh::PolygonSurface& surface);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::exact

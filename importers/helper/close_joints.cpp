@@ -12,7 +12,7 @@
 #include "libdda/contact/narrow_phase.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::helper
 {
 
 using Eigen::Vector3d;
@@ -31,13 +31,13 @@ struct Face {
     auto operator<=>(const Face&) const = default;
 };
 
-std::vector<PlacedPart> place(const ImportedMesh& mesh)
+std::vector<contact::PlacedPart> place(const ImportedMesh& mesh)
 {
-    std::vector<PlacedPart> placed;
+    std::vector<contact::PlacedPart> placed;
     for (int s = 0; s < static_cast<int>(mesh.stones.size()); ++s)
         for (int p = 0; p < static_cast<int>(mesh.stones[s].parts.size()); ++p) {
             const ConvexPolyhedron& shape = mesh.stones[s].parts[p];
-            PlacedPart part;
+            contact::PlacedPart part;
             part.block = s;
             part.part = p;
             part.shape = &shape;
@@ -61,19 +61,20 @@ struct Joint {
     double gap = 0;
 };
 
-std::vector<Joint> joints_of(const std::vector<PlacedPart>& parts, std::size_t stones, double width)
+std::vector<Joint> joints_of(const std::vector<contact::PlacedPart>& parts, std::size_t stones, double width)
 {
     std::vector<Joint> joints;
     const std::vector<double> reach(stones, width);
-    for (const auto& [i, j] : candidate_pairs(parts, reach, std::vector<bool>(stones, false))) {
-        const PlacedPart &first = parts[i], &second = parts[j];
+    for (const auto& [i, j] : contact::candidate_pairs(parts, reach, std::vector<bool>(stones, false))) {
+        const contact::PlacedPart &first = parts[i], &second = parts[j];
         const double size = std::min(first.size, second.size), slack = slack_share * size;
-        const std::optional<ContactPolygon> found = contact_polygon(first, second, width + slack, std::nullopt);
+        const std::optional<contact::ContactPolygon> found =
+            contact::contact_polygon(first, second, width + slack, std::nullopt);
         if (!found || found->edge_edge) continue;
-        const PlacedPart& reference = found->second_is_reference ? second : first;
-        const PlacedPart& incident = found->second_is_reference ? first : second;
+        const contact::PlacedPart& reference = found->second_is_reference ? second : first;
+        const contact::PlacedPart& incident = found->second_is_reference ? first : second;
         double area = 0, gap = 0;
-        for (const PolygonPoint& point : found->points) {
+        for (const contact::PolygonPoint& point : found->points) {
             area += point.area;
             gap += point.area * point.gap;
         }
@@ -155,7 +156,7 @@ ConvexPolyhedron grown(const ConvexPolyhedron& part, const std::vector<double>& 
 /// @returns whether anything moved
 bool close_once(double width, ImportedMesh& mesh, std::map<int, double>& grew, std::map<int, std::string>& stuck)
 {
-    const std::vector<PlacedPart> parts = place(mesh);
+    const std::vector<contact::PlacedPart> parts = place(mesh);
     std::map<Face, double> moves = moves_of(joints_of(parts, mesh.stones.size(), width));
     if (moves.empty()) return false;
     for (int s = 0; s < static_cast<int>(mesh.stones.size()); ++s) {
@@ -207,4 +208,4 @@ void close_joints(double width, ImportedMesh& mesh)
             "its joints were left open, because its faces cannot move that far: " + why);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::helper

@@ -3,7 +3,7 @@
 
 #include "importers/helper/geometry.h"
 
-namespace voussoir
+namespace voussoir::importers::helper
 {
 
 /// Moves facing faces of neighbouring stones that stand apart by at most `width` [m] to the middle between them,
@@ -12,4 +12,4 @@ namespace voussoir
 /// every stone that grew says so among its repairs.
 void close_joints(double width, ImportedMesh& mesh);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::helper

@@ -7,7 +7,7 @@
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::helper
 {
 
 namespace
@@ -22,8 +22,9 @@ Geometry ask_helper(const std::vector<MeshRequest>& requests, const GeometryLimi
     // The limit is per file, so that many files are not refused for being many.
     GeometryLimits all = limits;
     all.seconds *= static_cast<double>(requests.size());
-    const ChildAnswer answer = ask_child(helper_folder() / "voussoir-geometry",
-                                         to_json(HelperRequest{requests, all}), all.seconds, max_answer_bytes);
+    const process::ChildAnswer answer =
+        process::ask_child(process::helper_folder() / "voussoir-geometry", to_json(HelperRequest{requests, all}),
+                           all.seconds, max_answer_bytes);
     failure = answer.failure;
     if (!failure.empty()) return {};
     try {
@@ -79,12 +80,12 @@ Geometry import_geometry(const std::vector<MeshRequest>& requests, const Geometr
     return geometry;
 }
 
-std::vector<MeshFormat> list_mesh_formats()
+std::vector<mesh::MeshFormat> list_mesh_formats()
 {
-    const ChildAnswer answer = ask_child(helper_folder() / "voussoir-geometry", formats_request(),
-                                         GeometryLimits{}.seconds, most_answer_bytes);
+    const process::ChildAnswer answer = ask_child(helper_folder() / "voussoir-geometry", formats_request(),
+                                                  GeometryLimits{}.seconds, max_answer_bytes);
     if (answer.failure.empty()) return formats_from_json(answer.output);
     throw std::runtime_error("the geometry helper gave no answer: " + answer.failure);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::helper

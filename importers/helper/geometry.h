@@ -11,7 +11,7 @@
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 
-namespace voussoir
+namespace voussoir::importers::helper
 {
 
 /// One stone of a mesh file with its certificate.
@@ -24,7 +24,7 @@ struct Stone {
     std::vector<ConvexPolyhedron> parts;
     Moments moments;          // of the stone as drawn, m; volume 0: it encloses none
     double volume_error = 0;  // share of the volume by which approximating parts differ from it; 0: exact
-    std::vector<MarkedFeature> features;  // what is wrong where; empty when nothing is
+    std::vector<mesh::MarkedFeature> features;  // what is wrong where; empty when nothing is
     // The surface as it was judged, for pictures; sent for stones with features only.
     std::vector<Eigen::Vector3d> vertices;
     std::vector<std::vector<int>> faces;  // its vertex loops
@@ -74,7 +74,7 @@ struct MeshRequest {
     double planarity = 1e-5;     // share of a stone's diagonal by which a face may bulge and count as flat
     double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
     double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
-    MeshReader reader = MeshReader::automatic;
+    mesh::MeshReader reader = mesh::MeshReader::automatic;
 };
 
 /// What the helper may take.
@@ -89,6 +89,6 @@ struct GeometryLimits {
 Geometry import_geometry(const std::vector<MeshRequest>& requests, const GeometryLimits& limits);
 
 /// The formats that the helper reads. @throws std::runtime_error when it gives no answer
-std::vector<MeshFormat> list_mesh_formats();
+std::vector<mesh::MeshFormat> list_mesh_formats();
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::helper

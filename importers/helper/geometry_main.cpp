@@ -16,19 +16,22 @@
 namespace
 {
 
-void limit_resources(const voussoir::GeometryLimits& limits)
+void limit_resources(const voussoir::importers::helper::GeometryLimits& limits)
 {
-    voussoir::limit_self(RLIMIT_CORE, 0);
-    voussoir::limit_self(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::clamp(limits.seconds, 1.0, 1e6))));
-    voussoir::limit_own_memory(limits.bytes);
+    voussoir::importers::process::limit_self(RLIMIT_CORE, 0);
+    voussoir::importers::process::limit_self(RLIMIT_CPU,
+                                             static_cast<rlim_t>(std::ceil(std::clamp(limits.seconds, 1.0, 1e6))));
+    voussoir::importers::process::limit_own_memory(limits.bytes);
 }
 
 std::string answer_to(const std::string& text)
 {
-    if (text == voussoir::formats_request()) return voussoir::to_json(voussoir::mesh_formats());
-    const voussoir::HelperRequest request = voussoir::request_from_json(text);
+    if (text == voussoir::importers::helper::formats_request())
+        return voussoir::importers::helper::to_json(voussoir::importers::mesh::mesh_formats());
+    const voussoir::importers::helper::HelperRequest request =
+        voussoir::importers::helper::request_from_json(text);
     limit_resources(request.limits);
-    return voussoir::to_json(voussoir::import_meshes(request.meshes));
+    return voussoir::importers::helper::to_json(voussoir::importers::helper::import_meshes(request.meshes));
 }
 
 }  // namespace

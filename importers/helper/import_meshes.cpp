@@ -12,7 +12,7 @@
 #include "importers/mesh/read_mesh.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::helper
 {
 
 namespace
@@ -55,7 +55,7 @@ Eigen::Vector3d to_metres_z_up(const Eigen::Vector3d& x, double metres_per_unit,
 }
 
 /// The unit and the axis: what the user says, else what the file says, else metres and z.
-char settle_frame(const MeshRequest& request, const MeshFile& content, ImportedMesh& mesh)
+char settle_frame(const MeshRequest& request, const mesh::MeshFile& content, ImportedMesh& mesh)
 {
     mesh.unit_from = request.metres_per_unit > 0 ? "option" : content.metres_per_unit ? "file" : "assumed";
     mesh.metres_per_unit =
@@ -69,33 +69,33 @@ char settle_frame(const MeshRequest& request, const MeshFile& content, ImportedM
     return request.up != 0 ? request.up : content.up.value_or('z');
 }
 
-StonesBy stones_by(StoneLevel level)
+mesh::StonesBy stones_by(StoneLevel level)
 {
     switch (level) {
         case StoneLevel::object:
-            return StonesBy::object;
+            return mesh::StonesBy::object;
         case StoneLevel::group:
-            return StonesBy::group;
+            return mesh::StonesBy::group;
         case StoneLevel::node:
-            return StonesBy::node;
+            return mesh::StonesBy::node;
         case StoneLevel::file:
         case StoneLevel::component:
-            return StonesBy::file;
+            return mesh::StonesBy::file;
         case StoneLevel::detect:
             break;
     }
-    return StonesBy::detect;
+    return mesh::StonesBy::detect;
 }
 
 /// States the rounding of a file that was read in 32-bit numbers. @throws InputError when it exceeds the weld
 /// tolerance of a stone, for then vertices that were apart may have become one
-void judge_rounding(const MeshFile& content, ImportedMesh& mesh)
+void judge_rounding(const mesh::MeshFile& content, ImportedMesh& mesh)
 {
     if (content.rounding == 0) return;
     std::ostringstream rounding;
     rounding << content.rounding * mesh.metres_per_unit << " m";
-    for (const PolygonSurface& surface : content.surfaces)
-        if (content.rounding > CertifyOptions{}.weld_tolerance * diagonal_of(surface.vertices))
+    for (const mesh::PolygonSurface& surface : content.surfaces)
+        if (content.rounding > exact::CertifyOptions{}.weld_tolerance * exact::diagonal_of(surface.vertices))
             throw InputError(
                 mesh.file + ": " + surface.name,
                 "reading rounds its coordinates by up to " + rounding.str() + ", too much for its size",
@@ -104,16 +104,16 @@ void judge_rounding(const MeshFile& content, ImportedMesh& mesh)
 }
 
 /// Reads one file into metres. @returns surfaces; a refusal is written into `mesh`
-std::vector<PolygonSurface> read(const MeshRequest& request, ImportedMesh& mesh)
+std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh& mesh)
 {
     mesh.file = request.file.string();
     try {
         check(request);
-        MeshFile content = read_mesh(request.file, {stones_by(request.stones), request.reader});
+        mesh::MeshFile content = mesh::read_mesh(request.file, {stones_by(request.stones), request.reader});
         mesh.repairs = content.repairs;
         const char up = settle_frame(request, content, mesh);
         judge_rounding(content, mesh);
-        for (PolygonSurface& surface : content.surfaces)
+        for (mesh::PolygonSurface& surface : content.surfaces)
             for (Eigen::Vector3d& x : surface.vertices) x = to_metres_z_up(x, mesh.metres_per_unit, up);
         return content.surfaces;
     } catch (const InputError& error) {
@@ -124,11 +124,11 @@ std::vector<PolygonSurface> read(const MeshRequest& request, ImportedMesh& mesh)
     return {};
 }
 
-Eigen::Vector3d choose_origin(const std::vector<std::vector<PolygonSurface>>& files)
+Eigen::Vector3d choose_origin(const std::vector<std::vector<mesh::PolygonSurface>>& files)
 {
     Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
     for (const auto& surfaces : files)
-        for (const PolygonSurface& surface : surfaces)
+        for (const mesh::PolygonSurface& surface : surfaces)
             for (const Eigen::Vector3d& x : surface.vertices) {
                 lower = lower.cwiseMin(x);
                 upper = upper.cwiseMax(x);
@@ -139,14 +139,14 @@ Eigen::Vector3d choose_origin(const std::vector<std::vector<PolygonSurface>>& fi
     return (0.5 * lower + 0.5 * upper).array().round();
 }
 
-Stone certified(PolygonSurface surface, const MeshRequest& request, const Eigen::Vector3d& origin)
+Stone certified(mesh::PolygonSurface surface, const MeshRequest& request, const Eigen::Vector3d& origin)
 {
     for (Eigen::Vector3d& x : surface.vertices) x -= origin;
-    CertifyOptions options;
+    exact::CertifyOptions options;
     options.origin = origin;
     options.planarity_tolerance = request.planarity;
     options.volume_error = request.volume_error;
-    Certificate certificate = certify(std::move(surface), options);
+    exact::Certificate certificate = exact::certify(std::move(surface), options);
     Stone stone;
     stone.name = certificate.name;
     stone.closed = certificate.closed;
@@ -169,19 +169,19 @@ bool may_be_separated(StoneLevel level)
     return level == StoneLevel::detect || level == StoneLevel::file || level == StoneLevel::component;
 }
 
-void certify_all(std::vector<PolygonSurface> surfaces, const MeshRequest& request, const Eigen::Vector3d& origin,
-                 ImportedMesh& mesh)
+void certify_all(std::vector<mesh::PolygonSurface> surfaces, const MeshRequest& request,
+                 const Eigen::Vector3d& origin, ImportedMesh& mesh)
 {
     int refused = 0;
     std::string first;
-    for (PolygonSurface& surface : surfaces) {
-        SeparatedStones separated;
+    for (mesh::PolygonSurface& surface : surfaces) {
+        exact::SeparatedStones separated;
         if (may_be_separated(request.stones))
-            separated = separate_stones(std::move(surface), CertifyOptions{}.weld_tolerance);
+            separated = exact::separate_stones(std::move(surface), exact::CertifyOptions{}.weld_tolerance);
         else
             separated.stones.push_back(std::move(surface));
         mesh.repairs.insert(mesh.repairs.end(), separated.repairs.begin(), separated.repairs.end());
-        for (PolygonSurface& one : separated.stones) {
+        for (mesh::PolygonSurface& one : separated.stones) {
             const std::string name = one.name;
             try {
                 mesh.stones.push_back(certified(std::move(one), request, origin));
@@ -209,7 +209,7 @@ std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
             names.push_back(stone.name);
         }
     std::vector<Overlap> overlaps;
-    for (const OverlappingPair& pair : find_overlaps(stones))
+    for (const exact::OverlappingPair& pair : exact::find_overlaps(stones))
         overlaps.push_back({names[pair.a], names[pair.b], pair.volume, pair.fraction});
     return overlaps;
 }
@@ -219,7 +219,7 @@ std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
 Geometry import_meshes(const std::vector<MeshRequest>& requests)
 {
     Geometry geometry;
-    std::vector<std::vector<PolygonSurface>> files;
+    std::vector<std::vector<mesh::PolygonSurface>> files;
     for (const MeshRequest& request : requests) {
         geometry.meshes.emplace_back();
         files.push_back(read(request, geometry.meshes.back()));
@@ -233,4 +233,4 @@ Geometry import_meshes(const std::vector<MeshRequest>& requests)
     return geometry;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::helper

@@ -3,7 +3,7 @@
 
 #include "importers/helper/geometry.h"
 
-namespace voussoir
+namespace voussoir::importers::helper
 {
 
 /// Reads every file, applies unit and up axis, moves all to one local origin, certifies every stone and looks
@@ -11,4 +11,4 @@ namespace voussoir
 /// then it is the middle of the bounding box of all meshes, in whole metres.
 Geometry import_meshes(const std::vector<MeshRequest>& requests);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::helper

@@ -8,7 +8,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::helper
 {
 
 using nlohmann::json;
@@ -98,7 +98,7 @@ Moments moments_from(const json& value)
     return moments;
 }
 
-json to_json_value(const MarkedFeature& feature)
+json to_json_value(const mesh::MarkedFeature& feature)
 {
     json lines = json::array(), polygons = json::array();
     for (const auto& [from, to] : feature.lines) lines.push_back({to_json_value(from), to_json_value(to)});
@@ -110,9 +110,9 @@ json to_json_value(const MarkedFeature& feature)
             {"polygons", std::move(polygons)}};
 }
 
-MarkedFeature feature_from(const json& value)
+mesh::MarkedFeature feature_from(const json& value)
 {
-    MarkedFeature feature{value.at("label"), points_from(value.at("points")), {}, {}};
+    mesh::MarkedFeature feature{value.at("label"), points_from(value.at("points")), {}, {}};
     for (const json& line : value.at("lines"))
         feature.lines.push_back({vector_from(line.at(0)), vector_from(line.at(1))});
     for (const json& polygon : value.at("polygons")) feature.polygons.push_back(points_from(polygon));
@@ -124,7 +124,7 @@ json to_json_value(const Stone& stone)
     json parts = json::array();
     for (const ConvexPolyhedron& part : stone.parts) parts.push_back(to_json_value(part));
     json features = json::array();
-    for (const MarkedFeature& feature : stone.features) features.push_back(to_json_value(feature));
+    for (const mesh::MarkedFeature& feature : stone.features) features.push_back(to_json_value(feature));
     return {{"name", stone.name},
             {"closed", stone.closed},
             {"convex", stone.convex},
@@ -182,12 +182,12 @@ json to_json_value(const ImportedMesh& mesh)
 }
 
 /// @throws InputError when it names no reader
-MeshReader reader_from(const json& value)
+mesh::MeshReader reader_from(const json& value)
 {
     const auto name = std::find(mesh_reader_names.begin(), mesh_reader_names.end(), value.get<std::string>());
     if (name == mesh_reader_names.end())
         throw InputError("mesh", value.dump() + " is no reader", "the request was damaged on the way");
-    return static_cast<MeshReader>(name - mesh_reader_names.begin());
+    return static_cast<mesh::MeshReader>(name - mesh_reader_names.begin());
 }
 
 ImportedMesh mesh_from(const json& value)
@@ -248,10 +248,10 @@ std::string formats_request()
     return R"({"formats":true})";
 }
 
-std::string to_json(const std::vector<MeshFormat>& formats)
+std::string to_json(const std::vector<mesh::MeshFormat>& formats)
 {
     json list = json::array();
-    for (const MeshFormat& format : formats)
+    for (const mesh::MeshFormat& format : formats)
         list.push_back({{"name", format.name},
                         {"extensions", format.extensions},
                         {"reader", format.own ? "voussoir" : "assimp"},
@@ -259,9 +259,9 @@ std::string to_json(const std::vector<MeshFormat>& formats)
     return dump(list);
 }
 
-std::vector<MeshFormat> formats_from_json(const std::string& text)
+std::vector<mesh::MeshFormat> formats_from_json(const std::string& text)
 {
-    std::vector<MeshFormat> formats;
+    std::vector<mesh::MeshFormat> formats;
     for (const json& format : json::parse(text))
         formats.push_back({format.at("name"), format.at("extensions").get<std::vector<std::string>>(),
                            format.at("reader").get<std::string>() == "voussoir", format.at("lost")});
@@ -294,4 +294,4 @@ Geometry geometry_from_json(const std::string& text)
     return geometry;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::helper

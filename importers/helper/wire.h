@@ -6,7 +6,7 @@
 
 #include "importers/helper/geometry.h"
 
-namespace voussoir
+namespace voussoir::importers::helper
 {
 
 struct HelperRequest {
@@ -22,10 +22,10 @@ HelperRequest request_from_json(const std::string& text);
 
 /// What asks the helper for the formats that it reads, in place of a HelperRequest.
 std::string formats_request();
-std::string to_json(const std::vector<MeshFormat>& formats);
+std::string to_json(const std::vector<mesh::MeshFormat>& formats);
 
 /// @throws std::exception when the text is not what to_json wrote
-std::vector<MeshFormat> formats_from_json(const std::string& text);
+std::vector<mesh::MeshFormat> formats_from_json(const std::string& text);
 
 std::string to_json(const Geometry& geometry);
 
@@ -33,4 +33,4 @@ std::string to_json(const Geometry& geometry);
 /// @throws std::exception when the text is not what to_json wrote
 Geometry geometry_from_json(const std::string& text);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::helper

@@ -6,7 +6,7 @@
 
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -63,7 +63,7 @@ class AmfText
     double metres(const pugi::xml_node& root) const
     {
         const std::string unit =
-            lower_case(root.attribute("unit").as_string("millimeter"));  // as the standard says
+            text::lower_case(root.attribute("unit").as_string("millimeter"));  // as the standard says
         const std::map<std::string, double> known{{"micron", 1e-6}, {"millimeter", 1e-3}, {"millimeters", 1e-3},
                                                   {"inch", 0.0254}, {"feet", 0.3048},     {"meter", 1}};
         const auto found = known.find(unit);
@@ -76,7 +76,7 @@ class AmfText
     {
         for (const pugi::xml_node& metadata : object.children("metadata"))
             if (std::string_view(metadata.attribute("type").value()) == "name")
-                return std::string(trim(metadata.text().get()));
+                return std::string(text::trim(metadata.text().get()));
         return std::string("object ") + object.attribute("id").value();
     }
 
@@ -84,7 +84,7 @@ class AmfText
     void check_not_turned(const pugi::xml_node& instance) const
     {
         const auto number = [&](const char* name) {
-            return parse_number(trim(instance.child(name).text().as_string("0"))).value_or(1);
+            return text::parse_number(text::trim(instance.child(name).text().as_string("0"))).value_or(1);
         };
         for (const char axis : {'x', 'y', 'z'}) {
             const std::string turn = std::string("r") + axis, shift = std::string("delta") + axis;
@@ -108,7 +108,7 @@ std::string metric(std::string_view text, const std::string& key)
         if (text.substr(at, open - at).find('"' + key + '"') == text.npos) continue;
         const std::size_t inner = text.find('{', open + 1), end = text.find('}', open + 1);
         if (inner == text.npos || end == text.npos || inner > end) break;
-        std::string word(trim(text.substr(inner + 1, end - inner - 1)));
+        std::string word(text::trim(text.substr(inner + 1, end - inner - 1)));
         std::erase(word, '"');
         return word;
     }
@@ -173,7 +173,7 @@ OgexFacts ogex_facts(const MeshSource& source)
     OgexFacts facts;
     const std::string distance = metric(source.bytes, "distance"), up = metric(source.bytes, "up");
     if (!distance.empty()) {
-        const std::optional<double> metres = parse_finite(distance);
+        const std::optional<double> metres = text::parse_finite(distance);
         if (!metres || *metres <= 0)
             throw InputError(source.place, "its unit of length is " + distance + " m", "write a number > 0");
         facts.metres_per_unit = *metres;
@@ -184,4 +184,4 @@ OgexFacts ogex_facts(const MeshSource& source)
     return facts;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -4,7 +4,7 @@
 
 #include "importers/mesh/formats.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 /// What an AMF file says beside its triangles.
@@ -31,4 +31,4 @@ struct OgexFacts {
 };
 OgexFacts ogex_facts(const MeshSource& source);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -12,7 +12,7 @@
 
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -141,7 +141,7 @@ AssimpScene::AssimpScene(const MeshSource& source, const std::string& extension)
     importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, false);
     scene_ = importer_->ReadFile(name, 0);
     if (scene_ != nullptr && scene_->mRootNode != nullptr && scene_->mNumMeshes > 0) return;
-    std::string why = as_utf8(importer_->GetErrorString());
+    std::string why = text::as_utf8(importer_->GetErrorString());
     while (!why.empty() && (why.back() == '\n' || why.back() == ' ' || why.back() == '.')) why.pop_back();
     std::string format = extension;
     for (char& c : format)
@@ -170,7 +170,7 @@ double seven_digits(double value)
 {
     char text[32];
     std::snprintf(text, sizeof text, "%.6e", value);
-    return parse_number(text).value_or(value);
+    return text::parse_number(text).value_or(value);
 }
 
 std::string own_name(const aiNode& node, const aiScene& scene)
@@ -215,4 +215,4 @@ MeshFile surfaces_of(const MeshSource& source, const aiScene& scene, const Scene
     return file;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

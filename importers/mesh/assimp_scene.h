@@ -14,7 +14,7 @@ namespace Assimp
 class Importer;
 }
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 class AssimpScene
@@ -57,4 +57,4 @@ std::string own_name(const aiNode& node, const aiScene& scene);
 /// @throws InputError when the scene holds no faces or names vertices that are not there
 MeshFile surfaces_of(const MeshSource& source, const aiScene& scene, const SceneReading& reading);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

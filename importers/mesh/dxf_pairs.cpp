@@ -6,7 +6,7 @@
 
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -17,14 +17,14 @@ std::vector<DxfPair> pairs_of(const MeshSource& source)
     std::vector<DxfPair> pairs;
     Lines lines(source.bytes);
     for (std::string_view code, value; lines.next(code);) {
-        if (trim(code).empty()) break;
-        const std::optional<long long> number = parse_integer(trim(code));
+        if (text::trim(code).empty()) break;
+        const std::optional<long long> number = text::parse_integer(text::trim(code));
         if (!number || *number < -10 || *number > 1100)
             throw InputError(source.place + ":" + std::to_string(lines.number()),
-                             "\"" + std::string(trim(code).substr(0, 40)) + "\" is not a group code",
+                             "\"" + std::string(text::trim(code).substr(0, 40)) + "\" is not a group code",
                              "a DXF file alternates lines of codes and values");
         if (!lines.next(value)) break;
-        pairs.push_back({static_cast<int>(*number), trim(value), lines.number()});
+        pairs.push_back({static_cast<int>(*number), text::trim(value), lines.number()});
         if (*number == 0 && pairs.back().value == "EOF") break;
     }
     return pairs;
@@ -35,7 +35,7 @@ std::optional<double> metres(std::string_view insunits)
     const std::map<long long, double> known{{1, 0.0254}, {2, 0.3048}, {3, 1609.344}, {4, 1e-3},    {5, 1e-2},
                                             {6, 1},      {7, 1e3},    {8, 2.54e-8},  {9, 2.54e-5}, {10, 0.9144},
                                             {13, 1e-6},  {14, 0.1},   {15, 10},      {16, 100}};
-    const auto found = known.find(parse_integer(insunits).value_or(0));
+    const auto found = known.find(text::parse_integer(insunits).value_or(0));
     return found == known.end() ? std::nullopt : std::optional<double>(found->second);
 }
 
@@ -51,7 +51,7 @@ std::string dxf_name(std::string_view value)
         const bool escaped = hex.size() == 4 && error == std::errc() && end == hex.data() + 4;
         const bool character = escaped && (code < 0xD800 || code > 0xDFFF);
         if (character)
-            append_utf8(code, name);
+            text::append_utf8(code, name);
         else
             name.push_back(value[i]);
         i += character ? 6 : 0;
@@ -93,4 +93,4 @@ DxfFile read_dxf_pairs(const MeshSource& source)
     return file;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

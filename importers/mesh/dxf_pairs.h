@@ -7,7 +7,7 @@
 
 #include "importers/mesh/formats.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 struct DxfPair {
@@ -34,4 +34,4 @@ std::string dxf_name(std::string_view value);
 /// @throws InputError with the line where the file stops being pairs, or when it is cut off
 DxfFile read_dxf_pairs(const MeshSource& source);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

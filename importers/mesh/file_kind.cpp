@@ -5,7 +5,7 @@
 #include "importers/mesh/mesh_formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -73,7 +73,7 @@ bool looks_like_obj(std::string_view text)
     Lines lines(text.substr(0, 1 << 16));
     int looked_at = 0;
     for (std::string_view line; looked_at < 50 && lines.next(line);) {
-        const std::vector<std::string_view> word = words(line);
+        const std::vector<std::string_view> word = text::words(line);
         if (word.empty() || word[0].starts_with('#')) continue;
         ++looked_at;
         Eigen::Vector3d x;
@@ -106,14 +106,14 @@ FileKind kind_of_binary(std::string_view bytes)
 
 FileKind kind_of_text(std::string_view bytes)
 {
-    const std::string_view start = trim(bytes.substr(0, 4096));
-    const std::vector<std::string_view> word = words(start.substr(0, 256));
+    const std::string_view start = text::trim(bytes.substr(0, 4096));
+    const std::vector<std::string_view> word = text::words(start.substr(0, 256));
     if (word.empty()) return {};
     if (start.starts_with("ISO-10303-21")) return {Kind::ifc, "ifc"};
     if (start.find("FBXHeaderExtension") != start.npos) return assimp_kind("fbx");
     if (start.starts_with('<')) return kind_of_xml(bytes.substr(0, 1 << 16));
     if (start.starts_with('{') || start.starts_with('[')) return kind_of_json(bytes);
-    if (lower_case(word[0]) == "solid" && lower_case(start).find("facet") != std::string::npos)
+    if (text::lower_case(word[0]) == "solid" && text::lower_case(start).find("facet") != std::string::npos)
         return {Kind::stl, "stl"};
     if (is_off_keyword(word[0])) return {Kind::off, "off"};
     const bool sections = word[0] == "999" && bytes.find("SECTION") != bytes.npos;
@@ -132,7 +132,7 @@ FileKind kind_by_content(std::string_view bytes)
 
 FileKind kind_by_name(const std::filesystem::path& path)
 {
-    const std::string name = lower_case(path.filename().string());
+    const std::string name = text::lower_case(path.filename().string());
     const std::map<std::string, Kind> own{{"obj", Kind::obj},     {"stl", Kind::stl},     {"ply", Kind::ply},
                                           {"off", Kind::off},     {"gltf", Kind::gltf},   {"glb", Kind::gltf},
                                           {"json", Kind::compas}, {"dae", Kind::collada}, {"3mf", Kind::archive},
@@ -153,7 +153,7 @@ FileKind kind_by_name(const std::filesystem::path& path)
 void refuse_known_strangers(const MeshSource& source)
 {
     const std::string_view bytes = source.bytes;
-    const std::string_view start = trim(bytes.substr(0, 4096));
+    const std::string_view start = text::trim(bytes.substr(0, 4096));
     const auto refuse = [&](const char* found, const char* expected) {
         throw InputError(source.place, found, expected);
     };
@@ -167,4 +167,4 @@ void refuse_known_strangers(const MeshSource& source)
         refuse("STEP files are not read", "export the stones as OBJ or STL");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -5,7 +5,7 @@
 
 #include "importers/mesh/formats.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 enum class Kind { unknown, obj, stl, ply, off, gltf, compas, collada, archive, dxf, ifc, assimp };
@@ -22,4 +22,4 @@ FileKind kind_by_name(const std::filesystem::path& path);
 /// Refuses what cannot be read but is met often, by how it begins. @throws InputError
 void refuse_known_strangers(const MeshSource& source);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

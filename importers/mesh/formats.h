@@ -11,7 +11,7 @@
 #include "importers/mesh/polygon_surface.h"
 #include "importers/mesh/read_mesh.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 /// A file in memory.
@@ -98,4 +98,4 @@ std::map<std::string, std::string> unzipped(const MeshSource& archive, const std
 /// @throws InputError when there is none, or as above
 MeshSource unpacked(const MeshSource& archive, const std::string& ending);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -5,7 +5,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -84,4 +84,4 @@ std::string content_of_uri(const std::string& uri, const MeshSource& source)
     return read_bytes(source.path.parent_path() / path);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

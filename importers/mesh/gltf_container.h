@@ -5,7 +5,7 @@
 
 #include "importers/mesh/formats.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 struct GltfContainer {
@@ -20,4 +20,4 @@ GltfContainer open_gltf(const MeshSource& source);
 /// @throws InputError when it is neither
 std::string content_of_uri(const std::string& uri, const MeshSource& source);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 /// What is wrong, and where. Coordinates in the unit and axes of whoever holds it.
@@ -17,4 +17,4 @@ struct MarkedFeature {
     std::vector<std::vector<Eigen::Vector3d>> polygons;  // loops
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -8,7 +8,7 @@
 
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -49,8 +49,8 @@ std::vector<MeshFormat> own_formats()
 std::vector<std::string> extensions_of(const aiImporterDesc& importer, const std::set<std::string>& taken)
 {
     std::vector<std::string> extensions;
-    for (const std::string_view word : words(importer.mFileExtensions)) {
-        const std::string extension = lower_case(word);
+    for (const std::string_view word : text::words(importer.mFileExtensions)) {
+        const std::string extension = text::lower_case(word);
         if (!taken.contains(extension) && !left_out.contains(extension)) extensions.push_back(extension);
     }
     return extensions;
@@ -90,4 +90,4 @@ std::vector<MeshFormat> mesh_formats()
     return formats;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

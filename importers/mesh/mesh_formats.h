@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 /// Who reads a file: our own reader where there is one, else assimp; or one of them in any case.
@@ -20,4 +20,4 @@ struct MeshFormat {
 /// Those with readers of our own first, then all that the assimp of this machine reads besides.
 std::vector<MeshFormat> mesh_formats();
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

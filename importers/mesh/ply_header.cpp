@@ -5,7 +5,7 @@
 
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -50,7 +50,7 @@ bool read_format(const std::vector<std::string_view>& word, PlyHeader& header)
 
 bool read_element(const std::vector<std::string_view>& word, PlyHeader& header)
 {
-    const long long count = word.size() == 3 ? parse_integer(word[2]).value_or(-1) : -1;
+    const long long count = word.size() == 3 ? text::parse_integer(word[2]).value_or(-1) : -1;
     if (count >= 0) header.elements.push_back({std::string(word[1]), static_cast<std::size_t>(count), {}});
     return count >= 0;
 }
@@ -100,7 +100,7 @@ PlyHeader read_ply_header(const MeshSource& source)
     Lines lines(source.bytes);
     bool has_format = false;
     for (std::string_view line; lines.next(line);) {
-        const std::vector<std::string_view> word = words(line);
+        const std::vector<std::string_view> word = text::words(line);
         const auto at = [&] { return source.place + ":" + std::to_string(lines.number()); };
         if (lines.number() == 1 && (word.empty() || word[0] != "ply"))
             throw InputError(at(), "the file does not begin with `ply`", "give a PLY file");
@@ -128,4 +128,4 @@ PlyHeader read_ply_header(const MeshSource& source)
                      "the file was cut off, or it is not a PLY file");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

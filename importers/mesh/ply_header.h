@@ -7,7 +7,7 @@
 
 #include "importers/mesh/formats.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 enum class PlyType { none, int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -37,4 +37,4 @@ std::size_t size_of(PlyType type);
 /// @throws InputError with the line of what is not understood, and when a count is more than the file can hold
 PlyHeader read_ply_header(const MeshSource& source);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 /// One named surface, one stone to be. Faces are loops of vertex indices in the order of the file.
@@ -25,4 +25,4 @@ struct MeshFile {
     std::vector<std::string> repairs;       // what was changed or left out on reading, in words
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

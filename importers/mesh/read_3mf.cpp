@@ -3,7 +3,7 @@
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -74,7 +74,7 @@ class PackageReader
     std::string root_part() const
     {
         for (const auto& [name, part] : parts_)
-            if (lower_case(name) == "/3d/3dmodel.model") return name;
+            if (text::lower_case(name) == "/3d/3dmodel.model") return name;
         for (const auto& [name, part] : parts_)
             if (part.xml.child("model").child("build").child("item")) return name;
         throw InputError(source_.place, "this archive has no 3D model", "a 3MF file holds 3D/3dmodel.model");
@@ -129,9 +129,10 @@ class PackageReader
     {
         Eigen::Affine3d transform = Eigen::Affine3d::Identity();
         if (!node.attribute("transform")) return transform;
-        const std::vector<std::string_view> word = words(node.attribute("transform").value());
+        const std::vector<std::string_view> word = text::words(node.attribute("transform").value());
         for (int i = 0; i < 12; ++i) {
-            const auto value = word.size() == 12 ? parse_finite(word[static_cast<std::size_t>(i)]) : std::nullopt;
+            const auto value =
+                word.size() == 12 ? text::parse_finite(word[static_cast<std::size_t>(i)]) : std::nullopt;
             if (!value) refuse(part, node, "its transform is not twelve finite numbers", "export it again");
             transform(i % 3, i / 3) = *value;
         }
@@ -153,7 +154,7 @@ class PackageReader
         for (const pugi::xml_node& triangle : object.child("mesh").child("triangles").children("triangle")) {
             std::vector<int>& face = surface.faces.emplace_back();
             for (const char* corner : {"v1", "v2", "v3"}) {
-                const long long v = parse_integer(triangle.attribute(corner).value()).value_or(-1);
+                const long long v = text::parse_integer(triangle.attribute(corner).value()).value_or(-1);
                 if (v < 0 || v >= static_cast<long long>(surface.vertices.size()))
                     refuse(part, triangle,
                            std::string("a triangle names vertex \"") + triangle.attribute(corner).value() + "\"",
@@ -177,4 +178,4 @@ MeshFile read_3mf(const MeshSource& source)
     return PackageReader(source).read();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -7,7 +7,7 @@
 #include "importers/mesh/assimp_scene.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -53,7 +53,7 @@ std::string name_of_3ds(const std::vector<std::string>& names, const aiNode& nod
 {
     const std::string name = own_name(node, scene);
     if (!name.starts_with("3DSMesh_") || node.mNumMeshes == 0) return name;
-    const auto number = parse_integer(scene.mMeshes[node.mMeshes[0]]->mName.C_Str());
+    const auto number = text::parse_integer(scene.mMeshes[node.mMeshes[0]]->mName.C_Str());
     return number && *number >= 0 && *number < static_cast<long long>(names.size())
                ? names[static_cast<std::size_t>(*number)]
                : name;
@@ -102,4 +102,4 @@ MeshFile read_assimp(const MeshSource& source, const std::string& extension)
     return file;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

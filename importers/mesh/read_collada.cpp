@@ -4,7 +4,7 @@
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -43,11 +43,12 @@ class ColladaReader
             result_.note(std::to_string(left_out_) + " sets of lines, splines or skins were left out");
         MeshFile file = result_.finish();
         if (const pugi::xml_node unit = asset.child("unit"); unit.attribute("meter")) {
-            file.metres_per_unit = parse_finite(trim(unit.attribute("meter").value()));
+            file.metres_per_unit = text::parse_finite(text::trim(unit.attribute("meter").value()));
             if (!file.metres_per_unit || !(*file.metres_per_unit > 0))
                 refuse(unit, "its unit is no positive number of metres", "write <unit meter=\"...\"/>");
         }
-        const std::string_view up = trim(asset.child("up_axis").text().as_string("Y_UP"));  // as the standard says
+        const std::string_view up =
+            text::trim(asset.child("up_axis").text().as_string("Y_UP"));  // as the standard says
         if (!up.empty() && up[0] >= 'X' && up[0] <= 'Z') file.up = static_cast<char>(up[0] - 'X' + 'x');
         return file;
     }
@@ -106,8 +107,8 @@ class ColladaReader
     std::vector<double> numbers(const pugi::xml_node& node) const
     {
         std::vector<double> values;
-        for (const std::string_view word : words(node.text().get())) {
-            const std::optional<double> value = parse_number(word);
+        for (const std::string_view word : text::words(node.text().get())) {
+            const std::optional<double> value = text::parse_number(word);
             if (!value)
                 refuse(node, "\"" + std::string(word.substr(0, 40)) + "\" is not a number", "write numbers");
             values.push_back(*value);
@@ -270,4 +271,4 @@ MeshFile read_collada(const MeshSource& source)
     return ColladaReader(source).read();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

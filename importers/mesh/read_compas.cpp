@@ -3,7 +3,7 @@
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -192,4 +192,4 @@ MeshFile read_compas(const MeshSource& source)
     return CompasReader(source).read();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -5,7 +5,7 @@
 #include "importers/mesh/dxf_pairs.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -72,7 +72,7 @@ class DxfReader
 
     double number(std::size_t pair) const
     {
-        const std::optional<double> value = parse_finite(file_.pairs[pair].value);
+        const std::optional<double> value = text::parse_finite(file_.pairs[pair].value);
         if (!value)
             refuse(pair, "\"" + std::string(file_.pairs[pair].value.substr(0, 40)) + "\" is not a finite number",
                    "write a number");
@@ -278,4 +278,4 @@ MeshFile read_dxf(const MeshSource& source, const ReadOptions& options)
     return DxfReader(source, options).read();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -7,7 +7,7 @@
 #include "importers/mesh/gltf_container.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -295,4 +295,4 @@ MeshFile read_gltf(const MeshSource& source)
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -6,7 +6,7 @@
 #include "importers/mesh/step_text.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -47,4 +47,4 @@ MeshFile read_ifc(const MeshSource& source)
     return file;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -6,7 +6,7 @@
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -74,7 +74,7 @@ bool is_packed(const MeshSource& source, const FileKind& kind)
 MeshFile read_source(MeshSource& source, const ReadOptions& options)
 {
     std::vector<std::string> repairs;
-    if (std::optional<std::string> text = from_utf16(source.bytes)) {
+    if (std::optional<std::string> text = text::from_utf16(source.bytes)) {
         source.bytes = std::move(*text);
         repairs.push_back("the text is UTF-16 and was read as such");
     }
@@ -118,17 +118,18 @@ std::string read_bytes(const std::filesystem::path& file)
 
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options)
 {
-    MeshSource source{file, file.string(), as_utf8(file.stem().string()), read_bytes(file)};
+    MeshSource source{file, file.string(), text::as_utf8(file.stem().string()), read_bytes(file)};
     try {
         MeshFile mesh = read_source(source, options);
         if (options.stones == StonesBy::file) merge_all(mesh, source.name);
-        for (std::string& repair : mesh.repairs) repair = as_utf8(repair);
+        for (std::string& repair : mesh.repairs) repair = text::as_utf8(repair);
         return mesh;
     } catch (InputError& error) {  // words of the file are quoted in faults: they must be text
         std::vector<Fault> faults = std::move(error.faults);
-        for (Fault& fault : faults) fault = {as_utf8(fault.place), as_utf8(fault.found), as_utf8(fault.expected)};
+        for (Fault& fault : faults)
+            fault = {text::as_utf8(fault.place), text::as_utf8(fault.found), text::as_utf8(fault.expected)};
         throw InputError(std::move(faults));
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

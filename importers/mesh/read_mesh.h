@@ -6,7 +6,7 @@
 #include "importers/mesh/mesh_formats.h"
 #include "importers/mesh/polygon_surface.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 /// What becomes one stone. A level that a format does not have is the nearest that it has.
@@ -34,4 +34,4 @@ struct ReadOptions {
 /// not finite or indices out of range
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options = {});
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -4,7 +4,7 @@
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -28,15 +28,15 @@ class ObjScanner
         int first_line = 0;
         for (std::string_view line; !faults_.full() && lines.next(line);) {
             if (joined.empty()) first_line = lines.number();
-            line = trim(line);
+            line = text::trim(line);
             const bool goes_on = line.ends_with('\\');
             if (goes_on) line.remove_suffix(1);
             if (goes_on || !joined.empty()) joined.append(line).append(" ");
             if (goes_on) continue;
-            read(joined.empty() ? line : trim(joined), first_line);
+            read(joined.empty() ? line : text::trim(joined), first_line);
             joined.clear();
         }
-        read(trim(joined), first_line);
+        read(text::trim(joined), first_line);
         for (const auto& [index, line] : ahead_)
             if (index >= static_cast<long long>(vertices_.size()))
                 faults_.add(line, "a face names vertex " + std::to_string(index + 1),
@@ -59,12 +59,12 @@ class ObjScanner
     void read(std::string_view text, int line)
     {
         const std::vector<std::string_view> word =
-            words(text.substr(0, name_line(text) ? text.npos : text.find('#')));
+            text::words(text.substr(0, name_line(text) ? text.npos : text.find('#')));
         if (word.empty()) return;
         if (word[0] == "v") return read_vertex(word, line);
         if (word[0] == "f" || word[0] == "fo") return read_face(word, line);
-        if (word[0] == "o") begin_object(trim(text.substr(1)));
-        if (word[0] == "g") begin_group(trim(text.substr(1)));
+        if (word[0] == "o") begin_object(text::trim(text.substr(1)));
+        if (word[0] == "g") begin_group(text::trim(text.substr(1)));
         for (const char* kind : {"l", "p", "curv", "curv2", "surf"}) left_out_ += word[0] == kind;
     }
 
@@ -91,7 +91,7 @@ class ObjScanner
         faces_.push_back({object_, group_, corners_.size(), word.size() - 1});
         for (std::size_t i = 1; i < word.size(); ++i) {
             const std::string_view number = word[i].substr(0, word[i].find('/'));
-            const long long index = parse_integer(number).value_or(0);
+            const long long index = text::parse_integer(number).value_or(0);
             if (index == 0 || index < -count)
                 return faults_.add(line, "a face names vertex \"" + std::string(number) + "\"",
                                    "vertices are counted from 1, or backwards from -1");
@@ -172,4 +172,4 @@ MeshFile read_obj(const MeshSource& source, const ReadOptions& options)
     return scanner.finish(options.stones);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -3,7 +3,7 @@
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -17,7 +17,7 @@ class OffLines
     bool next()
     {
         for (std::string_view line; lines_.next(line);) {
-            word = words(line.substr(0, line.find('#')));
+            word = text::words(line.substr(0, line.find('#')));
             if (!word.empty()) return true;
         }
         word.clear();
@@ -74,8 +74,8 @@ class OffReader
     void read_counts()
     {
         const std::vector<std::string_view>& word = lines_.word;
-        const long long vertices = word.size() > 1 ? parse_integer(word[0]).value_or(-1) : -1;
-        const long long faces = word.size() > 1 ? parse_integer(word[1]).value_or(-1) : -1;
+        const long long vertices = word.size() > 1 ? text::parse_integer(word[0]).value_or(-1) : -1;
+        const long long faces = word.size() > 1 ? text::parse_integer(word[1]).value_or(-1) : -1;
         if (vertices < 0 || faces < 0)
             faults_.add(lines_.number(), "the counts of vertices and faces are missing",
                         "the first line after OFF reads `vertices faces edges`");
@@ -114,13 +114,13 @@ class OffReader
     void read_face()
     {
         const std::vector<std::string_view>& word = lines_.word;
-        const long long corners = parse_integer(word[0]).value_or(-1);
+        const long long corners = text::parse_integer(word[0]).value_or(-1);
         if (corners < 3 || corners >= static_cast<long long>(word.size()))
             return faults_.add(lines_.number(), "this face does not have the three or more corners it counts",
                                "write `3 a b c`, the number of corners and the corners");
         std::vector<int> loop;
         for (std::size_t i = 1; i <= static_cast<std::size_t>(corners); ++i) {
-            const long long v = parse_integer(word[i]).value_or(-1);
+            const long long v = text::parse_integer(word[i]).value_or(-1);
             if (v < 0 || v >= static_cast<long long>(surface_.vertices.size()))
                 return faults_.add(
                     lines_.number(), "a face names vertex \"" + std::string(word[i]) + "\"",
@@ -145,4 +145,4 @@ MeshFile read_off(const MeshSource& source)
     return OffReader(source).read();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -5,7 +5,7 @@
 #include "importers/mesh/ply_header.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -56,7 +56,7 @@ class PlyNumbers
         return format_ == PlyHeader::Format::ascii ? (rest_.size() + 1) / 2 : rest_.size() / size_of(type);
     }
 
-    bool at_end() const { return format_ == PlyHeader::Format::ascii ? trim(rest_).empty() : rest_.empty(); }
+    bool at_end() const { return format_ == PlyHeader::Format::ascii ? text::trim(rest_).empty() : rest_.empty(); }
 
     std::string place() const
     {
@@ -78,7 +78,7 @@ class PlyNumbers
         if (rest_.empty()) cut_off();
         const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r\n\v\f"));
         rest_.remove_prefix(word.size());
-        const std::optional<double> value = parse_number(word);
+        const std::optional<double> value = text::parse_number(word);
         if (!value)
             throw InputError(place(), "\"" + std::string(word.substr(0, 40)) + "\" is not a number",
                              "elements are numbers");
@@ -200,4 +200,4 @@ MeshFile read_ply(const MeshSource& source)
     return PlyReader(source).read();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -3,7 +3,7 @@
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -20,7 +20,8 @@ class AsciiStl
     MeshFile read()
     {
         Lines lines(source_.bytes);
-        for (std::string_view line; !faults_.full() && lines.next(line);) read_line(trim(line), lines.number());
+        for (std::string_view line; !faults_.full() && lines.next(line);)
+            read_line(text::trim(line), lines.number());
         if (faults_.full()) faults_.throw_if_any();
         if (numbers_left_ > 0 || !loop_.empty() || in_solid_)
             faults_.add(lines.number(), "the file ends within a solid",
@@ -32,13 +33,13 @@ class AsciiStl
  private:
     void read_line(std::string_view line, int number)
     {
-        for (const std::string_view word : words(line)) {
-            const std::string keyword = lower_case(word);
+        for (const std::string_view word : text::words(line)) {
+            const std::string keyword = text::lower_case(word);
             if (numbers_left_ > 0) {
                 read_number(word, number);
             } else if (keyword == "solid" || keyword == "endsolid") {  // what follows is the name
                 const std::size_t end = static_cast<std::size_t>(word.data() - line.data()) + word.size();
-                return keyword == "solid" ? begin_solid(trim(line.substr(end))) : end_solid();
+                return keyword == "solid" ? begin_solid(text::trim(line.substr(end))) : end_solid();
             } else if (!read_keyword(keyword, number)) {
                 return faults_.add(number,
                                    "\"" + std::string(word.substr(0, 40)) + "\" is not a keyword of STL files",
@@ -72,7 +73,7 @@ class AsciiStl
     /// Normals are passed over, whatever they say: the order of the corners counts.
     void read_number(std::string_view word, int line)
     {
-        const std::optional<double> value = parse_finite(word);
+        const std::optional<double> value = text::parse_finite(word);
         if (!is_normal_ && !value)
             faults_.add(line, "\"" + std::string(word.substr(0, 40)) + "\" is not a finite number",
                         "write `vertex x y z`");
@@ -143,9 +144,10 @@ bool is_binary_stl(std::string_view bytes)
 MeshFile read_stl(const MeshSource& source)
 {
     // Many binary files begin with "solid" too: the length decides, then zero bytes, which no text has.
-    const bool text = lower_case(trim(std::string_view(source.bytes).substr(0, 200))).starts_with("solid") &&
-                      !is_binary_stl(source.bytes) && source.bytes.find('\0') == std::string::npos;
+    const bool text =
+        text::lower_case(text::trim(std::string_view(source.bytes).substr(0, 200))).starts_with("solid") &&
+        !is_binary_stl(source.bytes) && source.bytes.find('\0') == std::string::npos;
     return text ? AsciiStl(source).read() : read_binary(source);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -5,7 +5,7 @@
 
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -57,7 +57,7 @@ class StepScanner
     long long read_number()
     {
         const std::size_t end = std::min(text_.find_first_not_of("0123456789", ++at_), text_.size());
-        const std::optional<long long> number = parse_integer(text_.substr(at_, end - at_));
+        const std::optional<long long> number = text::parse_integer(text_.substr(at_, end - at_));
         if (!number) refuse(at_, "a \"#\" is not followed by a number", "the file is damaged");
         at_ = end;
         return *number;
@@ -139,4 +139,4 @@ void check_step_text(const MeshSource& source)
     check_no_circles(entities, scanner);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -5,7 +5,7 @@
 
 #include "importers/mesh/formats.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 /// Sees that a STEP file is whole: it ends as it must, its statements have the form `#7 = NAME(...);` with
@@ -14,4 +14,4 @@ namespace voussoir
 /// @throws InputError with the line of the first fault
 void check_step_text(const MeshSource& source);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -3,7 +3,7 @@
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -39,7 +39,7 @@ void append(const PolygonSurface& part, PolygonSurface& whole)
 
 void SurfaceList::add(PolygonSurface surface, const Eigen::Affine3d& placement)
 {
-    const std::string own = as_utf8(trim(surface.name));
+    const std::string own = text::as_utf8(text::trim(surface.name));
     const std::string wanted = own.empty() ? default_name_ : own;
     faces_left_out_ += std::erase_if(surface.faces, [](const auto& face) { return face.size() < 3; });
     if (surface.faces.empty()) return note("\"" + wanted + "\" has no faces and was left out");
@@ -96,4 +96,4 @@ MeshFile SurfaceList::finish()
     return file;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

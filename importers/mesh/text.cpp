@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 bool Lines::next(std::string_view& line)
@@ -33,4 +33,4 @@ void FaultList::throw_if_any() const
     if (!faults_.empty()) throw InputError(faults_);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

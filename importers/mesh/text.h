@@ -11,7 +11,7 @@
 #include "libdda/text/utf.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 /// Three finite numbers from the words `first`, `first`+1, `first`+2 into `x`; false where they are not there.
@@ -20,7 +20,7 @@ bool parse_point(const std::vector<std::string_view>& word, std::size_t first, V
 {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::optional<double> value =
-            first + i < word.size() ? parse_finite(word[first + i]) : std::optional<double>();
+            first + i < word.size() ? text::parse_finite(word[first + i]) : std::optional<double>();
         if (!value) return false;
         x[static_cast<int>(i)] = *value;
     }
@@ -57,4 +57,4 @@ class FaultList
     std::vector<Fault> faults_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

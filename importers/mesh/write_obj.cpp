@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -37,4 +37,4 @@ std::string to_obj(const std::vector<PolygonSurface>& surfaces, const std::vecto
     return text;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -5,7 +5,7 @@
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
 
-namespace voussoir
+namespace voussoir::importers::mesh
 {
 
 namespace
@@ -51,10 +51,10 @@ std::map<std::string, std::string> unzipped(const MeshSource& archive, const std
         const auto index = static_cast<zip_uint64_t>(i);
         const char* found = zip_get_name(zip.get(), index, ZIP_FL_ENC_GUESS);
         const std::string name = found != nullptr ? found : "";
-        if (!lower_case(name).ends_with(ending)) continue;
+        if (!text::lower_case(name).ends_with(ending)) continue;
         std::string& content = parts[name] = unpack(zip.get(), index, max_bytes - sum, archive);
         sum += content.size();
-        if (std::optional<std::string> text = from_utf16(content)) content = std::move(*text);
+        if (std::optional<std::string> text = text::from_utf16(content)) content = std::move(*text);
     }
     return parts;
 }
@@ -69,4 +69,4 @@ MeshSource unpacked(const MeshSource& archive, const std::string& ending)
     return content;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::mesh

@@ -5,7 +5,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 namespace
@@ -76,9 +76,9 @@ std::vector<Joint> joints_of(const ArchBridge& bridge)
 }
 
 /// The outline, clockwise in the elevation as seen from -y (x right, z up), drawn across the width.
-PolygonSurface prism(std::string name, const std::vector<Point>& outline, double width)
+mesh::PolygonSurface prism(std::string name, const std::vector<Point>& outline, double width)
 {
-    PolygonSurface surface{std::move(name), {}, {}};
+    mesh::PolygonSurface surface{std::move(name), {}, {}};
     const int n = static_cast<int>(outline.size());
     for (const double y : {-width / 2, width / 2})
         for (const Point& point : outline) surface.vertices.emplace_back(point.x, y, point.z);
@@ -124,11 +124,11 @@ std::vector<Point> right_abutment(const ArchBridge& bridge, const Joint& skewbac
 
 }  // namespace
 
-std::vector<PolygonSurface> arch_bridge(const ArchBridge& bridge)
+std::vector<mesh::PolygonSurface> arch_bridge(const ArchBridge& bridge)
 {
     check(bridge);
     const std::vector<Joint> joints = joints_of(bridge);
-    std::vector<PolygonSurface> stones;
+    std::vector<mesh::PolygonSurface> stones;
     stones.push_back(prism("abutment_left", left_abutment(bridge, joints.front()), bridge.width));
     for (int i = 0; i < bridge.voussoirs; ++i) {
         const Joint &left = joints[i], &right = joints[i + 1];
@@ -139,4 +139,4 @@ std::vector<PolygonSurface> arch_bridge(const ArchBridge& bridge)
     return stones;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

@@ -5,7 +5,7 @@
 
 #include "importers/mesh/polygon_surface.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 /// Mosca's bridge over the Doria Riparia, Turin, 1827, is the default: span, voussoirs and thicknesses as printed
@@ -31,6 +31,6 @@ struct ArchBridge {
 /// their joint bit for bit. Each abutment is a pentagonal prism: its skewback is the end joint of the arch, its
 /// front and back are vertical, its top is level with the upper edge of the skewback.
 /// @throws InputError with every parameter that makes no bridge
-std::vector<PolygonSurface> arch_bridge(const ArchBridge& bridge);
+std::vector<mesh::PolygonSurface> arch_bridge(const ArchBridge& bridge);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

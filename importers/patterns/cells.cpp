@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 namespace
 {
@@ -111,4 +111,4 @@ void add_base(const std::string& name, const MasonryBase& base, const Eigen::Vec
     cells.insert(cells.begin(), std::move(slab));
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

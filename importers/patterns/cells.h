@@ -6,7 +6,7 @@
 
 #include "importers/patterns/masonry.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 /// The space one block was drawn in, in the pattern's own axes.
@@ -27,4 +27,4 @@ std::vector<MasonryBlock> blocks_in(const std::vector<Cell>& cells, const Imperf
 void add_base(const std::string& name, const MasonryBase& base, const Eigen::Vector2d& size, bool flat,
               std::vector<Cell>& cells);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

@@ -5,7 +5,7 @@
 #include "importers/patterns/facade.h"
 #include "importers/patterns/openings.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 namespace
 {
@@ -67,4 +67,4 @@ std::vector<double> bed_levels(double height, const BlockFormat& block, const Li
     return beds;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

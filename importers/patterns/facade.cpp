@@ -7,7 +7,7 @@
 
 #include "importers/patterns/openings.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 namespace
 {
@@ -260,4 +260,4 @@ void lay(const Facade& facade, const std::vector<double>& beds, const BlockForma
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

@@ -7,7 +7,7 @@
 #include "importers/patterns/cells.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 /// Length and height of a whole block [m], as it lies in the wall.
@@ -55,4 +55,4 @@ std::vector<double> bed_levels(double height, const BlockFormat& block, const Li
 void lay(const Facade& facade, const std::vector<double>& beds, const BlockFormat& block, const Lintel& lintel,
          std::vector<Cell>& cells, std::vector<Fault>& faults);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

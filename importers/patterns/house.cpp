@@ -5,7 +5,7 @@
 
 #include "importers/patterns/parameter_checks.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 namespace
 {
@@ -85,4 +85,4 @@ std::vector<MasonryBlock> house(const House& house)
     return blocks_in(cells, house.imperfection, false, house.placement);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

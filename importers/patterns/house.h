@@ -7,7 +7,7 @@
 
 #include "importers/patterns/masonry.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 /// A wall of the house: y = 0, x = length, y = width, x = 0.
@@ -51,4 +51,4 @@ struct House {
 /// @throws InputError with every parameter that makes no house, named as in the case file ("openings[1]")
 std::vector<MasonryBlock> house(const House& house);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

@@ -1,6 +1,6 @@
 #include "importers/patterns/masonry.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 namespace
 {
@@ -11,7 +11,7 @@ const std::vector<std::vector<int>> box_faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0,
 
 }  // namespace
 
-PolygonSurface to_surface(const MasonryBlock& block)
+mesh::PolygonSurface to_surface(const MasonryBlock& block)
 {
     return {block.name, {block.corners.begin(), block.corners.end()}, box_faces};
 }
@@ -21,4 +21,4 @@ ConvexPolyhedron to_polyhedron(const MasonryBlock& block)
     return make_convex_polyhedron({block.corners.begin(), block.corners.end()}, box_faces, block.name);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

@@ -10,7 +10,7 @@
 #include "importers/mesh/polygon_surface.h"
 #include "libdda/geometry/convex_polyhedron.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 /// A hole through the whole thickness of a wall. Lengths in m, from the foot and the beginning of the wall.
@@ -62,9 +62,9 @@ struct MasonryBlock {
 };
 
 /// The block as a surface of six faces, for mesh files.
-PolygonSurface to_surface(const MasonryBlock& block);
+mesh::PolygonSurface to_surface(const MasonryBlock& block);
 
 /// The block as the engine takes it, checked. @throws InputError when rounding at a far origin leaves no box
 ConvexPolyhedron to_polyhedron(const MasonryBlock& block);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

@@ -8,11 +8,11 @@
 #define VOUSSOIR_MAX_BLOCKS 200'000
 #endif
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 /// Blocks of a wall, of a house and of all of a case: more are a slip of the pen, and would fill the memory before
 /// the run begins.
 inline constexpr std::size_t max_blocks = VOUSSOIR_MAX_BLOCKS;
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

@@ -5,7 +5,7 @@
 
 #include "importers/patterns/facade.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 namespace
 {
@@ -87,4 +87,4 @@ void check_openings(const Facade& facade, double height, const Lintel& lintel, s
                                   "leave some wall between them"});
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

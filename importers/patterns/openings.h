@@ -5,7 +5,7 @@
 
 #include "importers/patterns/masonry.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 constexpr double smallest_piece = 1.0 / 3;  // of a block's length or height
@@ -35,4 +35,4 @@ inline bool needs_lintel(const Opening& opening, double height)
     return patch_of(opening).top < height * (1 - 1e-9);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

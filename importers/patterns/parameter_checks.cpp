@@ -5,7 +5,7 @@
 
 #include "importers/patterns/max_blocks.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 namespace
 {
@@ -74,4 +74,4 @@ void check_placement(const Placement& placement, std::vector<Fault>& faults)
     if (!std::isfinite(placement.direction)) faults.push_back({"direction", "not finite", "an angle in rad"});
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

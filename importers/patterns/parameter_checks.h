@@ -6,7 +6,7 @@
 
 #include "importers/patterns/facade.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 /// Adds a fault unless the value is > 0 and finite. @param name as in the case file
@@ -24,4 +24,4 @@ void check_imperfection(const Imperfection& imperfection, double thickness, std:
 
 void check_placement(const Placement& placement, std::vector<Fault>& faults);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

@@ -2,7 +2,7 @@
 
 #include "importers/patterns/parameter_checks.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 namespace
 {
@@ -64,4 +64,4 @@ std::vector<MasonryBlock> wall(const Wall& wall)
     return blocks_in(cells, wall.imperfection, wall.flat, wall.placement);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

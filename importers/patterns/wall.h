@@ -6,7 +6,7 @@
 
 #include "importers/patterns/masonry.h"
 
-namespace voussoir
+namespace voussoir::importers::patterns
 {
 
 /// A wall of blocks that reach through it, or of several leaves. All lengths in m.
@@ -36,4 +36,4 @@ struct Wall {
 /// @throws InputError with every parameter that makes no wall, named as in the case file ("openings[1]")
 std::vector<MasonryBlock> wall(const Wall& wall);
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::patterns

@@ -19,7 +19,7 @@
 
 extern char** environ;
 
-namespace voussoir
+namespace voussoir::importers::process
 {
 
 namespace
@@ -199,4 +199,4 @@ std::filesystem::path helper_folder()
     return std::filesystem::is_directory(installed, error) ? installed.lexically_normal() : beside;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::process

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace voussoir
+namespace voussoir::importers::process
 {
 
 /// How a child process ended.
@@ -24,4 +24,4 @@ ChildAnswer ask_child(const std::filesystem::path& program, const std::string& i
 /// environment's VOUSSOIR_BIN_DIR overrides both.
 std::filesystem::path helper_folder();
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::process

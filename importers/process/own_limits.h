@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace voussoir
+namespace voussoir::importers::process
 {
 
 /// Whether the program runs under AddressSanitizer.
@@ -30,4 +30,4 @@ inline void limit_own_memory(rlim_t bytes)
     if (!address_sanitizer) limit_self(RLIMIT_AS, bytes);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::process

@@ -3,7 +3,7 @@
 
 #include <ctime>
 
-namespace voussoir
+namespace voussoir::importers::process
 {
 
 /// CPU time of the calling thread [s]. Unlike that of the process it is not mixed with what others do beside it,
@@ -15,4 +15,4 @@ inline double thread_time()
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::process

@@ -58,15 +58,15 @@ EnergyLedger open_ledger(const Model& model, const State& state)
     ledger.kinetic = ledger.start_kinetic = kinetic_energy(model, state);
     ledger.strain = ledger.start_strain = strain_energy(model, state);
     ledger.contact = ledger.start_contact = is_planar(model.kinematics)
-                                                ? spring_energy(model, state.planar_contacts)
-                                                : spring_energy(model, state.contacts);
+                                                ? contact::spring_energy(model, state.planar_contacts)
+                                                : contact::spring_energy(model, state.contacts);
     return ledger;
 }
 
 Vector3d angular_momentum(const Model& model, const State& state, int block)
 {
     const Matrix3d map = pose_of(model.kinematics, state, block).map;
-    return axial(
+    return step::axial(
         Matrix3d(map_rate_of(model.kinematics, state, block) * model.mass_second(block) * map.transpose()));
 }
 

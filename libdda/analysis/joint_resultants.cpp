@@ -86,9 +86,9 @@ void collect(const Model& model, const ContactSetIn<D>& contacts, Joints& joints
         bed.edge_edge = patch.edge_edge;
         if (!patch.edge_edge) {
             const FacePlane of_a =
-                plane_of(ShapeIn<D>::of(model.blocks[patch.block_a])[patch.part_a], patch.feature_a);
+                plane_of(contact::ShapeIn<D>::of(model.blocks[patch.block_a])[patch.part_a], patch.feature_a);
             const FacePlane of_b =
-                plane_of(ShapeIn<D>::of(model.blocks[patch.block_b])[patch.part_b], patch.feature_b);
+                plane_of(contact::ShapeIn<D>::of(model.blocks[patch.block_b])[patch.part_b], patch.feature_b);
             bed.faces = a_is_lower ? std::array{of_a, of_b} : std::array{of_b, of_a};
         }
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {

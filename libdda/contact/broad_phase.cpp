@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 template <int D>
@@ -48,4 +48,4 @@ template std::vector<std::pair<int, int>> candidate_pairs(const std::vector<Plac
 template std::vector<std::pair<int, int>> candidate_pairs(const std::vector<PlacedOutline>&,
                                                           const std::vector<double>&, const std::vector<bool>&);
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

@@ -6,7 +6,7 @@
 
 #include "libdda/contact/placed_part.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 /// Pairs (i < j) of parts of different blocks whose bounding boxes, each grown by the reach of its block, overlap;
@@ -17,4 +17,4 @@ std::vector<std::pair<int, int>> candidate_pairs(const std::vector<PlacedPartIn<
                                                  const std::vector<double>& reach,
                                                  const std::vector<bool>& fully_held);
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

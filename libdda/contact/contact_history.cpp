@@ -5,7 +5,7 @@
 
 #include "libdda/contact/normal_stiffness.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 namespace
@@ -207,4 +207,4 @@ VOUSSOIR_INSTANTIATE(3);
 VOUSSOIR_INSTANTIATE(2);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

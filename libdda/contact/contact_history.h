@@ -7,7 +7,7 @@
 #include "libdda/contact/contact_polygon.h"
 #include "libdda/contact/placed_part.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 /// What becomes of an overlap that no force has made: of a contact that goes over to another face, or is found
@@ -41,4 +41,4 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
                              const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
                              const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap);
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

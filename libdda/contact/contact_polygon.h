@@ -8,7 +8,7 @@
 
 #include "libdda/geometry/plane.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 /// A corner of a contact polygon, or an end of a contact segment.
@@ -41,4 +41,4 @@ struct LastContact {
     std::uint32_t reference_feature = 0, incident_feature = 0;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

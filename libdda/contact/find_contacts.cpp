@@ -9,7 +9,7 @@
 #include "libdda/contact/narrow_phase.h"
 #include "libdda/contact/narrow_phase_planar.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 namespace
@@ -118,4 +118,4 @@ VOUSSOIR_INSTANTIATE(3);
 VOUSSOIR_INSTANTIATE(2);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

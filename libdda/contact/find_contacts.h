@@ -5,7 +5,7 @@
 
 #include "libdda/contact/contact_history.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 /// Of a block's size: closer parts are candidates whatever their speed.
@@ -22,4 +22,4 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
 template <int D>
 double spring_energy(const Model& model, const ContactSetIn<D>& contacts);
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

@@ -15,10 +15,10 @@ void find_contacts_at_rest(const Model& model, State& state)
 {
     std::vector<double> reach(model.blocks.size());
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
-        reach[b] = contact_distance * size_of(model, static_cast<int>(b));
-    std::vector<PlacedPartIn<D>> parts;
+        reach[b] = contact::contact_distance * size_of(model, static_cast<int>(b));
+    std::vector<contact::PlacedPartIn<D>> parts;
     ContactSetIn<D> contacts;
-    find_contacts(model, state, reach, 1, parts, contacts);
+    contact::find_contacts(model, state, reach, 1, parts, contacts);
     contacts_in<D>(state) = std::move(contacts);
 }
 

@@ -6,7 +6,7 @@
 
 #include "libdda/contact/narrow_phase_rules.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 using Eigen::Vector3d;
@@ -293,4 +293,4 @@ std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const Pla
     return crossing ? crossing : face;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

@@ -7,7 +7,7 @@
 #include "libdda/contact/contact_polygon.h"
 #include "libdda/contact/placed_part.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 /// Separating-axis test on faces and edge pairs; the axis of largest signed separation wins, with hysteresis for
@@ -23,4 +23,4 @@ std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const Pla
 /// Gives every point of a planar polygon its tributary area. Exposed for its test.
 void assign_tributary_areas(std::vector<PolygonPoint>& points, const Eigen::Vector3d& normal);
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

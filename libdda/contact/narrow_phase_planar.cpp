@@ -4,7 +4,7 @@
 
 #include "libdda/contact/narrow_phase_rules.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 using Eigen::Vector2d;
@@ -126,4 +126,4 @@ std::optional<ContactSegment> contact_polygon(const PlacedOutline& first, const 
     return segment;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

@@ -6,7 +6,7 @@
 #include "libdda/contact/contact_polygon.h"
 #include "libdda/contact/placed_part.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 /// contact_polygon of two outlines: the incident edge clipped by the ends of the reference edge, half its length
@@ -15,4 +15,4 @@ namespace voussoir
 std::optional<ContactSegment> contact_polygon(const PlacedOutline& first, const PlacedOutline& second,
                                               double margin, const std::optional<LastContact>& last);
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

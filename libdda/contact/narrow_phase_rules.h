@@ -1,7 +1,7 @@
 // Preferences of the contact search, shared by space and plane. Shares of the smaller part's size L.
 #pragma once
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 constexpr double face_hysteresis = 1e-3;  // in favour of last step's reference face
@@ -16,4 +16,4 @@ constexpr double body_preference = 1e-6;  // of the first body, so that ties do 
 constexpr double clip_tolerance = 1e-4;
 constexpr double smallest_share = 1e-7;  // of L^2 or L: smaller contacts are those of diagonal neighbours
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

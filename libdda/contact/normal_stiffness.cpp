@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 namespace
@@ -114,4 +114,4 @@ VOUSSOIR_INSTANTIATE(3);
 VOUSSOIR_INSTANTIATE(2);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

@@ -4,7 +4,7 @@
 #include "libdda/contact/contact_polygon.h"
 #include "libdda/contact/placed_part.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 /// What turns a measure of a contact into an area [m]: lengths of a planar scene count times its thickness.
@@ -24,4 +24,4 @@ double normal_stiffness(const Model& model, const std::vector<bool>& fully_held,
                         const ContactPolygonIn<D>& polygon, const PlacedPartIn<D>& reference,
                         const PlacedPartIn<D>& incident);
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

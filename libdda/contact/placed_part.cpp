@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 using Eigen::Vector2d;
@@ -69,4 +69,4 @@ void place_parts(const Model& model, const State& state, std::vector<PlacedPartI
 template void place_parts(const Model&, const State&, std::vector<PlacedPart>&);
 template void place_parts(const Model&, const State&, std::vector<PlacedOutline>&);
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

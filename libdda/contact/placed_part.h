@@ -8,7 +8,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::contact
 {
 
 /// The shape of a part in a scene of D dimensions.
@@ -52,4 +52,4 @@ using PlacedOutline = PlacedPartIn<2>;
 template <int D>
 void place_parts(const Model& model, const State& state, std::vector<PlacedPartIn<D>>& parts);
 
-}  // namespace voussoir
+}  // namespace voussoir::contact

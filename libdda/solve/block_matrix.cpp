@@ -4,7 +4,7 @@
 
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::solve
 {
 
 int BlockMatrix::position(int row, int column) const
@@ -35,4 +35,4 @@ bool set_pattern(BlockMatrix& matrix, int block_size, int rows, std::vector<std:
     return is_new;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::solve

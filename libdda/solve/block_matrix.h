@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::solve
 {
 
 /// Lower triangle by rows of square blocks, columns ascending, the diagonal block last in each row.
@@ -27,4 +27,4 @@ struct BlockMatrix {
 /// allowed), and sets it to zero. Returns whether the pattern is a new one.
 bool set_pattern(BlockMatrix& matrix, int block_size, int rows, std::vector<std::pair<int, int>>& pairs);
 
-}  // namespace voussoir
+}  // namespace voussoir::solve

@@ -6,7 +6,7 @@
 #include <new>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::solve
 {
 
 namespace
@@ -138,4 +138,4 @@ std::unique_ptr<LinearSolver> make_cholmod_solver()
     return std::make_unique<CholmodSolver>();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::solve

@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-namespace voussoir
+namespace voussoir::solve
 {
 
 using Eigen::VectorXd;
@@ -170,4 +170,4 @@ std::unique_ptr<LinearSolver> make_conjugate_gradient_solver(double tolerance, i
     return std::make_unique<ConjugateGradientSolver>(tolerance, max_iterations);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::solve

@@ -5,11 +5,11 @@
 
 #include "libdda/solve/linear_solver.h"
 
-namespace voussoir
+namespace voussoir::solve
 {
 
 /// Conjugate gradients preconditioned by an incomplete Cholesky factor on the pattern of the matrix, block by
 /// block: exact for chains (bridge, tower). @param tolerance of |K x - b| / |b|
 std::unique_ptr<LinearSolver> make_conjugate_gradient_solver(double tolerance, int max_iterations = 500);
 
-}  // namespace voussoir
+}  // namespace voussoir::solve

@@ -3,7 +3,7 @@
 #include "libdda/solve/cholmod_solver.h"
 #include "libdda/solve/conjugate_gradients.h"
 
-namespace voussoir
+namespace voussoir::solve
 {
 
 namespace
@@ -47,4 +47,4 @@ std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, double t
     return std::make_unique<FallbackSolver>(tolerance);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::solve

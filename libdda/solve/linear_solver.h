@@ -7,7 +7,7 @@
 #include "libdda/model/step_control.h"
 #include "libdda/solve/block_matrix.h"
 
-namespace voussoir
+namespace voussoir::solve
 {
 
 struct LinearReport {
@@ -31,4 +31,4 @@ class LinearSolver
 /// The member asked for. `automatic` is conjugate gradients, with CHOLMOD when they do not converge.
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, double tolerance);
 
-}  // namespace voussoir
+}  // namespace voussoir::solve

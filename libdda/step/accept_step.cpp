@@ -6,7 +6,7 @@
 #include "libdda/step/part_timer.h"
 #include "libdda/step/update.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 namespace
@@ -69,7 +69,7 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
     const PartTimer timer(report.seconds, Part::update);
     const StepSystem<K>& system = work.system;
     report.time_step = system.h;
-    book_redetection(stage, state, spring_energy(model, work.contacts) - energy.contact, energy);
+    book_redetection(stage, state, contact::spring_energy(model, work.contacts) - energy.contact, energy);
     update_blocks(system, state);
     book_step(state, system, work.contacts, energy);
     update_contacts(stage, system, work.contacts, state, report);
@@ -85,4 +85,4 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

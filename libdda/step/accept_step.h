@@ -7,7 +7,7 @@
 #include "libdda/model/state.h"
 #include "libdda/step/work.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Brings blocks, contacts and clocks to the end of the step that was solved in `work`, books its energies in
@@ -16,4 +16,4 @@ template <class K>
 void accept_step(const Model& model, const Stage& stage, const Work<K>& work, State& state, EnergyLedger& energy,
                  StepReport& report);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

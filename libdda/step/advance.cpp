@@ -26,20 +26,20 @@ template <class K>
 void look_for_contacts(const Model& model, const Stage& stage, const State& state, double time_step, Work<K>& work,
                        StepReport& report)
 {
-    const PartTimer timer(report.seconds, Part::contact_search);
-    if (work.radii.empty()) work.radii = radii_of<K::dimension>(model);
-    find_reach<K>(model, stage, state, time_step, work.radii, work.reach);
-    find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts,
-                  new_overlaps_in(stage, state));
+    const step::PartTimer timer(report.seconds, Part::contact_search);
+    if (work.radii.empty()) work.radii = step::radii_of<K::dimension>(model);
+    step::find_reach<K>(model, stage, state, time_step, work.radii, work.reach);
+    contact::find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts,
+                           step::new_overlaps_in(stage, state));
 }
 
 template <class K>
 bool iterate_open_close(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
-                        StepSystem<K>& system, StepReport& report)
+                        step::StepSystem<K>& system, StepReport& report)
 {
-    const PartTimer timer(report.seconds, Part::open_close);
-    if (stage.control.open_close == OpenClose::published) return iterate_published(stage, system, report);
-    return iterate_newton(model, stage, contacts, system, report);
+    const step::PartTimer timer(report.seconds, Part::open_close);
+    if (stage.control.open_close == OpenClose::published) return step::iterate_published(stage, system, report);
+    return step::iterate_newton(model, stage, contacts, system, report);
 }
 
 /// Solves a step of length h [s]. @returns whether it converged
@@ -48,8 +48,8 @@ bool attempt(const Model& model, const Stage& stage, const State& state, double 
              StepReport& report)
 {
     {
-        const PartTimer timer(report.seconds, Part::assembly);
-        assemble_blocks(model, stage, state, work.contacts, h, work.system);
+        const step::PartTimer timer(report.seconds, Part::assembly);
+        step::assemble_blocks(model, stage, state, work.contacts, h, work.system);
     }
     return iterate_open_close(model, stage, work.contacts, work.system, report);
 }
@@ -57,22 +57,22 @@ bool attempt(const Model& model, const Stage& stage, const State& state, double 
 /// The shorter step to redo a converged one with when a sliding joint turned round in it [s], where steps may be
 /// divided.
 template <class K>
-std::optional<double> divided_step(const Stage& stage, const Work<K>& work, ReversalSearch& reversal)
+std::optional<double> divided_step(const Stage& stage, const Work<K>& work, step::ReversalSearch& reversal)
 {
-    if (!may_divide(stage, static_cast<int>(work.system.block_of_row.size()))) return std::nullopt;
-    return step_to_reversal(work.contacts, work.system, reversal);
+    if (!step::may_divide(stage, static_cast<int>(work.system.block_of_row.size()))) return std::nullopt;
+    return step::step_to_reversal(work.contacts, work.system, reversal);
 }
 
 /// Whether a converged step knew of all the contacts that it came upon.
 template <class K>
 bool knew_its_contacts(const Model& model, const Stage& stage, const State& state, const Work<K>& work)
 {
-    return !misses_a_contact(model, state, work.system, work.contacts, work.radii, work.reach,
-                             stage.control.threads);
+    return !step::misses_a_contact(model, state, work.system, work.contacts, work.radii, work.reach,
+                                   stage.control.threads);
 }
 
 /// Shortens a step that does not hold. @returns false when there is nothing left to cut
-bool cut(const StepControl& control, double& h, ReversalSearch& reversal, StepReport& report)
+bool cut(const StepControl& control, double& h, step::ReversalSearch& reversal, StepReport& report)
 {
     ++report.cuts;
     reversal = {};
@@ -91,7 +91,7 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
                         EnergyLedger& energy, Work<K>& work)
 {
     StepReport report;
-    ReversalSearch reversal;
+    step::ReversalSearch reversal;
     double h = time_step;
     look_for_contacts(model, stage, state, h, work, report);
     while (true) {
@@ -105,7 +105,7 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
         if (!cut(stage.control, h, reversal, report)) return give_up(report);
     }
     report.divided = reversal.passes > 0;
-    accept_step(model, stage, work, state, energy, report);
+    step::accept_step(model, stage, work, state, energy, report);
     return report;
 }
 

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::step
 {
 
 using Eigen::Map;
@@ -297,4 +297,4 @@ typename K::Matrix rotation_of_step(const BlockStep<K>& step, const typename K::
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

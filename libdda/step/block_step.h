@@ -13,7 +13,7 @@
 #include "libdda/model/state.h"
 #include "libdda/step/kinematics_traits.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// A block in a step of length h. "Predicted" is where it comes to rest relative to the step: q^ = q + h v with
@@ -93,4 +93,4 @@ double kinetic_energy_of(const BlockStep<K>& step, const State& state, int block
 template <class K>
 typename K::Matrix rotation_of_step(const BlockStep<K>& step, const typename K::Unknowns& d);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

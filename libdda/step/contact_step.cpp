@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::step
 {
 
 using Eigen::VectorXd;
@@ -301,4 +301,4 @@ VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 template VectorIn<3> slip_at_end(const PointStep<3>&, const VectorIn<3>&);
 template VectorIn<2> slip_at_end(const PointStep<2>&, const VectorIn<2>&);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -8,7 +8,7 @@
 #include "libdda/contact/find_contacts.h"
 #include "libdda/step/block_step.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// A contact point within a step. Displacements are of a relative to b.
@@ -87,4 +87,4 @@ ContactEnergies contact_energies(const ContactStep<K>& step);
 template <int D>
 VectorIn<D> slip_at_end(const PointStep<D>& point, const VectorIn<D>& normal);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -1,6 +1,6 @@
 #include "libdda/step/contact_stiffness.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 namespace
 {
@@ -124,4 +124,4 @@ void contact_stiffness(bool published, int threads, ContactStep<K>& step)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

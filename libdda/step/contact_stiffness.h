@@ -3,11 +3,11 @@
 
 #include "libdda/step/contact_step.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Symmetric stiffness of every patch at the last evaluation. @param published spring states instead of tangents
 template <class K>
 void contact_stiffness(bool published, int threads, ContactStep<K>& step);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -6,7 +6,7 @@
 #include "libdda/model/state.h"
 #include "libdda/step/step_system.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Adds work and losses of an accepted step, each from its own forces and displacements: see EnergyLedger. The
@@ -15,4 +15,4 @@ template <class K>
 void book_step(const State& state, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
                EnergyLedger& energy);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

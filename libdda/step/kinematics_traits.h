@@ -12,7 +12,7 @@
 #include "libdda/model/kinematics.h"
 #include "libdda/step/rotation.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// 12 unknowns, planar 6: u, then L column by column.
@@ -126,7 +126,7 @@ using SpatialRigid = RigidIn<3>;
 using PlanarDeformable = DeformableIn<2>;
 using PlanarRigid = RigidIn<2>;
 
-}  // namespace voussoir
+}  // namespace voussoir::step
 
 /// Instantiates a macro for all kinematics.
 #define VOUSSOIR_FOR_ALL_KINEMATICS(INSTANTIATE) \

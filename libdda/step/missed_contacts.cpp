@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace voussoir
+namespace voussoir::step
 {
 
 namespace
@@ -73,14 +73,14 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
         went[b] = moved;
     }
     if (went.empty()) return false;
-    std::vector<PlacedPartIn<D>> parts;
+    std::vector<contact::PlacedPartIn<D>> parts;
     ContactSetIn<D> all;
-    find_contacts(model, state, went, threads, parts, all);
+    contact::find_contacts(model, state, went, threads, parts, all);
     const auto known = pairs_in(contacts);
     for (const ContactPatchIn<D>& patch : all.patches) {
         if (std::binary_search(known.begin(), known.end(), parts_of(patch))) continue;
         const double allowed =
-            -contact_distance * std::min(size_of(model, patch.block_a), size_of(model, patch.block_b));
+            -contact::contact_distance * std::min(size_of(model, patch.block_a), size_of(model, patch.block_b));
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const VectorIn<D>& place = all.points[i].position;
             const auto moved = [&](int block) {
@@ -100,4 +100,4 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -6,7 +6,7 @@
 #include "libdda/contact/find_contacts.h"
 #include "libdda/step/step_system.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Whether two blocks end the step within one another that had no contact in it. Only where a block moved beyond
@@ -18,4 +18,4 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
                       const ContactSetIn<K::dimension>& contacts, const std::vector<double>& radii,
                       const std::vector<double>& reach, int threads);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

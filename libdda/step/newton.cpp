@@ -6,7 +6,7 @@
 
 #include "libdda/step/strength.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 using Eigen::VectorXd;
@@ -191,4 +191,4 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -6,7 +6,7 @@
 
 #include "libdda/step/step_system.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Newton iteration on the step's potential with a line search on its derivative; joints that exceed their
@@ -16,4 +16,4 @@ template <class K>
 bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
                     StepSystem<K>& system, StepReport& report);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -6,7 +6,7 @@
 
 #include "libdda/model/report.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Adds the seconds of its own life to those of a part.
@@ -27,4 +27,4 @@ class PartTimer
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -1,6 +1,6 @@
 #include "libdda/step/policy.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 namespace
@@ -14,11 +14,11 @@ bool follows_motion(const Stage& stage)
 
 }  // namespace
 
-NewOverlap new_overlaps_in(const Stage& stage, const State& state)
+contact::NewOverlap new_overlaps_in(const Stage& stage, const State& state)
 {
     // In static stages a new overlap presses; what that gives is gone with the velocity. The published iteration
     // takes contacts as they are. In the first step of a run an overlap is the model's own.
-    return follows_motion(stage) && state.step > 0 ? NewOverlap::forgiven : NewOverlap::presses;
+    return follows_motion(stage) && state.step > 0 ? contact::NewOverlap::forgiven : contact::NewOverlap::presses;
 }
 
 bool may_divide(const Stage& stage, int moving)
@@ -26,4 +26,4 @@ bool may_divide(const Stage& stage, int moving)
     return follows_motion(stage) && moving <= stage.control.divide_up_to_blocks;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -5,13 +5,13 @@
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// What a step makes of overlaps that no force has made.
-NewOverlap new_overlaps_in(const Stage& stage, const State& state);
+contact::NewOverlap new_overlaps_in(const Stage& stage, const State& state);
 
 /// Whether a step may end where a sliding joint turns round. @param moving blocks that have unknowns
 bool may_divide(const Stage& stage, int moving);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -1,6 +1,6 @@
 #include "libdda/step/published.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 namespace
@@ -33,4 +33,4 @@ bool iterate_published(const Stage& stage, StepSystem<K>& system, StepReport& re
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -5,11 +5,11 @@
 
 #include "libdda/step/step_system.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Shi's open-close iteration: solve, switch springs, repeat until no spring switches, six times at most.
 template <class K>
 bool iterate_published(const Stage& stage, StepSystem<K>& system, StepReport& report);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

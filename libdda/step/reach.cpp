@@ -6,7 +6,7 @@
 #include "libdda/contact/find_contacts.h"
 #include "libdda/step/kinematics_traits.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 template <int D>
@@ -15,7 +15,7 @@ std::vector<double> radii_of(const Model& model)
     std::vector<double> radii;
     for (const Block& block : model.blocks) {
         double square = 0;
-        for (const auto& part : ShapeIn<D>::of(block))
+        for (const auto& part : contact::ShapeIn<D>::of(block))
             for (const VectorIn<D>& x : part.vertices) square = std::max(square, x.squaredNorm());
         radii.push_back(std::sqrt(square));
     }
@@ -36,7 +36,7 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
         for (int k = dimension; k < n; ++k) turning += v[k] * v[k];
         const double speed = typename K::Vector(v).norm() + std::sqrt(turning) * radii[b];
         reach[b] = (h + dashpot) * speed + h * h * stage.gravity.norm() * (stage.type == StageType::dynamic) +
-                   contact_distance * size_of(model, static_cast<int>(b));
+                   contact::contact_distance * size_of(model, static_cast<int>(b));
     }
     // A bond lasts until its strength breaks it, however soft it is: it is looked for as far as it has stretched.
     const auto& contacts = contacts_in<dimension>(state);
@@ -63,4 +63,4 @@ template std::vector<double> radii_of<3>(const Model&);
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -7,7 +7,7 @@
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Radius of the vertices about the centroid of each block [m].
@@ -20,4 +20,4 @@ template <class K>
 void find_reach(const Model& model, const Stage& stage, const State& state, double h,
                 const std::vector<double>& radii, std::vector<double>& reach);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

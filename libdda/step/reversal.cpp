@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::step
 {
 
 namespace
@@ -119,4 +119,4 @@ std::optional<double> step_to_reversal(const ContactSetIn<K::dimension>& contact
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -9,7 +9,7 @@
 
 #include "libdda/step/step_system.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// The search for one reversal; lives for one step.
@@ -27,4 +27,4 @@ template <class K>
 std::optional<double> step_to_reversal(const ContactSetIn<K::dimension>& contacts, const StepSystem<K>& system,
                                        ReversalSearch& search);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

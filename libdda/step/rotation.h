@@ -7,7 +7,7 @@
 
 #include "libdda/geometry/plane.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// A spin: three components, in the plane one, from the first axis to the second.
@@ -115,4 +115,4 @@ struct OrientationIn<2> {
     void write(double* x) const { x[0] = angle; }
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -3,7 +3,7 @@
 #include "libdda/step/contact_stiffness.h"
 #include "libdda/step/part_timer.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 using Eigen::VectorXd;
@@ -34,7 +34,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     for (const PatchStep<K>& patch : system.contacts.patches)
         if (patch.row_a >= 0 && patch.row_b >= 0)
             system.pairs.emplace_back(std::max(patch.row_a, patch.row_b), std::min(patch.row_a, patch.row_b));
-    set_pattern(system.matrix, K::unknowns, rows, system.pairs);
+    solve::set_pattern(system.matrix, K::unknowns, rows, system.pairs);
     system.d.setZero(rows * K::unknowns);
     system.residual.setZero(rows * K::unknowns);
     system.contact_force.setZero(rows * K::unknowns);
@@ -42,7 +42,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     system.load.assign(rows, 0.0);
     if (!system.solver || system.solver_kind != stage.control.linear_solver ||
         system.solver_tolerance != stage.control.linear_tolerance) {
-        system.solver = make_linear_solver(stage.control.linear_solver, stage.control.linear_tolerance);
+        system.solver = solve::make_linear_solver(stage.control.linear_solver, stage.control.linear_tolerance);
         system.solver_kind = stage.control.linear_solver;
         system.solver_tolerance = stage.control.linear_tolerance;
     }
@@ -116,7 +116,7 @@ void hold_components(StepSystem<K>& system)
 {
     constexpr int n = K::unknowns;
     using Block = Eigen::Map<typename K::Square>;
-    BlockMatrix& matrix = system.matrix;
+    solve::BlockMatrix& matrix = system.matrix;
     for (int row = 0; row < matrix.rows(); ++row) {
         const auto& held = system.blocks[system.block_of_row[row]].held;
         for (int p = matrix.row_start[row]; p < matrix.row_start[row + 1]; ++p) {
@@ -136,7 +136,7 @@ template <class K>
 void assemble_matrix(bool published, int threads, StepSystem<K>& system)
 {
     using Block = Eigen::Map<typename K::Square>;
-    BlockMatrix& matrix = system.matrix;
+    solve::BlockMatrix& matrix = system.matrix;
     contact_stiffness(published, threads, system.contacts);
     std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
     bool any_held = false;
@@ -167,7 +167,7 @@ bool solve_direction(const StepControl& control, bool published, StepSystem<K>& 
         assemble_matrix(published, control.threads, system);
     }
     const PartTimer timer(report.seconds, Part::linear_solve);
-    const LinearReport linear = system.solver->solve(system.matrix, system.residual, system.direction);
+    const solve::LinearReport linear = system.solver->solve(system.matrix, system.residual, system.direction);
     system.direction = -system.direction;
     report.factorisations += linear.factorisations;
     report.linear_iterations += linear.iterations;
@@ -183,4 +183,4 @@ bool solve_direction(const StepControl& control, bool published, StepSystem<K>& 
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -10,7 +10,7 @@
 #include "libdda/step/block_step.h"
 #include "libdda/step/contact_step.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Everything a step works on; memory is reused from step to step.
@@ -26,10 +26,10 @@ struct StepSystem {
     Eigen::VectorXd contact_force;           // generalised contact forces on the blocks
     std::vector<InternalForce<K>> internal;  // per row
     std::vector<double> load;                // N per row: weight plus contact forces, the scale of its residual
-    BlockMatrix matrix;
+    solve::BlockMatrix matrix;
     std::vector<std::pair<int, int>> pairs;  // scratch of the pattern
     Eigen::VectorXd direction, trial;        // scratch
-    std::unique_ptr<LinearSolver> solver;
+    std::unique_ptr<solve::LinearSolver> solver;
     LinearSolverKind solver_kind = LinearSolverKind::automatic;
     double solver_tolerance = 0;
 };
@@ -47,4 +47,4 @@ bool evaluate_residual(const Eigen::VectorXd& d, StepSystem<K>& system);
 template <class K>
 bool solve_direction(const StepControl& control, bool published, StepSystem<K>& system, StepReport& report);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

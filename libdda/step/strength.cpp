@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::step
 {
 
 using Eigen::Vector2d;
@@ -120,4 +120,4 @@ int break_weakest_patch(const Model& model, const ContactSetIn<K::dimension>& co
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

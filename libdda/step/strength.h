@@ -3,7 +3,7 @@
 
 #include "libdda/step/contact_step.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Breaks the intact patch that most exceeds its strength on its linear stress field, if any.
@@ -11,4 +11,4 @@ namespace voussoir
 template <class K>
 int break_weakest_patch(const Model& model, const ContactSetIn<K::dimension>& contacts, ContactStep<K>& step);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

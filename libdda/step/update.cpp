@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::step
 {
 
 using Eigen::Vector3d;
@@ -130,4 +130,4 @@ void damp_velocities(const Model& model, const Stage& stage, const StepSystem<K>
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 
-}  // namespace voussoir
+}  // namespace voussoir::step

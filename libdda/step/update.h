@@ -8,7 +8,7 @@
 #include "libdda/model/state.h"
 #include "libdda/step/step_system.h"
 
-namespace voussoir
+namespace voussoir::step
 {
 
 /// Moves all blocks to the end of the step.
@@ -26,4 +26,4 @@ template <class K>
 void damp_velocities(const Model& model, const Stage& stage, const StepSystem<K>& system, State& state,
                      EnergyLedger& energy);
 
-}  // namespace voussoir
+}  // namespace voussoir::step

@@ -14,14 +14,16 @@ namespace voussoir
 /// What a scene of one kinematics works on.
 template <class K>
 struct Work {
-    std::vector<PlacedPartIn<K::dimension>> parts;
+    std::vector<contact::PlacedPartIn<K::dimension>> parts;
     std::vector<double> radii, reach;  // m, of the blocks
     ContactSetIn<K::dimension> contacts;
-    StepSystem<K> system;
+    step::StepSystem<K> system;
 };
 
 struct Workspace::Implementation {
-    std::variant<Work<SpatialDeformable>, Work<SpatialRigid>, Work<PlanarDeformable>, Work<PlanarRigid>> work;
+    std::variant<Work<step::SpatialDeformable>, Work<step::SpatialRigid>, Work<step::PlanarDeformable>,
+                 Work<step::PlanarRigid>>
+        work;
 };
 
 }  // namespace voussoir

@@ -11,13 +11,13 @@ Workspace::Workspace(const Model& model) : implementation(std::make_unique<Imple
         case Kinematics::spatial_deformable:
             break;  // the variant's first
         case Kinematics::spatial_rigid:
-            implementation->work.emplace<Work<SpatialRigid>>();
+            implementation->work.emplace<Work<step::SpatialRigid>>();
             break;
         case Kinematics::planar_deformable:
-            implementation->work.emplace<Work<PlanarDeformable>>();
+            implementation->work.emplace<Work<step::PlanarDeformable>>();
             break;
         case Kinematics::planar_rigid:
-            implementation->work.emplace<Work<PlanarRigid>>();
+            implementation->work.emplace<Work<step::PlanarRigid>>();
             break;
     }
 }

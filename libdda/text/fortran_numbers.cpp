@@ -8,7 +8,7 @@
 
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::text
 {
 
 namespace
@@ -130,4 +130,4 @@ bool parse_fortran(std::string_view line, std::vector<double>& values)
     return !values.empty();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::text

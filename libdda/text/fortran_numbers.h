@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::text
 {
 
 /// The number at the start of `text` (Fortran's "+.5", "1.E-3" and "1.D-3" included; "nan" and "inf" are numbers
@@ -22,4 +22,4 @@ bool parse_separated(std::string_view line, std::vector<double>& values);
 /// @returns false when anything on the line is not a number
 bool parse_fortran(std::string_view line, std::vector<double>& values);
 
-}  // namespace voussoir
+}  // namespace voussoir::text

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace voussoir
+namespace voussoir::text
 {
 
 namespace
@@ -50,4 +50,4 @@ std::string to_text(double value)
     return error == std::errc() ? std::string(buffer.data(), end) : std::string("?");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::text

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace voussoir
+namespace voussoir::text
 {
 
 /// The whole word as a number, or nothing; a leading plus is allowed. May be infinite or not a number where the
@@ -19,4 +19,4 @@ std::optional<double> parse_finite(std::string_view word);
 /// Shortest text that reads back as the same number, for messages.
 std::string to_text(double value);
 
-}  // namespace voussoir
+}  // namespace voussoir::text

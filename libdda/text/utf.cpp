@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace voussoir
+namespace voussoir::text
 {
 
 namespace
@@ -68,4 +68,4 @@ std::string as_utf8(std::string_view text)
     return converted;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::text

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace voussoir
+namespace voussoir::text
 {
 
 /// UTF-16 with a byte order mark, or plainly alternating with zero bytes, as UTF-8; nothing when it is not UTF-16.
@@ -18,4 +18,4 @@ void append_utf8(char32_t code, std::string& text);
 /// Text that is not UTF-8 is taken for Latin-1, as old files have it.
 std::string as_utf8(std::string_view text);
 
-}  // namespace voussoir
+}  // namespace voussoir::text

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace voussoir
+namespace voussoir::text
 {
 
 namespace
@@ -43,4 +43,4 @@ std::vector<std::string_view> words(std::string_view line)
     return found;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::text

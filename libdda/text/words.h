@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::text
 {
 
 /// Without white space at both ends; the end-of-file mark of DOS (0x1A) counts as white space.
@@ -20,4 +20,4 @@ bool equal_ignoring_case(std::string_view a, std::string_view b);
 /// The words between white space.
 std::vector<std::string_view> words(std::string_view line);
 
-}  // namespace voussoir
+}  // namespace voussoir::text

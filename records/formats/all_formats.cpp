@@ -5,7 +5,7 @@
 #include "libdda/text/utf.h"
 #include "records/formats/format.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -58,11 +58,11 @@ void require_sound(const Record& record)
 /// Names come in the file's encoding; what leaves here is UTF-8.
 void encode_names(Record& record)
 {
-    for (std::string* text : {&record.station, &record.event}) *text = as_utf8(*text);
-    for (std::string& remark : record.remarks) remark = as_utf8(remark);
+    for (std::string* text : {&record.station, &record.event}) *text = text::as_utf8(*text);
+    for (std::string& remark : record.remarks) remark = text::as_utf8(remark);
     for (Channel& channel : record.channels) {
-        channel.component = as_utf8(channel.component);
-        channel.unit_in_file = as_utf8(channel.unit_in_file);
+        channel.component = text::as_utf8(channel.component);
+        channel.unit_in_file = text::as_utf8(channel.unit_in_file);
     }
 }
 
@@ -79,4 +79,4 @@ Record read_as(const Format& format, const SourceFile& source, const ReadOptions
     return record;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

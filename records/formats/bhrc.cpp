@@ -21,7 +21,7 @@
 #include "records/formats/format.h"
 #include "records/formats/samples.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -62,7 +62,7 @@ TextHeader read_text(const SourceFile& file, std::size_t begin)
     const std::size_t station = find_words(file, begin, header.end, "azimuth");
     if (station < header.end) header.station = file.lines[station];
     const std::size_t event = find_words(file, begin, header.end, "epicenter");
-    if (event < header.end) header.event = std::string(trim(file.lines[event]));
+    if (event < header.end) header.event = std::string(text::trim(file.lines[event]));
     return header;
 }
 
@@ -70,13 +70,13 @@ TextHeader read_text(const SourceFile& file, std::size_t begin)
 Direction direction_of(const TextHeader& header)
 {
     if (header.component.empty()) return {};
-    const char letter = lower_case(header.component).front();
+    const char letter = text::lower_case(header.component).front();
     if (letter == 'v') return {.azimuth = {}, .is_vertical = true};
-    const std::size_t words = lower_case(header.station).find("azimuth");
+    const std::size_t words = text::lower_case(header.station).find("azimuth");
     if (words == std::string::npos || (letter != 'l' && letter != 't')) return {};
     const std::optional<double> azimuth =
         number_after(header.station.substr(words + 7), std::string_view(letter == 'l' ? "l " : "t "));
-    return azimuth ? parse_direction(to_text(*azimuth)) : Direction{};
+    return azimuth ? parse_direction(text::to_text(*azimuth)) : Direction{};
 }
 
 /// The step from the duration and, more exactly, from the samples a second.
@@ -92,8 +92,8 @@ double time_step_of(const SourceFile& file, const TextHeader& header, const std:
     if (rate > 0) {
         if (step && std::abs(*step * rate - 1) > 0.01) {
             faults.add(file.at(header.count_line),
-                       "duration / points = " + to_text(*step) + " s but the header gives " + to_text(rate) +
-                           " samples a second",
+                       "duration / points = " + text::to_text(*step) + " s but the header gives " +
+                           text::to_text(rate) + " samples a second",
                        "the file is damaged: download it again");
         }
         step = 1 / rate;
@@ -121,7 +121,7 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
     const double step = time_step_of(file, header, reals.numbers, options, faults);
     record.channels.push_back(make_channel(header.component, unit, step, block.numbers));
     set_direction(record.channels.back(), direction_of(header), record.remarks);
-    record.station = std::string(trim(header.station.substr(0, header.station.find("  "))));
+    record.station = std::string(text::trim(header.station.substr(0, header.station.find("  "))));
     record.event = header.event;
     return block.end;
 }
@@ -142,4 +142,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format bhrc{"BHRC volume 1", recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -12,7 +12,7 @@
 #include "libdda/text/words.h"
 #include "records/formats/keyed_header.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -31,7 +31,7 @@ struct Header {
 std::optional<double> number_in(std::string_view text)
 {
     double value = 0;
-    return parse_fortran_number(text, value) ? std::optional<double>(value) : std::nullopt;
+    return text::parse_fortran_number(text, value) ? std::optional<double>(value) : std::nullopt;
 }
 
 Header read_header(const SourceFile& file)
@@ -39,15 +39,15 @@ Header read_header(const SourceFile& file)
     Header header;
     for (std::size_t i = 0; i < file.lines.size() && i < header_search; ++i) {
         const std::string_view line = file.lines[i];
-        const std::size_t words = lower_case(line).find(unit_words);
+        const std::size_t words = text::lower_case(line).find(unit_words);
         if (words != std::string::npos) {
-            header.unit = std::string(trim(line.substr(words + unit_words.size())));
+            header.unit = std::string(text::trim(line.substr(words + unit_words.size())));
             header.unit_line = i;
             break;
         }
         const std::size_t colon = line.find(" : ");
         if (colon == std::string_view::npos) continue;
-        const std::string_view key = trim(line.substr(0, colon)), value = trim(line.substr(colon + 3));
+        const std::string_view key = text::trim(line.substr(0, colon)), value = text::trim(line.substr(colon + 3));
         if (key == "Orientation") header.component = std::string(value);
         if (key == "Station Code / Name") header.station = std::string(value);
         if (key == "Event Date & Time") header.event = std::string(value);
@@ -72,8 +72,8 @@ void check_peak(const Header& header, const Channel& channel, const SourceFile& 
     const double found = peak(channel);
     if (std::abs(found - std::abs(*header.peak)) <= 1e-3 * found) return;  // some print four digits
     faults.add(file.at(header.peak_line),
-               "the header announces a peak of " + to_text(*header.peak) + " m/s2 but the samples have " +
-                   to_text(found) + " m/s2",
+               "the header announces a peak of " + text::to_text(*header.peak) + " m/s2 but the samples have " +
+                   text::to_text(found) + " m/s2",
                "the file is damaged: download it again");
 }
 
@@ -99,4 +99,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format corrected_acc{"corrected acceleration (.cor.acc)", recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

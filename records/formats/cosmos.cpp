@@ -28,7 +28,7 @@
 #include "records/formats/format.h"
 #include "records/formats/samples.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -43,7 +43,7 @@ bool recognises(const SourceFile& file)
 {
     const std::size_t first = skip_blank(file, 0);
     if (first >= file.lines.size()) return false;
-    const std::string line = lower_case(file.lines[first]);
+    const std::string line = text::lower_case(file.lines[first]);
     return line.find(title) != std::string::npos && line.find("text lines") != std::string::npos;
 }
 
@@ -71,14 +71,14 @@ struct Header {
 NumberBlock read_counted(const SourceFile& file, std::size_t line, FaultList& faults)
 {
     double count = 0;
-    parse_leading_number(trim(file.lines[line]), count);
+    text::parse_leading_number(text::trim(file.lines[line]), count);
     const bool plausible = count >= 1 && count <= 1e6;
     const NumberBlock block = read_block(file, line + 1, format_width(file.lines[line]),
                                          plausible ? static_cast<std::size_t>(count) : 1);
     if (!plausible || block.numbers.size() < static_cast<std::size_t>(count)) {
         faults.add(file.at(line),
-                   "a header of " + to_text(count) + " numbers of which " + std::to_string(block.numbers.size()) +
-                       " are there",
+                   "a header of " + text::to_text(count) + " numbers of which " +
+                       std::to_string(block.numbers.size()) + " are there",
                    "the file is cut short or damaged: download it again");
         faults.throw_if_any(file.name);
     }
@@ -109,7 +109,7 @@ Header read_header(const SourceFile& file, std::size_t begin, FaultList& faults)
     const NumberBlock integers = read_counted(file, header.integer_line, faults);
     header.real_line = skip_blank(file, integers.end);
     if (header.real_line >= file.lines.size() ||
-        lower_case(file.lines[header.real_line]).find("real-header") == std::string::npos) {
+        text::lower_case(file.lines[header.real_line]).find("real-header") == std::string::npos) {
         throw InputError(file.at(std::min(header.real_line, file.lines.size() - 1)),
                          "no \"Real-header values follow\" behind the whole numbers",
                          "the file is cut short or damaged: download it again");
@@ -119,9 +119,10 @@ Header read_header(const SourceFile& file, std::size_t begin, FaultList& faults)
     header.reals = reals.numbers;
     read_unknowns(file, header);
     std::size_t line = skip_blank(file, reals.end);
-    if (line < file.lines.size() && lower_case(file.lines[line]).find("comment line") != std::string::npos) ++line;
+    if (line < file.lines.size() && text::lower_case(file.lines[line]).find("comment line") != std::string::npos)
+        ++line;
     for (line = skip_blank(file, line); line < file.lines.size(); line = skip_blank(file, line + 1)) {
-        if (trim(file.lines[line]).front() != '|') break;
+        if (text::trim(file.lines[line]).front() != '|') break;
         if (header.code.empty()) header.code = text_after(file.lines[line], "<scnl>");
     }
     header.code = header.code.substr(0, header.code.find_first_of(" <"));
@@ -134,10 +135,11 @@ Direction direction_of(const SourceFile& file, Header& header)
 {
     const std::size_t line = find_words(file, header.begin, header.integer_line, "sta cha");
     if (line < header.integer_line) {
-        std::string_view words = trim(file.lines[line]);
+        std::string_view words = text::trim(file.lines[line]);
         words = words.substr(std::min(words.find(':'), words.size()));
         if (header.component.empty())
-            header.component = "chan " + to_text(header.integer(50).value_or(0)) + ": " + text_after(words, ":");
+            header.component =
+                "chan " + text::to_text(header.integer(50).value_or(0)) + ": " + text_after(words, ":");
         while (words.starts_with(':') || words.starts_with(' ')) words.remove_prefix(1);
         if (words.find(':') < words.find("deg")) words.remove_prefix(words.find(':') + 1);  // "Cha:  1: 340 deg"
         const Direction named = parse_direction(words);
@@ -150,7 +152,7 @@ Direction direction_of(const SourceFile& file, Header& header)
     const std::string channel =
         dot == std::string::npos ? "" : header.code.substr(dot + 1, header.code.find('.', dot + 1) - dot - 1);
     if (channel.ends_with('Z')) return {.azimuth = {}, .is_vertical = true};
-    if (azimuth >= 1 && azimuth <= 360) return parse_direction(to_text(azimuth));
+    if (azimuth >= 1 && azimuth <= 360) return parse_direction(text::to_text(azimuth));
     return {};
 }
 
@@ -161,8 +163,9 @@ Unit unit_of_counts(const Header& header)
     const double microvolts = header.real(22).value_or(0), sensitivity = header.real(42).value_or(0);
     const double gain = header.real(47).value_or(1);
     if (!(microvolts > 0) || !(sensitivity > 0) || !(gain > 0)) return {"", Quantity::acceleration, 1};
-    std::string name = "counts x " + to_text(microvolts) + "e-6 V / (" + to_text(sensitivity) + " V/g)";
-    if (gain != 1) name += " / " + to_text(gain);
+    std::string name =
+        "counts x " + text::to_text(microvolts) + "e-6 V / (" + text::to_text(sensitivity) + " V/g)";
+    if (gain != 1) name += " / " + text::to_text(gain);
     return {name, Quantity::acceleration, microvolts * 1e-6 / sensitivity / gain * standard_gravity};
 }
 
@@ -173,7 +176,7 @@ Unit unit_of(const SourceFile& file, const Header& header, std::size_t line, con
     const std::string words = text_after(file.lines[line], "units=");
     const double given = cosmos_code_in(file.lines[line]).value_or(header.integer(3).value_or(0));
     const int code = static_cast<int>(std::clamp(given, 0.0, 1e6));
-    const bool is_counts = code == counts_code || lower_case(words).starts_with("count");
+    const bool is_counts = code == counts_code || text::lower_case(words).starts_with("count");
     if (is_counts && !options.unit) return unit_of_counts(header);
     const std::optional<Unit> named = find_unit(words);
     if (const std::optional<Unit> known = find_cosmos_unit(code)) {
@@ -201,15 +204,15 @@ void compare_duration(const SourceFile& file, const Channel& channel, std::size_
     const double found = static_cast<double>(channel.samples.size()) * channel.time_step;
     const double stated = number_after(file.lines[line], "approx").value_or(found);
     if (std::abs(found - stated) <= std::max(1.0, 0.02 * stated)) return;
-    remarks.push_back(file.at(line) + ": approx " + to_text(stated) + " s here but " + to_text(found) +
+    remarks.push_back(file.at(line) + ": approx " + text::to_text(stated) + " s here but " + text::to_text(found) +
                       " s by count and time step; the time step is used");
 }
 
 bool is_announcement(std::string_view line)
 {
     double count = 0;
-    const std::string text = lower_case(trim(line));
-    return parse_leading_number(text, count) > 0 && text.find("pts") != std::string::npos;
+    const std::string text = text::lower_case(text::trim(line));
+    return text::parse_leading_number(text, count) > 0 && text.find("pts") != std::string::npos;
 }
 
 /// Reads the channel whose header begins on line `begin`, one series or several. @returns the line behind it
@@ -217,7 +220,7 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
                          FaultList& faults)
 {
     Header header = read_header(file, begin, faults);
-    if (header.integer(1) == 3 || lower_case(file.lines[begin]).find("spectr") != std::string::npos) {
+    if (header.integer(1) == 3 || text::lower_case(file.lines[begin]).find("spectr") != std::string::npos) {
         throw InputError(file.at(begin), "response spectra, not a time history",
                          "name the V0, V1 or V2 file of the same record");
     }
@@ -232,7 +235,7 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
     while (line < file.lines.size() && is_announcement(file.lines[line])) {
         const NumberBlock block = read_block(file, line + 1, format_width(file.lines[line]));
         double count = 0;
-        parse_leading_number(trim(file.lines[line]), count);
+        text::parse_leading_number(text::trim(file.lines[line]), count);
         check_block(file, block, {count, file.at(line)}, record.remarks, faults);
         const Unit unit = unit_of(file, header, line, options, faults);
         const double step = time_step_of(file, header, options, faults);
@@ -248,9 +251,9 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
     const std::size_t station = find_words(file, begin, header.integer_line, "code:");
     if (station < header.integer_line) {
         const std::string_view words = file.lines[station];
-        record.station = std::string(trim(words.substr(lower_case(words).find("code:") + 5)));
+        record.station = std::string(text::trim(words.substr(text::lower_case(words).find("code:") + 5)));
     }
-    if (begin + 1 < header.integer_line) record.event = std::string(trim(file.lines[begin + 1]));
+    if (begin + 1 < header.integer_line) record.event = std::string(text::trim(file.lines[begin + 1]));
     return line;
 }
 
@@ -271,4 +274,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format cosmos{"COSMOS V0/V1/V2", recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -5,7 +5,7 @@
 #include "libdda/text/fortran_numbers.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -42,15 +42,16 @@ std::optional<Unit> find_cosmos_unit(int code)
 
 std::optional<double> cosmos_code_in(std::string_view line)
 {
-    const std::string lower = lower_case(line);
+    const std::string lower = text::lower_case(line);
     const std::size_t units = lower.find("units=");
     if (units == std::string::npos) return std::nullopt;
     const std::string words = lower.substr(units, lower.find("format", units) - units);
     const std::size_t open = words.find('(');
     if (open == std::string::npos) return std::nullopt;
     double code = 0;
-    const bool is_code = parse_fortran_number(words.substr(open + 1, words.find(')', open) - open - 1), code);
+    const bool is_code =
+        text::parse_fortran_number(words.substr(open + 1, words.find(')', open) - open - 1), code);
     return is_code ? std::optional<double>(code) : std::nullopt;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -6,7 +6,7 @@
 
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 /// Table 2 of the COSMOS format, of motions; nothing for other codes.
@@ -16,4 +16,4 @@ std::optional<Unit> find_cosmos_unit(int code);
 /// bracket behind "Format" is no code.
 std::optional<double> cosmos_code_in(std::string_view line);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -26,7 +26,7 @@
 #include "records/formats/format.h"
 #include "records/formats/samples.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -39,7 +39,7 @@ constexpr double time_resolution = 0.001;  // s, of times printed with three dec
 
 bool is_uncorrected(std::string_view line)
 {
-    const std::string title = lower_case(line);
+    const std::string title = text::lower_case(line);
     return title.find("uncorrected accelerogram data") != std::string::npos &&
            title.find("of volume") == std::string::npos;  // USC's
 }
@@ -53,7 +53,7 @@ std::size_t find_channel(const SourceFile& file, std::size_t line)
 
 bool is_spectra(const SourceFile& file, std::size_t first)
 {
-    const std::string title = lower_case(file.lines[first]);
+    const std::string title = text::lower_case(file.lines[first]);
     return title.find("response") != std::string::npos && title.find("spectr") != std::string::npos;
 }
 
@@ -62,7 +62,7 @@ bool recognises(const SourceFile& file)
     const std::size_t first = skip_blank(file, 0);
     if (first >= file.lines.size()) return false;
     if (is_uncorrected(file.lines[first])) return true;
-    const std::string title = lower_case(trim(file.lines[first]));
+    const std::string title = text::lower_case(text::trim(file.lines[first]));
     const bool is_v2 = title.starts_with("corrected accelerogram");
     return (is_v2 || is_spectra(file, first)) &&
            find_channel(file, first) < std::min(first + 5, file.lines.size());
@@ -77,11 +77,11 @@ struct Header {
 /// "Chan  1: 360 Deg      (Sta Chn: 1)" -> "chan 1: 360 Deg".
 void read_component(std::string_view line, Header& header)
 {
-    line = trim(line);
+    line = text::trim(line);
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos) return;
     header.direction = text_after(line.substr(colon), ":");
-    header.component = "chan " + std::string(trim(line.substr(4, colon - 4))) + ": " + header.direction;
+    header.component = "chan " + std::string(text::trim(line.substr(4, colon - 4))) + ": " + header.direction;
 }
 
 Header read_header(const SourceFile& file, std::size_t begin, Record& record)
@@ -90,15 +90,15 @@ Header read_header(const SourceFile& file, std::size_t begin, Record& record)
     header.begin = begin;
     header.integer_line = find_numbers(file, begin, begin + header_search, 8);
     for (std::size_t i = begin; i < header.integer_line; ++i) {
-        const std::string line = lower_case(trim(file.lines[i]));
+        const std::string line = text::lower_case(text::trim(file.lines[i]));
         if (line.starts_with("chan ") && header.component.empty()) read_component(file.lines[i], header);
         if (line.starts_with("station ") && i + 1 < header.integer_line) {
-            const std::string_view words = trim(file.lines[i]), name = trim(file.lines[i + 1]);
-            record.station = std::string(trim(words.substr(0, words.find("  ")))) + ", " +
-                             std::string(trim(name.substr(0, name.find("  "))));
+            const std::string_view words = text::trim(file.lines[i]), name = text::trim(file.lines[i + 1]);
+            record.station = std::string(text::trim(words.substr(0, words.find("  ")))) + ", " +
+                             std::string(text::trim(name.substr(0, name.find("  "))));
         }
     }
-    if (begin + 1 < header.integer_line) record.event = std::string(trim(file.lines[begin + 1]));
+    if (begin + 1 < header.integer_line) record.event = std::string(text::trim(file.lines[begin + 1]));
     const NumberBlock integers = read_block_to_short_line(file, header.integer_line, 5);
     const NumberBlock reals = read_block_to_short_line(file, integers.end, 10);
     header.reals = reals.numbers;
@@ -117,9 +117,9 @@ struct Announcement {
 /// The line above samples; nothing when it is another.
 std::optional<Announcement> parse_announcement(std::string_view text, const Header& header)
 {
-    const std::string line = lower_case(trim(text));
+    const std::string line = text::lower_case(text::trim(text));
     Announcement announced;
-    const bool counts = parse_leading_number(line, announced.count) > 0;
+    const bool counts = text::parse_leading_number(line, announced.count) > 0;
     const bool has_words = line.find("points") != std::string::npos || line.find("pts") != std::string::npos;
     if (!counts || !has_words) return std::nullopt;
     if (line.find("veloc") != std::string::npos) announced.quantity = Quantity::velocity;
@@ -165,9 +165,10 @@ void remark_on_times(const std::vector<double>& times, double step, const std::s
     for (std::size_t i = 0; i < times.size(); ++i)
         strayed = std::max(strayed, std::abs(times[i] - times.front() - static_cast<double>(i) * step));
     if (strayed <= 1.1 * time_resolution) return;
-    remarks.push_back(
-        component + ": the printed times deviate by up to " + to_text(std::round(strayed * 1e3) / 1e3) +
-        " s from even ones; the samples are taken as evenly spaced at their mean step, " + to_text(step) + " s");
+    remarks.push_back(component + ": the printed times deviate by up to " +
+                      text::to_text(std::round(strayed * 1e3) / 1e3) +
+                      " s from even ones; the samples are taken as evenly spaced at their mean step, " +
+                      text::to_text(step) + " s");
 }
 
 /// (time, value) pairs behind V1's numbers. @returns the line behind them
@@ -213,7 +214,8 @@ std::size_t read_series(const SourceFile& file, const Header& header, const Read
             if (series == 0) {
                 faults.add(
                     file.at(line),
-                    "\"" + std::string(trim(file.lines[line]).substr(0, 40)) + "\" behind the header's numbers",
+                    "\"" + std::string(text::trim(file.lines[line]).substr(0, 40)) +
+                        "\" behind the header's numbers",
                     "expected \"3251 points of accel data equally spaced at .020 sec, in cm/sec2\" or similar");
             }
             break;
@@ -263,4 +265,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format csmip{"CSMIP volume 1/2", recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

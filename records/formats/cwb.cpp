@@ -18,7 +18,7 @@
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -51,14 +51,14 @@ std::vector<Column> parse_sequence(const SourceFile& file, const HeaderLine* lin
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == ';' || c == ',' || c == '\t'; }, ' ');
     std::vector<Column> columns;
-    std::string_view rest = trim(text);
+    std::string_view rest = text::trim(text);
     while (!rest.empty()) {
         const std::string_view word = rest.substr(0, rest.find(' '));
         const bool is_reversed = word.find("(-)") != std::string_view::npos;
         columns.push_back({std::string(word.substr(0, word.find('('))), is_reversed});
-        rest = trim(rest.substr(word.size()));
+        rest = text::trim(rest.substr(word.size()));
     }
-    if (columns.size() < 2 || lower_case(columns.front().name) != "time")
+    if (columns.size() < 2 || text::lower_case(columns.front().name) != "time")
         faults.add(place_of(file, line), "DataSequence = \"" + text_of(line) + "\"",
                    "time and one component or more");
     return columns;
@@ -73,7 +73,8 @@ void check_times(const SourceFile& file, std::size_t first, const std::vector<do
         // Printed in thousandths of a second.
         if (std::abs(times[i] - on_grid) <= 0.02 * time_step + 1e-3) continue;
         faults.add(file.at(first + i),
-                   "time " + to_text(times[i]) + " s where the sample rate asks for " + to_text(on_grid) + " s",
+                   "time " + text::to_text(times[i]) + " s where the sample rate asks for " +
+                       text::to_text(on_grid) + " s",
                    "the file is damaged: download it again");
         return;
     }
@@ -135,4 +136,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format cwb{format_name, recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -8,7 +8,7 @@
 #include "libdda/text/fortran_numbers.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -33,10 +33,11 @@ constexpr std::array<std::string_view, 5> downward{"down", "downward", "downward
 /// The words that name the direction, without what follows them, blanks and hyphens: "n28w", "90deg", "up".
 std::string bare(std::string_view text)
 {
-    text = trim(text);
-    text = trim(text.substr(0, std::min({text.find("  "), text.find('('), text.find(','), text.find('\t')})));
+    text = text::trim(text);
+    text =
+        text::trim(text.substr(0, std::min({text.find("  "), text.find('('), text.find(','), text.find('\t')})));
     std::string word;
-    for (const char c : lower_case(text)) {
+    for (const char c : text::lower_case(text)) {
         if (c != ' ' && c != '_' && !(c == '-' && !word.empty())) word += c;
     }
     if (word.ends_with('.')) word.pop_back();
@@ -54,7 +55,8 @@ std::optional<double> in_circle(double azimuth)
 std::optional<double> parse_bearing(char pole, std::string_view rest)
 {
     double angle = 0;
-    if (rest.size() < 2 || !parse_fortran_number(rest.substr(0, rest.size() - 1), angle)) return std::nullopt;
+    if (rest.size() < 2 || !text::parse_fortran_number(rest.substr(0, rest.size() - 1), angle))
+        return std::nullopt;
     if (!(angle >= 0) || angle > 90) return std::nullopt;
     const double towards_east = pole == 'n' ? angle : 180 - angle;
     if (rest.back() == 'e') return in_circle(towards_east);
@@ -69,7 +71,7 @@ std::optional<double> parse_azimuth(std::string_view word)
     }
     if (word.front() == 'n' || word.front() == 's') return parse_bearing(word.front(), word.substr(1));
     double azimuth = 0;
-    const std::size_t used = parse_leading_number(word, azimuth);
+    const std::size_t used = text::parse_leading_number(word, azimuth);
     const std::string_view unit = word.substr(used);
     const bool in_degrees = unit.empty() || unit == "deg" || unit == "degree" || unit == "degrees" ||
                             unit == "\xC2\xB0" || unit == "\xB0";
@@ -100,4 +102,4 @@ void set_direction(Channel& channel, const Direction& direction, std::vector<std
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -6,7 +6,7 @@
 
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 struct Direction {
@@ -24,4 +24,4 @@ Direction parse_direction(std::string_view text);
 /// it stays without a direction, and a remark says so.
 void set_direction(Channel& channel, const Direction& direction, std::vector<std::string>& remarks);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

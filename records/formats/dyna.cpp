@@ -19,7 +19,7 @@
 #include "records/formats/keyed_header.h"
 #include "records/start_time.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -45,7 +45,7 @@ bool recognises(const SourceFile& file)
 void check_quantity(const SourceFile& file, const KeyedHeader& header, const Unit& unit, FaultList& faults)
 {
     const HeaderLine* line = header.find("DATA_TYPE");
-    const std::string type = lower_case(text_of(line));
+    const std::string type = text::lower_case(text_of(line));
     if (type.find("spectrum") != std::string::npos) {
         faults.add(place_of(file, line), "response spectra, not a time history",
                    "use the record's acceleration, velocity or displacement");
@@ -69,8 +69,8 @@ void compare_peak(const KeyedHeader& header, const Channel& channel, std::vector
     const double found = 100 * peak(channel);
     // Printed with as few as three digits after the point.
     if (std::abs(found - std::abs(*announced)) <= 1e-3 * found + 1e-3) return;
-    remarks.push_back("The header announces a peak of " + to_text(*announced) + " (" + key +
-                      ") but the samples have " + to_text(found) + ".");
+    remarks.push_back("The header announces a peak of " + text::to_text(*announced) + " (" + key +
+                      ") but the samples have " + text::to_text(found) + ".");
 }
 
 std::string station_of(const KeyedHeader& header)
@@ -123,4 +123,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format dyna{format_name, recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -9,7 +9,7 @@
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -22,17 +22,18 @@ bool recognises(const SourceFile& file)
 {
     if (!is_text(file) || file.lines.size() < 4) return false;
     std::vector<double> announced, sample, label;
-    return !parse_separated(file.lines[0], label) && file.lines[0].find('#') == std::string_view::npos &&
-           parse_fortran(file.lines[count_line], announced) && announced.size() == 2 &&
-           announced[0] == std::floor(announced[0]) && announced[0] >= 2 && parse_fortran(file.lines[2], sample) &&
-           sample.size() == 1 && parse_fortran(file.lines[3], sample) && sample.size() == 1;
+    return !text::parse_separated(file.lines[0], label) && file.lines[0].find('#') == std::string_view::npos &&
+           text::parse_fortran(file.lines[count_line], announced) && announced.size() == 2 &&
+           announced[0] == std::floor(announced[0]) && announced[0] >= 2 &&
+           text::parse_fortran(file.lines[2], sample) && sample.size() == 1 &&
+           text::parse_fortran(file.lines[3], sample) && sample.size() == 1;
 }
 
 Record read(const SourceFile& file, const ReadOptions& options)
 {
     FaultList faults;
     std::vector<double> announced;
-    parse_fortran(file.lines[count_line], announced);
+    text::parse_fortran(file.lines[count_line], announced);
     Record record{file.name, format_name, {}};
     Unit unit = resolve_unit("", options, file.name, faults);
     if (!options.unit) {
@@ -45,7 +46,8 @@ Record read(const SourceFile& file, const ReadOptions& options)
     check_count(announced[0], samples.size(), file.at(count_line), faults);
     refuse_column(file, options, faults);
     faults.throw_if_any(file.name);
-    record.channels.push_back(make_channel(std::string(trim(file.lines[0])), unit, time_step, std::move(samples)));
+    record.channels.push_back(
+        make_channel(std::string(text::trim(file.lines[0])), unit, time_step, std::move(samples)));
     return record;
 }
 
@@ -53,4 +55,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format eqsig{format_name, recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

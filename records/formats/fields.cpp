@@ -5,7 +5,7 @@
 #include "libdda/text/fortran_numbers.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -23,7 +23,7 @@ bool split_touching(std::string_view token, std::size_t width, std::vector<doubl
     for (std::size_t end = token.size(); end > 0; end -= std::min(end, width)) {
         const std::size_t start = end > width ? end - width : 0;
         double number = 0;
-        if (!parse_fortran_number(token.substr(start, end - start), number)) {
+        if (!text::parse_fortran_number(token.substr(start, end - start), number)) {
             numbers.resize(before);
             return false;
         }
@@ -39,13 +39,13 @@ bool parse_token(std::string_view token, std::size_t width, std::vector<double>&
     // Whole numbers that touch look like one; reals that touch have two points.
     const bool may_touch =
         width > 0 && token.size() > width && token.find_first_not_of("+-0123456789") == std::string_view::npos;
-    if (!may_touch && parse_fortran_number(token, number)) {
+    if (!may_touch && text::parse_fortran_number(token, number)) {
         numbers.push_back(number);
         return true;
     }
     if (width > 0 && token.size() > width && split_touching(token, width, numbers)) return true;
     std::vector<double> by_exponent;
-    if (!parse_fortran(token, by_exponent)) return false;
+    if (!text::parse_fortran(token, by_exponent)) return false;
     numbers.insert(numbers.end(), by_exponent.begin(), by_exponent.end());
     return true;
 }
@@ -53,7 +53,7 @@ bool parse_token(std::string_view token, std::size_t width, std::vector<double>&
 /// Where `words` end in the line; npos when it does not hold them.
 std::size_t end_of_words(std::string_view line, std::string_view words)
 {
-    const std::size_t at = lower_case(line).find(words);
+    const std::size_t at = text::lower_case(line).find(words);
     return at == std::string::npos ? at : at + words.size();
 }
 
@@ -61,12 +61,12 @@ std::size_t end_of_words(std::string_view line, std::string_view words)
 
 bool is_blank(std::string_view line)
 {
-    return std::all_of(line.begin(), line.end(), [](char c) { return c == '\0' || trim({&c, 1}).empty(); });
+    return std::all_of(line.begin(), line.end(), [](char c) { return c == '\0' || text::trim({&c, 1}).empty(); });
 }
 
 std::size_t format_width(std::string_view text)
 {
-    const std::string line = lower_case(text);
+    const std::string line = text::lower_case(text);
     for (std::size_t at = 1; at + 1 < line.size(); ++at) {
         const bool is_letter =
             line[at] == 'f' || line[at] == 'e' || line[at] == 'i' || line[at] == 'd' || line[at] == 'g';
@@ -75,7 +75,7 @@ std::size_t format_width(std::string_view text)
         if (!is_letter || !begins || !is_digit(line[at + 1])) continue;
         double width = 0;
         const std::size_t digits = line.find_first_not_of("0123456789", at + 1);
-        if (!parse_fortran_number(std::string_view(line).substr(at + 1, digits - at - 1), width)) continue;
+        if (!text::parse_fortran_number(std::string_view(line).substr(at + 1, digits - at - 1), width)) continue;
         if (width >= 1 && width <= 80) return static_cast<std::size_t>(width);
     }
     return 0;
@@ -84,11 +84,11 @@ std::size_t format_width(std::string_view text)
 bool parse_fields(std::string_view line, std::size_t width, std::vector<double>& numbers)
 {
     numbers.clear();
-    std::string_view rest = trim(line);
+    std::string_view rest = text::trim(line);
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find_first_of(" \t\f\v\r"), rest.size());
         if (!parse_token(rest.substr(0, end), width, numbers)) return false;
-        rest = trim(rest.substr(end));
+        rest = text::trim(rest.substr(end));
     }
     return !numbers.empty();
 }
@@ -96,7 +96,7 @@ bool parse_fields(std::string_view line, std::size_t width, std::vector<double>&
 std::string first_not_number(std::string_view line, std::size_t width)
 {
     std::vector<double> numbers;
-    std::string_view rest = trim(line);
+    std::string_view rest = text::trim(line);
     std::size_t before = 0;
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find_first_of(" \t\f\v\r"), rest.size());
@@ -105,9 +105,9 @@ std::string first_not_number(std::string_view line, std::size_t width)
         if (!parse_token(rest.substr(0, end), width, numbers) && before > 0) return std::string(word);
         if (numbers.size() == before) break;
         before = numbers.size();
-        rest = trim(rest.substr(end));
+        rest = text::trim(rest.substr(end));
     }
-    return std::string(trim(line).substr(0, 40));
+    return std::string(text::trim(line).substr(0, 40));
 }
 
 NumberBlock read_block(const SourceFile& file, std::size_t first, std::size_t width, std::size_t enough)
@@ -172,10 +172,10 @@ std::optional<double> number_after(std::string_view line, std::string_view words
 {
     const std::size_t end = end_of_words(line, words);
     if (end == std::string_view::npos) return std::nullopt;
-    std::string_view rest = trim(line.substr(end));
-    while (!rest.empty() && (rest.front() == '=' || rest.front() == ':')) rest = trim(rest.substr(1));
+    std::string_view rest = text::trim(line.substr(end));
+    while (!rest.empty() && (rest.front() == '=' || rest.front() == ':')) rest = text::trim(rest.substr(1));
     double number = 0;
-    if (parse_leading_number(rest, number) == 0) return std::nullopt;
+    if (text::parse_leading_number(rest, number) == 0) return std::nullopt;
     return number;
 }
 
@@ -183,10 +183,10 @@ std::string text_after(std::string_view line, std::string_view words)
 {
     const std::size_t end = end_of_words(line, words);
     if (end == std::string_view::npos) return "";
-    std::string_view rest = trim(line.substr(end));
-    while (!rest.empty() && (rest.front() == '=' || rest.front() == ':')) rest = trim(rest.substr(1));
-    rest = trim(rest.substr(0, std::min(rest.find("  "), rest.find_first_of(",;()\t"))));
-    while (!rest.empty() && rest.back() == '.') rest = trim(rest.substr(0, rest.size() - 1));
+    std::string_view rest = text::trim(line.substr(end));
+    while (!rest.empty() && (rest.front() == '=' || rest.front() == ':')) rest = text::trim(rest.substr(1));
+    rest = text::trim(rest.substr(0, std::min(rest.find("  "), rest.find_first_of(",;()\t"))));
+    while (!rest.empty() && rest.back() == '.') rest = text::trim(rest.substr(0, rest.size() - 1));
     return std::string(rest);
 }
 
@@ -196,4 +196,4 @@ std::size_t line_of(const NumberBlock& block, std::size_t index)
     return block.first + static_cast<std::size_t>(after - block.line_ends.begin());
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -9,7 +9,7 @@
 
 #include "records/source_file.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 /// Nothing but white space and the zero bytes some programs fill their last line with.
@@ -64,4 +64,4 @@ std::string text_after(std::string_view line, std::string_view words);
 /// Line of the number at `index` of the block.
 std::size_t line_of(const NumberBlock& block, std::size_t index);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

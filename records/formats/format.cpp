@@ -9,7 +9,7 @@
 #include "records/content.h"
 #include "records/formats/fields.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 Unit resolve_unit(const std::string& in_header, const ReadOptions& options, const std::string& place,
@@ -44,14 +44,14 @@ double resolve_time_step(std::optional<double> in_file, const ReadOptions& optio
     }
     const double time_step = in_file ? *in_file : *options.time_step;
     if (!(time_step > 0) || !std::isfinite(time_step)) {
-        faults.add(place, "time step = " + to_text(time_step) + " s", "must be finite and greater than 0");
+        faults.add(place, "time step = " + text::to_text(time_step) + " s", "must be finite and greater than 0");
         return 1;
     }
     // Times are often printed with few digits: the same step to a thousandth is the same step.
     if (in_file && options.time_step && !(std::abs(*options.time_step - time_step) <= 1e-3 * time_step)) {
         faults.add(place,
-                   "the file has time step " + to_text(time_step) + " s but " + to_text(*options.time_step) +
-                       " s was asked for",
+                   "the file has time step " + text::to_text(time_step) + " s but " +
+                       text::to_text(*options.time_step) + " s was asked for",
                    "omit the time step");
     }
     return time_step;
@@ -70,14 +70,15 @@ std::vector<double> read_fortran_samples(const SourceFile& file, std::size_t fir
 {
     std::vector<double> samples, on_line;
     for (std::size_t i = first; i < file.lines.size(); ++i) {
-        if (trim(file.lines[i]).empty()) continue;
-        if (!parse_fortran(file.lines[i], on_line)) {
+        if (text::trim(file.lines[i]).empty()) continue;
+        if (!text::parse_fortran(file.lines[i], on_line)) {
             add_row_fault(file, i, "every line after the header holds samples only", faults);
             if (has_decimal_commas(file.lines[i])) faults.throw_if_any(file.name);  // they stand on every line
             continue;
         }
         for (const double sample : on_line) {
-            if (!std::isfinite(sample)) faults.add(file.at(i), "sample " + to_text(sample), "must be finite");
+            if (!std::isfinite(sample))
+                faults.add(file.at(i), "sample " + text::to_text(sample), "must be finite");
         }
         samples.insert(samples.end(), on_line.begin(), on_line.end());
     }
@@ -88,7 +89,8 @@ void check_count(double announced, std::size_t found, const std::string& place, 
 {
     const bool plausible = announced >= 2 && announced == std::floor(announced);
     const bool printable = plausible && announced < 1e18;
-    const std::string count = printable ? std::to_string(static_cast<long long>(announced)) : to_text(announced);
+    const std::string count =
+        printable ? std::to_string(static_cast<long long>(announced)) : text::to_text(announced);
     if (!plausible) {
         faults.add(place, "the header announces " + count + " samples",
                    "a record holds a whole number of samples, 2 or more");
@@ -116,4 +118,4 @@ Channel make_channel(std::string component, const Unit& unit, double time_step, 
     return channel;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

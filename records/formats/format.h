@@ -8,7 +8,7 @@
 #include "records/source_file.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 struct Format {
@@ -75,4 +75,4 @@ void refuse_column(const SourceFile& file, const ReadOptions& options, FaultList
 /// The samples times their unit: a channel in SI.
 Channel make_channel(std::string component, const Unit& unit, double time_step, std::vector<double> samples);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -22,7 +22,7 @@
 #include "records/formats/format.h"
 #include "records/formats/samples.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -37,7 +37,7 @@ constexpr double printed_rounding = 0.0005 + 1e-9;   // s, of a step printed wit
 std::size_t find_title(const SourceFile& file, std::size_t line)
 {
     for (; line < file.lines.size(); ++line) {
-        const std::string title = lower_case(trim(file.lines[line]));
+        const std::string title = text::lower_case(text::trim(file.lines[line]));
         if (title.starts_with("uncorrected accelerogram") || title.starts_with("corrected accelerogram")) break;
     }
     return line;
@@ -91,7 +91,7 @@ double time_step_of(const SourceFile& file, const Headers& headers, const ReadOp
     if (!(number > 0)) return resolve_time_step(in_words, options, place, faults);
     if (*in_words > 0 && std::abs(*in_words - number) > printed_rounding) {
         faults.add(place,
-                   "intervals of " + to_text(*in_words) + " s here but " + to_text(number) +
+                   "intervals of " + text::to_text(*in_words) + " s here but " + text::to_text(number) +
                        " s among the header's numbers",
                    "the file is damaged: download it again");
     }
@@ -105,7 +105,7 @@ Unit unit_of(const SourceFile& file, const Headers& headers, const ReadOptions& 
     if (line == headers.integer_line) return resolve_unit("mm/s2", options, file.at(headers.begin), faults);
     const std::string words = text_after(file.lines[line], "in units of");
     double scale = 0;
-    const std::size_t used = parse_leading_number(words, scale);
+    const std::size_t used = text::parse_leading_number(words, scale);
     if (used == 0) return resolve_unit(words, options, file.at(line), faults);
     if (!(scale > 0) || !std::isfinite(scale)) {
         faults.add(file.at(line), "units of " + words, "a unit is greater than 0");
@@ -114,7 +114,7 @@ Unit unit_of(const SourceFile& file, const Headers& headers, const ReadOptions& 
     Unit unit = resolve_unit(words.substr(used), options, file.at(line), faults);
     if (scale != 1) {
         unit.factor *= scale;
-        unit.name = to_text(scale) + " " + unit.name;
+        unit.name = text::to_text(scale) + " " + unit.name;
     }
     return unit;
 }
@@ -147,7 +147,7 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
     const std::size_t component_line = find_words(file, begin, headers.integer_line, "component ");
     std::string component;
     if (component_line < headers.integer_line)
-        component = std::string(trim(trim(file.lines[component_line]).substr(10)));
+        component = std::string(text::trim(text::trim(file.lines[component_line]).substr(10)));
     const Unit unit = unit_of(file, headers, options, faults);
     const double step = time_step_of(file, headers, options, faults);
     Channel channel = make_channel(component, unit, step, block.numbers);
@@ -161,7 +161,7 @@ std::size_t read_channel(const SourceFile& file, const ReadOptions& options, std
     const std::size_t station = find_words(file, begin, headers.integer_line, "site ");
     if (station < headers.integer_line) record.station = text_after(file.lines[station], "site ");
     const std::size_t event = find_words(file, begin, headers.integer_line, "epicentre");
-    if (event < headers.integer_line) record.event = std::string(trim(file.lines[event]));
+    if (event < headers.integer_line) record.event = std::string(text::trim(file.lines[event]));
     return skip_others(file, headers, block.end, skipped, faults);
 }
 
@@ -185,4 +185,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format geonet{"GeoNet V1A/V2A", recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -23,7 +23,7 @@
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -34,12 +34,12 @@ constexpr std::size_t longest_header = 200;  // lines; some 30 in the files desc
 
 bool begins_section(std::string_view line)
 {
-    return trim(line).starts_with("->");
+    return text::trim(line).starts_with("->");
 }
 
 bool ends_data(std::string_view line)
 {
-    return lower_case(trim(line)).starts_with("stop");
+    return text::lower_case(text::trim(line)).starts_with("stop");
 }
 
 KeyedHeader read_header(const SourceFile& file)
@@ -70,10 +70,10 @@ std::vector<Section> find_sections(const SourceFile& file, std::size_t first, Fa
         if (!sections.empty()) sections.back().end = i + 1;
         if (!begins_section(file.lines[i])) continue;
         if (!sections.empty()) sections.back().end = i;
-        const std::string title = lower_case(file.lines[i]);
+        const std::string title = text::lower_case(file.lines[i]);
         const auto names = [&](const char* word) { return title.find(word) != std::string::npos; };
         if (names("spectr") || names("freq") || names("period") || !names("time")) {
-            faults.add(file.at(i), "\"" + std::string(trim(file.lines[i])) + "\": not a time history",
+            faults.add(file.at(i), "\"" + std::string(text::trim(file.lines[i])) + "\": not a time history",
                        "use the record's acceleration (.cor)");
             return {};
         }
@@ -92,7 +92,7 @@ std::string unit_for(Quantity quantity, std::string list)
     std::replace_if(list.begin(), list.end(), is_separator, '\n');
     std::string_view rest = list;
     while (!rest.empty()) {
-        std::string word(trim(rest.substr(0, rest.find('\n'))));
+        std::string word(text::trim(rest.substr(0, rest.find('\n'))));
         rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1);
         const std::size_t squared = word.find("/s*s");
         if (squared != std::string::npos) word.replace(squared, 4, "/s2");
@@ -106,8 +106,8 @@ std::vector<double> read_section(const SourceFile& file, const Section& section,
 {
     std::vector<double> samples, on_line;
     for (std::size_t i = section.title + 1; i < section.end; ++i) {
-        if (trim(file.lines[i]).empty()) continue;
-        const bool is_row = parse_fortran(file.lines[i], on_line);
+        if (text::trim(file.lines[i]).empty()) continue;
+        const bool is_row = text::parse_fortran(file.lines[i], on_line);
         if (!is_row) {
             add_row_fault(file, i, "a section holds samples only", faults);
         } else if (!std::all_of(on_line.begin(), on_line.end(), [](double x) { return std::isfinite(x); })) {
@@ -166,4 +166,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format isesd{format_name, recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -8,7 +8,7 @@
 #include "libdda/text/numbers.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 const HeaderLine* KeyedHeader::find(std::string_view key) const
@@ -38,7 +38,7 @@ KeyedHeader read_keyed_header(const SourceFile& file, std::size_t first, std::si
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos) continue;
         header.lines.push_back(
-            {letters_and_digits(line.substr(0, colon)), trim(line.substr(colon + 1)), header.end});
+            {letters_and_digits(line.substr(0, colon)), text::trim(line.substr(colon + 1)), header.end});
     }
     return header;
 }
@@ -46,12 +46,12 @@ KeyedHeader read_keyed_header(const SourceFile& file, std::size_t first, std::si
 bool is_row_of_numbers(std::string_view line)
 {
     std::vector<double> numbers;
-    return parse_fortran(line, numbers) || parse_separated(line, numbers);
+    return text::parse_fortran(line, numbers) || text::parse_separated(line, numbers);
 }
 
 std::string letters_and_digits(std::string_view text)
 {
-    std::string kept = lower_case(text);
+    std::string kept = text::lower_case(text);
     std::erase_if(kept, [](char c) { return !((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')); });
     return kept;
 }
@@ -64,7 +64,7 @@ std::string text_of(const HeaderLine* line)
 std::optional<double> number_of(const HeaderLine* line)
 {
     double value = 0;
-    if (line == nullptr || parse_leading_number(line->value, value) == 0) return std::nullopt;
+    if (line == nullptr || text::parse_leading_number(line->value, value) == 0) return std::nullopt;
     return value;
 }
 
@@ -90,7 +90,7 @@ void check_count_with_surplus(double announced, std::size_t found, std::size_t s
     const auto held = static_cast<double>(found);
     const bool is_whole = announced >= 2 && announced == std::floor(announced);
     if (is_whole && held > announced && held - announced <= static_cast<double>(surplus)) {
-        remarks.push_back("The header announces " + to_text(announced) + " samples but the file holds " +
+        remarks.push_back("The header announces " + text::to_text(announced) + " samples but the file holds " +
                           std::to_string(found) + "; all of them are taken.");
     } else {
         check_count(announced, found, place, faults);
@@ -103,15 +103,16 @@ std::vector<std::vector<double>> read_columns(const SourceFile& file, std::size_
     std::vector<std::vector<double>> columns(width);
     std::vector<double> on_line;
     for (std::size_t i = first; i < file.lines.size(); ++i) {
-        if (trim(file.lines[i]).empty()) continue;
-        if (!parse_fortran(file.lines[i], on_line) || on_line.size() != width) {
+        if (text::trim(file.lines[i]).empty()) continue;
+        if (!text::parse_fortran(file.lines[i], on_line) || on_line.size() != width) {
             faults.add(file.at(i), "not a row of " + std::to_string(width) + " numbers",
                        "every row after the header must be complete");
             continue;
         }
         for (std::size_t column = 0; column < width; ++column) {
             const double number = on_line[column];
-            if (!std::isfinite(number)) faults.add(file.at(i), "sample " + to_text(number), "must be finite");
+            if (!std::isfinite(number))
+                faults.add(file.at(i), "sample " + text::to_text(number), "must be finite");
             columns[column].push_back(number);
         }
     }
@@ -135,4 +136,4 @@ void orient_by_short_name(Channel& channel, std::string_view name)
     channel.is_vertical = is_one_of(up, word) || is_one_of(vertical, word) || word == "vertical";
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -9,7 +9,7 @@
 
 #include "records/formats/format.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 struct HeaderLine {
@@ -63,4 +63,4 @@ std::vector<std::vector<double>> read_columns(const SourceFile& file, std::size_
 /// channel without.
 void orient_by_short_name(Channel& channel, std::string_view name);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

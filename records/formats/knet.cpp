@@ -22,7 +22,7 @@
 #include "records/formats/keyed_header.h"
 #include "records/start_time.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -56,11 +56,11 @@ KeyedHeader read_header(const SourceFile& file)
 {
     KeyedHeader header;
     for (; header.end < file.lines.size() && header.end < longest_header; ++header.end) {
-        const std::string_view line = trim(file.lines[header.end]);
+        const std::string_view line = text::trim(file.lines[header.end]);
         if (is_row_of_numbers(line)) break;
         for (const std::string_view key : keys) {
-            if (lower_case(line.substr(0, key.size())) != lower_case(key)) continue;
-            header.lines.push_back({letters_and_digits(key), trim(line.substr(key.size())), header.end});
+            if (text::lower_case(line.substr(0, key.size())) != text::lower_case(key)) continue;
+            header.lines.push_back({letters_and_digits(key), text::trim(line.substr(key.size())), header.end});
             break;
         }
     }
@@ -78,13 +78,13 @@ bool recognises(const SourceFile& file)
 /// "7845(gal)/8223790" -> 0.01 * 7845 / 8223790 m/s2 a count. @returns 1 after a fault
 double parse_scale(const SourceFile& file, const HeaderLine* line, FaultList& faults)
 {
-    const std::string text = lower_case(text_of(line));
+    const std::string text = text::lower_case(text_of(line));
     double numerator = 0, denominator = 0;
-    const std::size_t used = parse_leading_number(text, numerator);
+    const std::size_t used = text::parse_leading_number(text, numerator);
     const std::size_t slash = text.find('/');
     const std::string unit = used > 0 ? letters_and_digits(text.substr(used, slash - used)) : "";
     const bool complete = used > 0 && slash != std::string::npos && unit == "gal" &&
-                          parse_fortran_number(std::string_view(text).substr(slash + 1), denominator);
+                          text::parse_fortran_number(std::string_view(text).substr(slash + 1), denominator);
     const double scale = 0.01 * numerator / denominator;
     if (complete && std::isfinite(scale) && scale > 0) return scale;
     faults.add(place_of(file, line), "Scale Factor = \"" + text_of(line) + "\"",
@@ -173,4 +173,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format knet{format_name, recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -16,7 +16,7 @@
 #include "records/formats/keyed_header.h"
 #include "records/formats/station_xml.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -63,7 +63,7 @@ thread_local std::string complaint;
 
 void keep_complaint(char* text)
 {
-    if (complaint.empty()) complaint = std::string(trim(text));
+    if (complaint.empty()) complaint = std::string(text::trim(text));
 }
 
 void pass_over(char* /*text*/) {}
@@ -197,11 +197,11 @@ std::vector<double> join(const SourceFile& file, Trace& trace, FaultList& faults
                            "one rate for a channel");
             else if (late > 0.5 * step)
                 faults.add(at_byte(file, piece.offset),
-                           "a gap of " + to_text(std::round(late) / 1e6) + " s in " + where,
+                           "a gap of " + text::to_text(std::round(late) / 1e6) + " s in " + where,
                            "use a record without gaps, or cut it at the gap");
             else if (late < -0.5 * step)
                 faults.add(at_byte(file, piece.offset),
-                           "an overlap of " + to_text(std::round(-late) / 1e6) + " s in " + where,
+                           "an overlap of " + text::to_text(std::round(-late) / 1e6) + " s in " + where,
                            "download the record again");
         }
         samples.insert(samples.end(), piece.samples.begin(), piece.samples.end());
@@ -246,4 +246,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format miniseed{format_name, recognises, read, true};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

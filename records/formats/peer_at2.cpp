@@ -19,7 +19,7 @@
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -31,7 +31,7 @@ constexpr std::size_t header_search = 12;  // lines; the count stands on the fou
 std::optional<std::size_t> find_count_line(const SourceFile& file)
 {
     for (std::size_t i = 1; i < file.lines.size() && i < header_search; ++i) {
-        const std::string line = lower_case(file.lines[i]);
+        const std::string line = text::lower_case(file.lines[i]);
         if (line.find("npts") != std::string::npos && line.find("dt") != std::string::npos) return i;
     }
     return std::nullopt;
@@ -52,11 +52,11 @@ bool number_after(const std::string& line, std::string_view key, double& value, 
 {
     const std::size_t at = line.find(key);
     if (at == std::string::npos) return false;
-    rest = trim(std::string_view(line).substr(at + key.size()));
-    if (!rest.empty() && (rest.front() == '=' || rest.front() == ':')) rest = trim(rest.substr(1));
-    const std::size_t used = parse_leading_number(rest, value);
-    rest = trim(rest.substr(used));
-    rest = trim(rest.substr(0, rest.find_first_of(",;)")));
+    rest = text::trim(std::string_view(line).substr(at + key.size()));
+    if (!rest.empty() && (rest.front() == '=' || rest.front() == ':')) rest = text::trim(rest.substr(1));
+    const std::size_t used = text::parse_leading_number(rest, value);
+    rest = text::trim(rest.substr(used));
+    rest = text::trim(rest.substr(0, rest.find_first_of(",;)")));
     return used > 0;
 }
 
@@ -66,12 +66,12 @@ std::vector<double> numbers_among_words(std::string line)
     std::replace_if(
         line.begin(), line.end(), [](char c) { return c == ',' || c == '(' || c == ')'; }, ' ');
     std::vector<double> numbers;
-    std::string_view rest = trim(line);
+    std::string_view rest = text::trim(line);
     while (!rest.empty()) {
         const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
         double number = 0;
-        if (parse_fortran_number(word, number)) numbers.push_back(number);
-        rest = trim(rest.substr(word.size()));
+        if (text::parse_fortran_number(word, number)) numbers.push_back(number);
+        rest = text::trim(rest.substr(word.size()));
     }
     return numbers;
 }
@@ -79,7 +79,7 @@ std::vector<double> numbers_among_words(std::string line)
 /// "NPTS= 4000, DT= .01000 SEC", "4096 0.0100 NPTS, DT" or "(NPTS, DT) 4096 .01".
 std::optional<Announced> parse_count_line(std::string_view text)
 {
-    const std::string line = lower_case(text);
+    const std::string line = text::lower_case(text);
     Announced announced;
     std::string_view rest;
     if (number_after(line, "npts", announced.count, rest) && number_after(line, "dt", announced.time_step, rest)) {
@@ -96,11 +96,11 @@ std::optional<Announced> parse_count_line(std::string_view text)
 /// A unit at the start of a text: "CM/SEC. FILTER POINTS: ...", "(g)", "G's, scaled". Empty when there is none.
 std::string leading_unit(std::string_view text)
 {
-    text = trim(text);
+    text = text::trim(text);
     if (text.starts_with('(')) text = text.substr(1, text.find(')') - 1);
-    text = trim(text.substr(0, text.find_first_of(".,;:)")));
+    text = text::trim(text.substr(0, text.find_first_of(".,;:)")));
     for (std::string_view candidate : {text, text.substr(0, text.find_first_of(" \t"))}) {
-        const std::string lower = lower_case(candidate);
+        const std::string lower = text::lower_case(candidate);
         if (lower == "g's" || lower == "gs") return "g";
         if (find_unit(candidate)) return std::string(candidate);
     }
@@ -110,7 +110,7 @@ std::string leading_unit(std::string_view text)
 /// "ACCELERATION TIME HISTORY IN UNITS OF G" -> "G"; "The units are (g)" -> "g"; "TIME HISTORY (G'S)" -> "g".
 std::string parse_unit(std::string_view header_line)
 {
-    const std::string line = lower_case(header_line);
+    const std::string line = text::lower_case(header_line);
     for (const std::string_view words : {"units of", "units are", "units", "unit", " in ", "("}) {
         std::size_t at = line.find(words);
         if (at == std::string::npos) continue;
@@ -139,7 +139,7 @@ FoundUnit find_unit_line(const SourceFile& file, std::size_t count_line)
 /// Adds a fault for "VELOCITY TIME SERIES IN UNITS OF G".
 void check_quantity(const SourceFile& file, const FoundUnit& found, const Unit& unit, FaultList& faults)
 {
-    const std::string line = lower_case(file.lines[found.line]);
+    const std::string line = text::lower_case(file.lines[found.line]);
     for (const Quantity quantity : {Quantity::acceleration, Quantity::velocity, Quantity::displacement}) {
         if (unit.name.empty() || quantity == unit.quantity || !line.starts_with(to_text(quantity))) continue;
         faults.add(file.at(found.line), std::string(to_text(quantity)) + " in " + unit.name,
@@ -152,7 +152,7 @@ std::size_t first_row(const SourceFile& file, std::size_t count_line)
 {
     std::size_t row = count_line + 1;
     double number = 0;
-    while (row < file.lines.size() && parse_leading_number(trim(file.lines[row]), number) == 0 &&
+    while (row < file.lines.size() && text::parse_leading_number(text::trim(file.lines[row]), number) == 0 &&
            row < count_line + header_search)
         ++row;
     return row;
@@ -168,18 +168,18 @@ Title parse_title(const SourceFile& file, std::size_t unit_line)
 {
     Title title;
     std::size_t i = unit_line;
-    while (i > 1 && trim(file.lines[i - 1]).empty()) --i;
+    while (i > 1 && text::trim(file.lines[i - 1]).empty()) --i;
     if (i == 0) return title;
     const std::string_view line = file.lines[i - 1];
     const std::size_t comma = line.rfind(',');
     if (comma == std::string_view::npos) return title;
-    title.component = std::string(trim(line.substr(comma + 1)));
+    title.component = std::string(text::trim(line.substr(comma + 1)));
     const std::string_view before = line.substr(0, comma);
     const std::size_t middle = before.rfind(',');
-    const bool is_peer = lower_case(file.lines.front()).find("strong") != std::string::npos;
+    const bool is_peer = text::lower_case(file.lines.front()).find("strong") != std::string::npos;
     if (!is_peer || middle == std::string_view::npos) return title;
-    title.event = std::string(trim(before.substr(0, middle)));
-    title.station = std::string(trim(before.substr(middle + 1)));
+    title.event = std::string(text::trim(before.substr(0, middle)));
+    title.station = std::string(text::trim(before.substr(middle + 1)));
     return title;
 }
 
@@ -188,11 +188,11 @@ void orient(Channel& channel, std::vector<std::string>& remarks)
 {
     const std::string_view name = channel.component;
     double azimuth = 0;
-    const std::size_t used = parse_leading_number(name, azimuth);
-    const std::string_view rest = trim(name.substr(used));
+    const std::size_t used = text::parse_leading_number(name, azimuth);
+    const std::string_view rest = text::trim(name.substr(used));
     const bool is_azimuth = used > 0 && name.front() != '-' && azimuth >= 0 && azimuth <= 360 &&
-                            (rest.empty() || rest.starts_with('(') || lower_case(rest).starts_with("deg"));
-    const std::string word = lower_case(name.substr(0, name.find_first_of(" \t(")));
+                            (rest.empty() || rest.starts_with('(') || text::lower_case(rest).starts_with("deg"));
+    const std::string word = text::lower_case(name.substr(0, name.find_first_of(" \t(")));
     if (is_azimuth)
         channel.azimuth = azimuth == 360 ? 0 : azimuth;
     else if (word == "dwn" || word == "down" || word == "dn")
@@ -213,7 +213,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
     const std::size_t count_line = *find_count_line(file);
     const std::optional<Announced> announced = parse_count_line(file.lines[count_line]);
     if (!announced) {
-        faults.add(file.at(count_line), "\"" + std::string(trim(file.lines[count_line])) + "\"",
+        faults.add(file.at(count_line), "\"" + std::string(text::trim(file.lines[count_line])) + "\"",
                    "write the count and the step as \"NPTS= 4000, DT= .01 SEC\"");
     }
     const FoundUnit found = find_unit_line(file, count_line);
@@ -238,4 +238,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format peer_at2{"PEER AT2", recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -15,7 +15,7 @@
 #include "records/formats/station_xml.h"
 #include "records/start_time.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -90,7 +90,7 @@ std::vector<double> times_of(const SourceFile& file, const SacHeader& header, st
     for (std::size_t i = 0; i < times.size(); ++i) {
         const bool increases = std::isfinite(times[i]) && (i == 0 || times[i] > times[i - 1]);
         if (increases) continue;
-        faults.add(file.name, "time " + to_text(times[i]) + " s of sample " + std::to_string(i + 1),
+        faults.add(file.name, "time " + text::to_text(times[i]) + " s of sample " + std::to_string(i + 1),
                    "times must increase");
         break;
     }
@@ -111,7 +111,7 @@ Channel read_channel(const SourceFile& file, const SacHeader& header, const Read
                                 header.numbers.begin() + static_cast<std::ptrdiff_t>(held));
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (!std::isfinite(samples[i]))
-            faults.add(file.name, "sample " + std::to_string(i + 1) + " is " + to_text(samples[i]),
+            faults.add(file.name, "sample " + std::to_string(i + 1) + " is " + text::to_text(samples[i]),
                        "must be finite");
     }
     const Unit unit = resolve_unit_of_counts(options, file.name, faults);
@@ -147,4 +147,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format sac_format{format_name, recognises, read, true};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

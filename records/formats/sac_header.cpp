@@ -10,7 +10,7 @@
 #include "libdda/text/words.h"
 #include "records/formats/format.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -66,7 +66,7 @@ bool is_alphanumeric(const SourceFile& file)
     if (file.lines.size() <= real_lines + integer_lines + word_lines || !is_text(file)) return false;
     std::vector<double> numbers;
     for (std::size_t i = 0; i < real_lines + integer_lines; ++i) {
-        if (!parse_fortran(file.lines[i], numbers) || numbers.size() != 5) return false;
+        if (!text::parse_fortran(file.lines[i], numbers) || numbers.size() != 5) return false;
         if (i == real_lines + 1 && !is_version(numbers[1])) return false;
     }
     return true;
@@ -79,7 +79,7 @@ double shortest_decimal(float value)
     const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     double decimal = 0;
     const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
-    return error == std::errc() && parse_fortran_number(text, decimal) ? decimal : value;
+    return error == std::errc() && text::parse_fortran_number(text, decimal) ? decimal : value;
 }
 
 SacHeader read_binary(const SourceFile& file, std::endian order)
@@ -107,7 +107,7 @@ SacHeader read_alphanumeric(const SourceFile& file)
     SacHeader header;
     std::vector<double> on_line;
     for (std::size_t i = 0; i < real_lines + integer_lines; ++i) {
-        parse_fortran(file.lines[i], on_line);
+        text::parse_fortran(file.lines[i], on_line);
         for (std::size_t k = 0; k < 5; ++k) {
             const std::size_t index = 5 * i + k;
             if (i < real_lines) {
@@ -118,7 +118,7 @@ SacHeader read_alphanumeric(const SourceFile& file)
             }
         }
     }
-    parse_fortran(file.lines.front(), on_line);
+    text::parse_fortran(file.lines.front(), on_line);
     header.delta = on_line.front();
     for (std::size_t i = real_lines + integer_lines; i < real_lines + integer_lines + word_lines; ++i) {
         std::string line(file.lines[i].substr(0, 24));
@@ -127,8 +127,8 @@ SacHeader read_alphanumeric(const SourceFile& file)
     }
     FaultList faults;
     for (std::size_t i = real_lines + integer_lines + word_lines; i < file.lines.size(); ++i) {
-        if (trim(file.lines[i]).empty()) continue;
-        if (!parse_fortran(file.lines[i], on_line))
+        if (text::trim(file.lines[i]).empty()) continue;
+        if (!text::parse_fortran(file.lines[i], on_line))
             add_row_fault(file, i, "every line after the header holds samples only", faults);
         else
             for (const double number : on_line) header.numbers.push_back(static_cast<float>(number));
@@ -156,8 +156,8 @@ SacHeader read_sac_header(const SourceFile& file)
 std::string sac_word(const SacHeader& header, sac::Word word)
 {
     std::string_view text = std::string_view(header.words).substr(word, 8);
-    text = trim(text.substr(0, text.find('\0')));
+    text = text::trim(text.substr(0, text.find('\0')));
     return text.starts_with("-12345") ? "" : std::string(text);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -8,7 +8,7 @@
 
 #include "records/source_file.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 struct SacHeader {
@@ -49,4 +49,4 @@ SacHeader read_sac_header(const SourceFile& file);
 /// The eight characters of a word without blanks; empty when undefined.
 std::string sac_word(const SacHeader& header, sac::Word word);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

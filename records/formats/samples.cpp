@@ -6,7 +6,7 @@
 #include "libdda/text/numbers.h"
 #include "records/formats/format.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -21,14 +21,14 @@ void check_block(const SourceFile& file, const NumberBlock& block, const Announc
 {
     for (std::size_t i = 0; i < block.numbers.size(); ++i) {
         if (std::abs(block.numbers[i]) < largest_sample) continue;  // not so for nan
-        faults.add(file.at(line_of(block, i)), "sample " + to_text(block.numbers[i]),
-                   "must be finite and smaller than " + to_text(largest_sample));
+        faults.add(file.at(line_of(block, i)), "sample " + text::to_text(block.numbers[i]),
+                   "must be finite and smaller than " + text::to_text(largest_sample));
     }
     const std::size_t found = block.numbers.size() / announced.values_each;
     const double count = announced.count;
     const bool is_cut = count >= 2 && count < 1e18 && static_cast<double>(found) < count;
     if (found >= 2 && static_cast<double>(found) == count + 1) {
-        remarks.push_back(announced.place + ": the header announces " + to_text(count) +
+        remarks.push_back(announced.place + ": the header announces " + text::to_text(count) +
                           " samples but there is one more, which is kept");
     } else if (is_cut && block.end < file.lines.size()) {
         faults.add(file.at(block.end),
@@ -52,8 +52,8 @@ void compare_peak(const Channel& channel, double stated, double rounding, const 
 {
     const double found = peak(channel);
     if (std::abs(found - std::abs(stated)) <= rounding + 1e-3 * found) return;
-    remarks.push_back(place + ": the header gives a peak of " + to_text(stated) + " but the samples have " +
-                      to_text(found) + ", both in SI units; the samples are used");
+    remarks.push_back(place + ": the header gives a peak of " + text::to_text(stated) + " but the samples have " +
+                      text::to_text(found) + ", both in SI units; the samples are used");
 }
 
 namespace
@@ -94,7 +94,7 @@ TimedSamples split_pairs(const SourceFile& file, const NumberBlock& block, std::
         const double time = block.numbers[i];
         if (!samples.times.empty() && time < samples.times.back()) {
             faults.add(file.at(line_of(block, i)),
-                       "time " + to_text(time) + " s after " + to_text(samples.times.back()) + " s",
+                       "time " + text::to_text(time) + " s after " + text::to_text(samples.times.back()) + " s",
                        "times must increase");
         }
         samples.times.push_back(time);
@@ -102,7 +102,7 @@ TimedSamples split_pairs(const SourceFile& file, const NumberBlock& block, std::
     }
     if (samples.times.size() < 2 || !faults.empty()) return samples;
     if (samples.times.front() == samples.times.back()) {
-        faults.add(file.at(block.first), "every time is " + to_text(samples.times.front()) + " s",
+        faults.add(file.at(block.first), "every time is " + text::to_text(samples.times.front()) + " s",
                    "times must increase");
         return samples;
     }
@@ -126,4 +126,4 @@ void keep_accelerations(Record& record)
     std::erase_if(channels, [&](const Channel& channel) { return !is_acceleration(channel); });
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

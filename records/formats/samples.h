@@ -8,7 +8,7 @@
 #include "records/record.h"
 #include "records/source_file.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 /// How many samples a header announces, and where.
@@ -44,4 +44,4 @@ TimedSamples split_pairs(const SourceFile& file, const NumberBlock& block, std::
 /// acceleration, keeps all.
 void keep_accelerations(Record& record);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

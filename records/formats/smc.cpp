@@ -21,7 +21,7 @@
 #include "records/formats/format.h"
 #include "records/formats/samples.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -51,11 +51,11 @@ constexpr std::array<Kind, 6> kinds{{
 /// The kind a first line "2 CORRECTED ACCELEROGRAM" names; nothing when it is not of that form.
 const Kind* find_kind(std::string_view line)
 {
-    const std::string title = lower_case(trim(line));
+    const std::string title = text::lower_case(text::trim(line));
     double number = 0;
-    const std::size_t used = parse_leading_number(title, number);
+    const std::size_t used = text::parse_leading_number(title, number);
     if (used == 0 || used > 2) return nullptr;
-    const std::string_view words = trim(std::string_view(title).substr(used));
+    const std::string_view words = text::trim(std::string_view(title).substr(used));
     for (const Kind& kind : kinds) {
         if (words.starts_with(kind.words)) return &kind;
     }
@@ -96,7 +96,7 @@ Headers read_headers(const SourceFile& file, std::size_t title, FaultList& fault
     headers.end = reals.end;
     while (headers.end < file.lines.size()) {  // comments, as many as there are, whatever the header counts
         const std::string_view line = file.lines[headers.end];
-        if (!is_blank(line) && trim(line).front() != '|') break;
+        if (!is_blank(line) && text::trim(line).front() != '|') break;
         ++headers.end;
     }
     return headers;
@@ -110,7 +110,7 @@ Direction direction_of(const Headers& headers, const std::string& component)
     if (named.azimuth || named.is_vertical || named.points_down) return named;
     if (tilt == 0) return {.azimuth = {}, .is_vertical = true};
     if (tilt == 180) return {.azimuth = {}, .is_vertical = false, .points_down = true};
-    if (tilt == 90 && azimuth != unknown) return parse_direction(to_text(azimuth));
+    if (tilt == 90 && azimuth != unknown) return parse_direction(text::to_text(azimuth));
     return {};
 }
 
@@ -141,21 +141,22 @@ std::size_t read_samples(const SourceFile& file, const Headers& headers, const R
     if (rate > 0 && rate <= largest_rate)
         channel.time_step = resolve_time_step(1 / rate, options, place, faults);
     else
-        faults.add(place, "the header gives " + to_text(rate) + " samples a second",
-                   "must be greater than 0 and at most " + to_text(largest_rate));
+        faults.add(place, "the header gives " + text::to_text(rate) + " samples a second",
+                   "must be greater than 0 and at most " + text::to_text(largest_rate));
     return block.end;
 }
 
 /// Station and event of the record. @returns the component's name
 std::string read_text(const SourceFile& file, const Headers& headers, Record& record)
 {
-    if (headers.text + 3 < headers.integer_line) record.event = std::string(trim(file.lines[headers.text + 3]));
+    if (headers.text + 3 < headers.integer_line)
+        record.event = std::string(text::trim(file.lines[headers.text + 3]));
     const std::size_t line = find_words(file, headers.text, headers.integer_line, "station =");
     if (line == headers.integer_line) return "";
     const std::string_view words = file.lines[line];
-    const std::size_t component = std::min(lower_case(words).find("component"), words.size());
+    const std::size_t component = std::min(text::lower_case(words).find("component"), words.size());
     const std::string_view station = words.substr(0, component);
-    record.station = std::string(trim(station.substr(std::min(station.find('=') + 1, station.size()))));
+    record.station = std::string(text::trim(station.substr(std::min(station.find('=') + 1, station.size()))));
     return text_after(words.substr(component), "component");
 }
 
@@ -204,4 +205,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format smc{"USGS SMC", recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

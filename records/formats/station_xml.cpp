@@ -9,7 +9,7 @@
 #include "libdda/text/numbers.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -29,18 +29,18 @@ pugi::xml_node child(const pugi::xml_node& node, std::string_view name)
 
 std::string text_in(const pugi::xml_node& node, std::string_view name)
 {
-    return std::string(trim(child(node, name).text().get()));
+    return std::string(text::trim(child(node, name).text().get()));
 }
 
 std::optional<double> number_in(const pugi::xml_node& node, std::string_view name)
 {
     double number = 0;
-    return parse_fortran_number(text_in(node, name), number) ? std::optional<double>(number) : std::nullopt;
+    return text::parse_fortran_number(text_in(node, name), number) ? std::optional<double>(number) : std::nullopt;
 }
 
 bool has_code(const pugi::xml_node& node, const char* attribute, const std::string& code)
 {
-    std::string_view found = trim(node.attribute(attribute).value());
+    std::string_view found = text::trim(node.attribute(attribute).value());
     if (found == "--") found = "";  // no location
     return found == code;
 }
@@ -92,7 +92,7 @@ std::optional<Unit> find_motion_unit(const std::string& name)
     constexpr std::array<Prefix, 4> prefixes{{{"n", 1e-9}, {"u", 1e-6}, {"\xC2\xB5", 1e-6}, {"\xCE\xBC", 1e-6}}};
     if (std::optional<Unit> unit = find_unit(name)) return unit;
     for (const Prefix& prefix : prefixes) {
-        if (!lower_case(name).starts_with(prefix.name)) continue;
+        if (!text::lower_case(name).starts_with(prefix.name)) continue;
         std::optional<Unit> unit = find_unit(std::string_view(name).substr(std::string_view(prefix.name).size()));
         if (unit) unit->factor *= prefix.factor;
         return unit;
@@ -112,7 +112,7 @@ Sensitivity read_sensitivity(const pugi::xml_node& channel, const std::string& p
     const std::optional<Unit> unit = find_motion_unit(input);
     if (!unit)
         throw InputError(place, "a sensitivity to \"" + input + "\"", "to acceleration, velocity or displacement");
-    if (lower_case(output).find("count") == std::string::npos)
+    if (text::lower_case(output).find("count") == std::string::npos)
         throw InputError(place, "a sensitivity in \"" + output + "\"", "in counts");
     return {*value / unit->factor, number_in(node, "Frequency").value_or(0), unit->quantity};
 }
@@ -129,7 +129,7 @@ std::string to_short_text(double value)
     std::array<char, 40> buffer{};
     const auto [end, error] =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 10);
-    return error == std::errc() ? std::string(buffer.data(), end) : to_text(value);
+    return error == std::errc() ? std::string(buffer.data(), end) : text::to_text(value);
 }
 
 /// Dip: -90 is up, 90 is down.
@@ -179,7 +179,7 @@ void apply_response(const std::filesystem::path& station_xml, const ChannelCode&
     channel.unit_in_file = "counts / " + per;
     orient(epochs.front(), channel, remarks);
     remarks.push_back("Channel " + to_text(code) + ": the flat sensitivity of " + per + " (at " +
-                      to_text(sensitivity.frequency) + " Hz) was applied, no poles and zeros.");
+                      text::to_text(sensitivity.frequency) + " Hz) was applied, no poles and zeros.");
 }
 
 Unit resolve_unit_of_counts(const ReadOptions& options, const std::string& place, FaultList& faults)
@@ -189,4 +189,4 @@ Unit resolve_unit_of_counts(const ReadOptions& options, const std::string& place
     return resolve_unit("", options, place, faults);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

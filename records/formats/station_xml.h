@@ -8,7 +8,7 @@
 
 #include "records/formats/format.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 struct ChannelCode {
@@ -28,4 +28,4 @@ void apply_response(const std::filesystem::path& station_xml, const ChannelCode&
 /// The unit of counts: the user's, or none. Adds a fault when the options give both a unit and a response.
 Unit resolve_unit_of_counts(const ReadOptions& options, const std::string& place, FaultList& faults);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -6,7 +6,7 @@
 #include "libdda/errors.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -17,7 +17,7 @@ std::vector<std::string> heading_words(const SourceFile& file, std::size_t first
 {
     std::vector<std::string> words(1);
     for (std::size_t i = 0; i < first_row; ++i) {
-        for (const char c : lower_case(file.lines[i]) + " ") {
+        for (const char c : text::lower_case(file.lines[i]) + " ") {
             if (c >= 'a' && c <= 'z')
                 words.back() += c;
             else if (!words.back().empty())
@@ -31,7 +31,7 @@ std::vector<std::string> heading_words(const SourceFile& file, std::size_t first
 std::string_view last_heading(const SourceFile& file, std::size_t first_row)
 {
     while (first_row-- > 0) {
-        std::string_view line = trim(file.lines[first_row]);
+        std::string_view line = text::trim(file.lines[first_row]);
         while (!line.empty() && std::string_view("#%!/ \t").find(line.front()) != std::string_view::npos)
             line.remove_prefix(1);
         if (!line.empty()) return line;
@@ -73,7 +73,7 @@ std::size_t named_time_column(const SourceFile& file, std::size_t first_row, std
     if (cells < 2 || cells + column != width) return 0;
     std::string_view rest = heading;
     for (; column < width; ++column) {
-        const std::string name = lower_case(trim(rest.substr(0, rest.find(separator))));
+        const std::string name = text::lower_case(text::trim(rest.substr(0, rest.find(separator))));
         if (name.starts_with("time") || name == "t" || name.starts_with("t (") || name.starts_with("t["))
             return column;
         rest.remove_prefix(std::min(rest.find(separator), rest.size() - 1) + 1);
@@ -90,4 +90,4 @@ void remark_on_heading(const SourceFile& file, std::size_t first_row, const Unit
                       "\", but no unit is taken from the words of a table: give the unit.");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -7,7 +7,7 @@
 #include "records/source_file.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 /// @param first_row 0-based line of the first row of numbers
@@ -23,4 +23,4 @@ std::size_t named_time_column(const SourceFile& file, std::size_t first_row, std
 void remark_on_heading(const SourceFile& file, std::size_t first_row, const Unit& unit,
                        std::vector<std::string>& remarks);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

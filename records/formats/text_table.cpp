@@ -14,7 +14,7 @@
 #include "records/formats/format.h"
 #include "records/formats/text_heading.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -33,7 +33,7 @@ struct Rows {
 
 bool is_comment(std::string_view line)
 {
-    line = trim(line);
+    line = text::trim(line);
     return line.empty() || line.front() == '#' || line.front() == '%' || line.front() == '!' ||
            line.substr(0, 2) == "//";
 }
@@ -42,8 +42,8 @@ bool is_comment(std::string_view line)
 bool begins_with_number(std::string_view line)
 {
     double value = 0;
-    line = trim(line);
-    const std::size_t used = parse_leading_number(line, value);
+    line = text::trim(line);
+    const std::size_t used = text::parse_leading_number(line, value);
     return used > 0 &&
            (used == line.size() || std::string_view(" \t,;").find(line[used]) != std::string_view::npos);
 }
@@ -56,14 +56,14 @@ Rows read_rows(const SourceFile& file, FaultList& faults)
     std::size_t closing = 0;  // first line beginning with * after the last row; 0: none
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
         if (is_comment(file.lines[i])) continue;
-        if (parse_separated(file.lines[i], on_line)) {
+        if (text::parse_separated(file.lines[i], on_line)) {
             rows.numbers.insert(rows.numbers.end(), on_line.begin(), on_line.end());
             rows.starts.push_back(rows.numbers.size());
             rows.lines.push_back(i);
             if (closing > 0)
                 faults.add(file.at(closing), "not a line of numbers", "only numbers between the rows");
             closing = 0;
-        } else if (rows.count() > 0 && trim(file.lines[i]).front() == '*') {
+        } else if (rows.count() > 0 && text::trim(file.lines[i]).front() == '*') {
             if (closing == 0) closing = i;
         } else if (rows.count() > 0 || begins_with_number(file.lines[i])) {
             add_row_fault(file, i,
@@ -81,7 +81,8 @@ void check_finite(const SourceFile& file, const Rows& rows, FaultList& faults)
         for (std::size_t column = 0; column < rows.width(row); ++column) {
             const double number = rows.at(row, column);
             if (std::isfinite(number)) continue;
-            faults.add(file.at(rows.lines[row]), to_text(number) + " in column " + std::to_string(column + 1),
+            faults.add(file.at(rows.lines[row]),
+                       text::to_text(number) + " in column " + std::to_string(column + 1),
                        "every number must be finite");
         }
     }
@@ -167,7 +168,7 @@ Times judge_times(const SourceFile& file, const Rows& rows, const ReadOptions& o
     const std::size_t last = rows.count() - 1;
     const double step = (rows.at(last, 0) - rows.at(0, 0)) / static_cast<double>(last);
     const auto times = [&](std::size_t row) {
-        return "time " + to_text(rows.at(row, 0)) + " s after " + to_text(rows.at(row - 1, 0)) + " s";
+        return "time " + text::to_text(rows.at(row, 0)) + " s after " + text::to_text(rows.at(row - 1, 0)) + " s";
     };
     if (const std::size_t row = first_not_increasing(rows); row > 0) {
         faults.add(file.at(rows.lines[row]), times(row), "column 1 must be an increasing time in seconds");
@@ -175,7 +176,8 @@ Times judge_times(const SourceFile& file, const Rows& rows, const ReadOptions& o
     }
     const std::size_t uneven = first_uneven(rows, step);
     if (uneven > 0 && options.time_step)
-        faults.add(file.at(rows.lines[uneven]), times(uneven) + " where the mean step is " + to_text(step) + " s",
+        faults.add(file.at(rows.lines[uneven]),
+                   times(uneven) + " where the mean step is " + text::to_text(step) + " s",
                    "omit the time step; if only the printed times are rounded, give the column too");
     return {step, uneven};
 }
@@ -189,7 +191,8 @@ void set_times(Record& record, const SourceFile& file, const Rows& rows, const T
         for (std::size_t row = 0; row < rows.count(); ++row) channel.times.push_back(rows.at(row, 0));
     }
     record.remarks.push_back("The times are unevenly spaced, first at " + file.at(rows.lines[times.uneven_row]) +
-                             " (mean step " + to_text(times.mean_step) + " s); for a motion they are resampled.");
+                             " (mean step " + text::to_text(times.mean_step) +
+                             " s); for a motion they are resampled.");
 }
 
 /// 0-based columns to read, as the user asked or all that are not time.
@@ -242,7 +245,7 @@ bool recognises(const SourceFile& file)
 {
     std::vector<double> on_line;
     return is_text(file) && std::any_of(file.lines.begin(), file.lines.end(), [&](std::string_view line) {
-               return !is_comment(line) && parse_separated(line, on_line);
+               return !is_comment(line) && text::parse_separated(line, on_line);
            });
 }
 
@@ -287,4 +290,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format text_table{"text table", recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

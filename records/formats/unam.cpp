@@ -18,7 +18,7 @@
 #include "records/formats/format.h"
 #include "records/formats/keyed_header.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -59,7 +59,7 @@ std::vector<std::string> values_of(const KeyedHeader& header, const std::string&
         while (!rest.empty()) {
             if (rest.front() == '/') rest.remove_prefix(1);
             const std::string_view value = rest.substr(0, rest.find('/'));
-            if (!trim(value).empty()) values.emplace_back(trim(value));
+            if (!text::trim(value).empty()) values.emplace_back(text::trim(value));
             rest.remove_prefix(value.size());
         }
     }
@@ -71,17 +71,17 @@ double value_for(const std::vector<std::string>& values, std::size_t channel)
 {
     double number = 0;
     if (values.empty() || channel >= values.size()) return 0;
-    return parse_fortran_number(values[channel], number) ? number : 0;
+    return text::parse_fortran_number(values[channel], number) ? number : 0;
 }
 
 /// "N90E", "S00W" -> azimuth; "V" -> vertical. What follows a semicolon is not a bearing.
 void orient(Channel& channel, std::string_view name)
 {
-    const std::string bearing = lower_case(trim(name.substr(0, name.find(';'))));
+    const std::string bearing = text::lower_case(text::trim(name.substr(0, name.find(';'))));
     double angle = 0;
     const std::size_t used =
-        bearing.empty() ? 0 : parse_leading_number(std::string_view(bearing).substr(1), angle);
-    const std::string_view side = used > 0 ? trim(std::string_view(bearing).substr(1 + used)) : "";
+        bearing.empty() ? 0 : text::parse_leading_number(std::string_view(bearing).substr(1), angle);
+    const std::string_view side = used > 0 ? text::trim(std::string_view(bearing).substr(1 + used)) : "";
     const bool is_bearing = (bearing[0] == 'n' || bearing[0] == 's') && (side == "e" || side == "w");
     if (used == 0 || !is_bearing || !(angle >= 0 && angle <= 90)) return orient_by_short_name(channel, bearing);
     const double east = side == "e" ? angle : -angle;
@@ -94,7 +94,7 @@ std::string quality_of(const SourceFile& file, const KeyedHeader& header)
     const HeaderLine* title = header.find("CALIDAD DEL ACELEROGRAMA");
     std::string quality = text_of(title);
     for (std::size_t i = title == nullptr ? header.end : title->line + 1; i < header.end; ++i) {
-        const std::string_view line = trim(file.lines[i]);
+        const std::string_view line = text::trim(file.lines[i]);
         if (line.starts_with("===")) break;
         if (!line.empty()) quality += (quality.empty() ? "" : " ") + std::string(line);
     }
@@ -105,7 +105,7 @@ void add_remarks(Record& record, const SourceFile& file, const KeyedHeader& head
 {
     const std::optional<double> decimation = number_of(header.find("FACTOR DE DECIMACION"));
     if (decimation && *decimation != 1)
-        record.remarks.push_back("The header names a decimation factor of " + to_text(*decimation) +
+        record.remarks.push_back("The header names a decimation factor of " + text::to_text(*decimation) +
                                  "; the time step is the header's sampling interval as it stands.");
     const std::string quality = quality_of(file, header);
     if (!quality.empty()) record.remarks.push_back("The network on this record's quality: \"" + quality + "\".");
@@ -117,7 +117,7 @@ std::vector<std::string> names_of_columns(const SourceFile& file, const KeyedHea
 {
     std::vector<std::string> names = values_of(header, "ORIENTACION ");
     std::vector<double> first_row;
-    const bool has_row = header.end < file.lines.size() && parse_fortran(file.lines[header.end], first_row);
+    const bool has_row = header.end < file.lines.size() && text::parse_fortran(file.lines[header.end], first_row);
     if (has_row && first_row.size() < names.size()) {
         remarks.push_back("The header names " + std::to_string(names.size()) + " channels but the file holds " +
                           std::to_string(first_row.size()) + ": the first of them are taken.");
@@ -177,4 +177,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format unam{format_name, recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -15,7 +15,7 @@
 #include "records/formats/format.h"
 #include "records/formats/samples.h"
 
-namespace voussoir
+namespace voussoir::records::formats
 {
 
 namespace
@@ -27,14 +27,14 @@ constexpr std::string_view title = "accelerogram data of volume";
 bool recognises(const SourceFile& file)
 {
     const std::size_t first = skip_blank(file, 0);
-    return first < file.lines.size() && lower_case(file.lines[first]).find(title) != std::string::npos;
+    return first < file.lines.size() && text::lower_case(file.lines[first]).find(title) != std::string::npos;
 }
 
 /// The words of a line up to two blanks.
 std::string words_of(std::string_view line)
 {
-    line = trim(line);
-    return std::string(trim(line.substr(0, line.find("  "))));
+    line = text::trim(line);
+    return std::string(text::trim(line.substr(0, line.find("  "))));
 }
 
 /// Reads the channel whose title stands on line `begin`. @returns the line behind it
@@ -88,4 +88,4 @@ Record read(const SourceFile& file, const ReadOptions& options)
 
 const Format usc{"USC", recognises, read};
 
-}  // namespace voussoir
+}  // namespace voussoir::records::formats

@@ -5,7 +5,7 @@
 #include "libdda/errors.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records::measures
 {
 
 Channel even_acceleration(const Channel& channel, const std::string& measure)
@@ -23,4 +23,4 @@ Channel even_acceleration(const Channel& channel, const std::string& measure)
     return even;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::measures

@@ -12,7 +12,7 @@
 #include "libdda/text/numbers.h"
 #include "records/measures/acceleration.h"
 
-namespace voussoir
+namespace voussoir::records::measures
 {
 
 namespace
@@ -58,7 +58,7 @@ FourierSpectrum fourier_amplitude(const Channel& channel, double frequency_step)
     const Channel even = even_acceleration(channel, "Fourier spectrum");
     const double needed = 1 / (even.time_step * frequency_step);  // samples
     if (!(frequency_step > 0) || !(needed < 1e8))
-        throw InputError("Fourier spectrum: frequency step", to_text(frequency_step) + " Hz",
+        throw InputError("Fourier spectrum: frequency step", text::to_text(frequency_step) + " Hz",
                          "must be > 0 and ask for less than 1e8 samples");
     const std::size_t count = std::max(even.samples.size(), static_cast<std::size_t>(std::ceil(needed)));
     const std::size_t length = std::bit_ceil(count);
@@ -71,4 +71,4 @@ FourierSpectrum fourier_amplitude(const Channel& channel, double frequency_step)
     return result;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::measures

@@ -6,7 +6,7 @@
 
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::records::measures
 {
 
 /// Fourier amplitudes of an acceleration.
@@ -27,4 +27,4 @@ std::vector<std::complex<double>> transform(const std::vector<double>& samples, 
 /// @param spectrum (length / 2 + 1)
 std::vector<double> inverse_transform(const std::vector<std::complex<double>>& spectrum, std::size_t length);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::measures

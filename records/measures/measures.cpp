@@ -8,7 +8,7 @@
 #include "records/measures/fourier.h"
 #include "records/measures/response_spectrum.h"
 
-namespace voussoir
+namespace voussoir::records::measures
 {
 
 namespace
@@ -177,4 +177,4 @@ Measures measures_of(const Channel& channel, const MeasureOptions& options)
     return measures;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::measures

@@ -6,7 +6,7 @@
 #include "records/record.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records::measures
 {
 
 /// Intensities and durations of an acceleration.
@@ -49,4 +49,4 @@ std::vector<double> arias_up_to(const std::vector<double>& samples, double time_
 double time_of_arias(const std::vector<double>& samples, double time_step, const std::vector<double>& cumulated,
                      double value);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::measures

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace voussoir
+namespace voussoir::records::measures
 {
 
 namespace
@@ -198,4 +198,4 @@ double peak_within(const Oscillator& oscillator, const Stretch& stretch, const W
     return peak;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::measures

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::records::measures
 {
 
 struct Oscillator {
@@ -85,4 +85,4 @@ inline double largest_sag(const Oscillator& oscillator, const Stretch& stretch)
 /// The largest |value| within the stretch, ends included: of the continuous response, at the roots of its rate.
 double peak_within(const Oscillator& oscillator, const Stretch& stretch, const Watched& watched);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::measures

@@ -11,7 +11,7 @@
 #include "records/measures/acceleration.h"
 #include "records/measures/oscillator.h"
 
-namespace voussoir
+namespace voussoir::records::measures
 {
 
 namespace
@@ -21,12 +21,13 @@ void require_oscillators(const std::vector<double>& periods, double damping, dou
 {
     std::vector<Fault> faults;
     if (!(damping >= 0) || !std::isfinite(damping))
-        faults.push_back({"response spectrum: damping ratio", to_text(damping), "must be finite and at least 0"});
+        faults.push_back(
+            {"response spectrum: damping ratio", text::to_text(damping), "must be finite and at least 0"});
     for (const double period : periods) {
         if (period >= time_step / 1000 && std::isfinite(period)) continue;
-        faults.push_back(
-            {"response spectrum: period", to_text(period) + " s",
-             "must be finite and at least a thousandth of the time step, " + to_text(time_step / 1000) + " s"});
+        faults.push_back({"response spectrum: period", text::to_text(period) + " s",
+                          "must be finite and at least a thousandth of the time step, " +
+                              text::to_text(time_step / 1000) + " s"});
     }
     if (!faults.empty()) throw InputError(std::move(faults));
 }
@@ -143,8 +144,9 @@ void require_pair(const Channel& first, const Channel& second)
 {
     if (first.samples.size() == second.samples.size() && first.time_step == second.time_step) return;
     throw InputError("rotated spectrum of components " + first.component + " and " + second.component,
-                     std::to_string(first.samples.size()) + " samples of " + to_text(first.time_step) + " s and " +
-                         std::to_string(second.samples.size()) + " of " + to_text(second.time_step) + " s",
+                     std::to_string(first.samples.size()) + " samples of " + text::to_text(first.time_step) +
+                         " s and " + std::to_string(second.samples.size()) + " of " +
+                         text::to_text(second.time_step) + " s",
                      "resample and window them alike first");
 }
 
@@ -195,4 +197,4 @@ std::vector<double> logarithmic_periods(double shortest, double longest, std::si
     return periods;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::measures

@@ -5,7 +5,7 @@
 
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::records::measures
 {
 
 /// Peaks of the response of damped oscillators, one per period.
@@ -46,4 +46,4 @@ RotatedSpectrum rotd(const Channel& first, const Channel& second, const std::vec
 /// `count` periods from `shortest` to `longest` [s] in equal ratios.
 std::vector<double> logarithmic_periods(double shortest, double longest, std::size_t count);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::measures

@@ -6,7 +6,7 @@
 
 #include "records/processing/steps.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -139,4 +139,4 @@ void apply(const CorrectEnd&, const std::string& place, ProcessedRecord& record)
     record.sentences.push_back(sentence);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -147,4 +147,4 @@ std::vector<double> filtered(const Butterworth& filter, double time_step, const 
     return {begin, begin + static_cast<std::ptrdiff_t>(samples.size())};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

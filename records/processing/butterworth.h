@@ -5,7 +5,7 @@
 
 #include "records/processing/processing.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 /// (b0 + b1 / z + b2 / z^2) / (1 + a1 / z + a2 / z^2)
@@ -31,4 +31,4 @@ double extension_of(const Butterworth& filter);
 /// `count` values that lead from `from` to zero by half a cosine wave, neither end included.
 std::vector<double> fade_to_zero(double from, std::size_t count);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

@@ -4,7 +4,7 @@
 
 #include "records/processing/steps.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -112,4 +112,4 @@ void check_step(const ProcessingStep& step, const std::string& place, std::vecto
     std::visit(Check{place, faults}, step);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

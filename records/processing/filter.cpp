@@ -3,7 +3,7 @@
 #include "records/processing/butterworth.h"
 #include "records/processing/steps.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -46,4 +46,4 @@ void apply(const Butterworth& step, const std::string& place, ProcessedRecord& r
     record.sentences.push_back(sentence);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

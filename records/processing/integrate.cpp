@@ -5,7 +5,7 @@
 #include "records/processing/steps.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -74,4 +74,4 @@ void apply(const Differentiate& step, const std::string& place, ProcessedRecord&
     record.sentences.push_back(std::string("differentiated to ") + to_text(step.to) + " by central differences");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

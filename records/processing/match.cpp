@@ -5,15 +5,15 @@
 #include "records/processing/steps.h"
 #include "records/synthetic/matching.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 void apply(const Match& step, const std::string& place, ProcessedRecord& record)
 {
     for (Channel& channel : record.channels) {
-        MatchReport report;
+        synthetic::MatchReport report;
         try {
-            channel = match_spectrum(channel, step.target, step.settings, report);
+            channel = synthetic::match_spectrum(channel, step.target, step.settings, report);
         } catch (const InputError& error) {
             throw InputError(place, error.faults.front().found, error.faults.front().expected);
         }
@@ -26,4 +26,4 @@ void apply(const Match& step, const std::string& place, ProcessedRecord& record)
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

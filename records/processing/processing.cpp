@@ -8,7 +8,7 @@
 #include "records/start_time.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -138,4 +138,4 @@ void require_alike(const std::vector<Channel>& channels, const std::string& plac
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

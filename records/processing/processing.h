@@ -10,7 +10,7 @@
 #include "records/record.h"
 #include "records/synthetic/matching.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 /// Keeps the samples nearest to `start` .. `end`, both included.
@@ -104,8 +104,8 @@ struct Differentiate {
 
 /// Matches every channel, each by itself, to a target spectrum: see match_spectrum.
 struct Match {
-    TargetSpectrum target = {};   // of all channels
-    MatchSettings settings = {};  // periods and tolerance
+    synthetic::TargetSpectrum target = {};   // of all channels
+    synthetic::MatchSettings settings = {};  // periods and tolerance
 };
 
 /// Any of the steps.
@@ -129,4 +129,4 @@ struct ProcessedRecord {
 /// then what a step finds wrong with the channels it gets
 ProcessedRecord process(const std::vector<Channel>& channels, const Processing& steps);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

@@ -9,7 +9,7 @@
 #include "records/processing/butterworth.h"
 #include "records/processing/steps.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -93,13 +93,13 @@ std::vector<double> coarser(const Channel& channel, double time_step)
     const double needed = static_cast<double>(channel.samples.size()) + margin;
     const auto repeats = static_cast<std::size_t>(std::ceil(needed / static_cast<double>(steps.top)));
     const std::size_t length = repeats * steps.top, new_length = repeats * steps.bottom;
-    std::vector<std::complex<double>> spectrum = transform(closed(channel.samples, length), length);
+    std::vector<std::complex<double>> spectrum = measures::transform(closed(channel.samples, length), length);
     spectrum.resize(new_length / 2 + 1);
     for (std::size_t k = 0; k < spectrum.size(); ++k) {
         const double share = 2 * static_cast<double>(k) / static_cast<double>(new_length);
         spectrum[k] *= passed(share) * static_cast<double>(new_length) / static_cast<double>(length);
     }
-    std::vector<double> samples = inverse_transform(spectrum, new_length);
+    std::vector<double> samples = measures::inverse_transform(spectrum, new_length);
     samples.resize(count);
     return samples;
 }
@@ -132,4 +132,4 @@ void apply(const Resample& step, const std::string& place, ProcessedRecord& reco
     record.sentences.push_back(sentence);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

@@ -5,7 +5,7 @@
 
 #include "records/processing/steps.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -98,4 +98,4 @@ void apply(const Rotate& step, const std::string& place, ProcessedRecord& record
     record.sentences.push_back(sentence);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

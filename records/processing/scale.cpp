@@ -8,7 +8,7 @@
 #include "records/measures/response_spectrum.h"
 #include "records/processing/steps.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -68,7 +68,7 @@ void apply(const ScaleToPeak& step, const std::string& place, ProcessedRecord& r
     const auto measure = [&](const Channel& channel) {
         if (channel.quantity == step.peak) return peak(channel);
         require_accelerations({channel}, place, "scaling to a peak");
-        return peak_velocity(channel);
+        return measures::peak_velocity(channel);
     };
     const Largest largest = measured(record.channels, step.component, place, measure);
     scale_to(step.value, largest, to_velocity ? "peak velocity [m/s]" : "peak acceleration [m/s2]", record);
@@ -83,11 +83,11 @@ void apply(const ScaleToSpectrum& step, const std::string& place, ProcessedRecor
                              "at least a thousandth of the time step of " + figure(channel.time_step) + " s");
     }
     const auto measure = [&](const Channel& channel) {
-        return response_spectrum(channel, {step.period}, step.damping).pseudo_acceleration.front();
+        return measures::response_spectrum(channel, {step.period}, step.damping).pseudo_acceleration.front();
     };
     scale_to(step.value, measured(record.channels, step.component, place, measure),
              figure(100 * step.damping) + " % pseudo-acceleration at " + figure(step.period) + " s [m/s2]",
              record);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

@@ -6,7 +6,7 @@
 #include "libdda/errors.h"
 #include "records/processing/processing.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 /// Does a step on the channels and adds its sentence. @param place "processing[2]", for faults
@@ -53,4 +53,4 @@ inline double duration_of(const Channel& channel)
     return static_cast<double>(channel.samples.size() - 1) * channel.time_step;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

@@ -7,7 +7,7 @@
 #include "records/measures/measures.h"
 #include "records/processing/steps.h"
 
-namespace voussoir
+namespace voussoir::records::processing
 {
 
 namespace
@@ -77,7 +77,7 @@ double joint_arias_at(const std::vector<Channel>& channels, const std::vector<st
         if (i + 1 == a.size()) continue;
         const double since = time - static_cast<double>(i) * step;
         const double here = std::lerp(a[i], a[i + 1], since / step);
-        sum += arias_up_to({a[i], here}, std::max(since, 1e-12 * step)).back();
+        sum += measures::arias_up_to({a[i], here}, std::max(since, 1e-12 * step)).back();
     }
     return sum;
 }
@@ -100,7 +100,7 @@ void apply(const AriasWindow& step, const std::string& place, ProcessedRecord& r
     require_accelerations(record.channels, place, "a window by Arias intensity");
     std::vector<std::vector<double>> cumulated;
     for (const Channel& channel : record.channels)
-        cumulated.push_back(arias_up_to(channel.samples, channel.time_step));
+        cumulated.push_back(measures::arias_up_to(channel.samples, channel.time_step));
     const double available = longest_duration(record.channels);
     const auto arias_at = [&](double time) { return joint_arias_at(record.channels, cumulated, time); };
     const double whole = arias_at(available);
@@ -127,4 +127,4 @@ void apply(const AriasWindow& step, const std::string& place, ProcessedRecord& r
     record.sentences.push_back(sentence + "; it holds " + figure(100 * held / whole) + " % of it");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::processing

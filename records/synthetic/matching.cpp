@@ -12,7 +12,7 @@
 #include "records/synthetic/rest.h"
 #include "records/synthetic/spectral_scaling.h"
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 namespace
@@ -40,14 +40,14 @@ struct Peaks {
 
 /// The largest responses of an oscillator at rest to an acceleration that is linear between samples, looked for at
 /// the samples. @param over its influence over a time step
-Peaks peaks_of(const Oscillator& oscillator, const Influence& over, double step,
+Peaks peaks_of(const measures::Oscillator& oscillator, const measures::Influence& over, double step,
                const std::vector<double>& acceleration)
 {
-    OscillatorState state;
+    measures::OscillatorState state;
     Peak highest, lowest;
     for (std::size_t i = 0; i + 1 < acceleration.size(); ++i) {
         const double jerk = (acceleration[i + 1] - acceleration[i]) / step;
-        state = advanced(oscillator, over, state, acceleration[i], jerk);
+        state = measures::advanced(oscillator, over, state, acceleration[i], jerk);
         if (state.displacement > highest.value) highest = {state.displacement, i + 1};
         if (state.displacement < lowest.value) lowest = {state.displacement, i + 1};
     }
@@ -61,10 +61,10 @@ Peaks peaks_of(const Oscillator& oscillator, const Influence& over, double step,
 struct Matching {
     double damping = 0.05;
     std::vector<double> periods, wanted;  // s, m/s2
-    std::vector<Oscillator> oscillators;
-    std::vector<Influence> influences;  // over a step
-    double step = 0;                    // s
-    std::vector<double> samples;        // m/s2
+    std::vector<measures::Oscillator> oscillators;
+    std::vector<measures::Influence> influences;  // over a step
+    double step = 0;                              // s
+    std::vector<double> samples;                  // m/s2
     std::vector<Peaks> peaks;
     double worst = 0;  // largest |spectrum / target - 1|
 };
@@ -257,16 +257,16 @@ void check(const Channel& seed, const TargetSpectrum& target, const MatchSetting
     require(seed.quantity == Quantity::acceleration && has_unit(seed), "a seed that is not an acceleration",
             "give an acceleration with its unit");
     require(settings.shortest > 0 && settings.longest > settings.shortest && settings.periods >= 10,
-            to_text(settings.shortest) + " to " + to_text(settings.longest) + " s",
+            text::to_text(settings.shortest) + " to " + text::to_text(settings.longest) + " s",
             "periods must be > 0 and ascending");
-    require(duration >= 4 * settings.longest, "a seed of " + to_text(duration) + " s",
-            "it must last four of the longest periods, " + to_text(4 * settings.longest) + " s");
-    require(seed.time_step <= 0.25 * settings.shortest, "a time step of " + to_text(seed.time_step) + " s",
+    require(duration >= 4 * settings.longest, "a seed of " + text::to_text(duration) + " s",
+            "it must last four of the longest periods, " + text::to_text(4 * settings.longest) + " s");
+    require(seed.time_step <= 0.25 * settings.shortest, "a time step of " + text::to_text(seed.time_step) + " s",
             "at most a quarter of the shortest period");
     require(target.shortest <= settings.shortest && target.longest >= settings.longest,
-            "a target from " + to_text(target.shortest) + " to " + to_text(target.longest) + " s",
-            "it must cover the periods from " + to_text(settings.shortest) + " to " + to_text(settings.longest) +
-                " s");
+            "a target from " + text::to_text(target.shortest) + " to " + text::to_text(target.longest) + " s",
+            "it must cover the periods from " + text::to_text(settings.shortest) + " to " +
+                text::to_text(settings.longest) + " s");
     require(peak(seed) > 0, "a seed that is zero", "give a motion");
     if (!faults.empty()) throw InputError(std::move(faults));
 }
@@ -289,7 +289,7 @@ Matching begin(const Channel& seed, const TargetSpectrum& target, const MatchSet
         matching.periods.push_back(period);
         matching.wanted.push_back(target.at(period));
         matching.oscillators.push_back({2 * pi / period, target.damping});
-        matching.influences.push_back(influence(matching.oscillators.back(), matching.step));
+        matching.influences.push_back(measures::influence(matching.oscillators.back(), matching.step));
     }
     matching.peaks.resize(matching.periods.size());
     return matching;
@@ -344,4 +344,4 @@ Channel match_spectrum(const Channel& seed, const TargetSpectrum& target, const 
     return matched;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

@@ -6,7 +6,7 @@
 #include "records/record.h"
 #include "records/synthetic/target_spectrum.h"
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 /// How closely to match, and where.
@@ -35,4 +35,4 @@ struct MatchReport {
 Channel match_spectrum(const Channel& seed, const TargetSpectrum& target, const MatchSettings& settings,
                        MatchReport& report);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

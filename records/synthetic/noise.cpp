@@ -8,7 +8,7 @@
 #include "libdda/text/numbers.h"
 #include "records/synthetic/rest.h"
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 std::uint64_t SplitMix64::next()
@@ -41,7 +41,7 @@ void check(const SyntheticMotion& p)
 {
     std::vector<Fault> faults;
     const auto require = [&](bool good, const char* name, double value, const std::string& expected) {
-        if (!good) faults.push_back({std::string("synthetic record: ") + name, to_text(value), expected});
+        if (!good) faults.push_back({std::string("synthetic record: ") + name, text::to_text(value), expected});
     };
     const double nyquist = 0.5 / p.time_step;
     require(p.time_step > 0 && std::isfinite(p.time_step), "time step [s]", p.time_step, "must be > 0");
@@ -133,4 +133,4 @@ std::vector<double> synthetic_acceleration(const SyntheticMotion& parameters)
     return samples;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

@@ -8,7 +8,7 @@
 
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 /// What the noise shall be like.
@@ -46,4 +46,4 @@ class SplitMix64
     std::uint64_t state_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

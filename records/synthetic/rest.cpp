@@ -1,6 +1,6 @@
 #include "records/synthetic/rest.h"
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 namespace
@@ -39,4 +39,4 @@ void bring_to_rest(std::vector<double>& samples)
     for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += c0 * b0[i] + c1 * b1[i];
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

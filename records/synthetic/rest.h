@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 /// Adds c0 b0 + c1 b1, b0 = x^2 (1-x)^2 and b1 = x b0 for x from 0 to 1 over the record, so that velocity and
@@ -11,4 +11,4 @@ namespace voussoir
 /// @param samples (n >= 4), in any unit, evenly spaced
 void bring_to_rest(std::vector<double>& samples);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

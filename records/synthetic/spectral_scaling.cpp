@@ -7,7 +7,7 @@
 #include <complex>
 #include <memory>
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 namespace
@@ -48,4 +48,4 @@ void scale_fourier_amplitudes(const std::vector<double>& frequencies, const std:
     std::copy_n(padded.begin(), samples.size(), samples.begin());
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

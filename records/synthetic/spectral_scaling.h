@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 /// Multiplies the Fourier amplitudes of `samples` by factors given at ascending frequencies [Hz], linear in the
@@ -13,4 +13,4 @@ namespace voussoir
 void scale_fourier_amplitudes(const std::vector<double>& frequencies, const std::vector<double>& factors,
                               double step, std::vector<double>& samples);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

@@ -8,7 +8,7 @@
 #include "libdda/text/numbers.h"
 #include "records/units.h"
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 namespace
@@ -43,9 +43,9 @@ void check(const Eurocode8& p)
     if (p.ground < 'A' || p.ground > 'E')
         faults.push_back({"eurocode_8: ground", std::string(1, p.ground), "must be A, B, C, D or E"});
     if (!(p.acceleration > 0) || !std::isfinite(p.acceleration))
-        faults.push_back({"eurocode_8: acceleration [m/s2]", to_text(p.acceleration), "must be > 0"});
+        faults.push_back({"eurocode_8: acceleration [m/s2]", text::to_text(p.acceleration), "must be > 0"});
     if (!(p.damping > 0 && p.damping < 1))
-        faults.push_back({"eurocode_8: damping", to_text(p.damping), "must be a ratio > 0 and < 1"});
+        faults.push_back({"eurocode_8: damping", text::to_text(p.damping), "must be a ratio > 0 and < 1"});
     if (!faults.empty()) throw InputError(std::move(faults));
 }
 
@@ -62,7 +62,7 @@ TargetSpectrum eurocode_8(const Eurocode8& p)
     TargetSpectrum target;
     target.name = "Eurocode 8 type " + std::to_string(p.type) +
                   (p.vertical ? ", vertical, " : std::string(", ground ") + p.ground + ", ") +
-                  to_text(p.acceleration / standard_gravity) + " g";
+                  text::to_text(p.acceleration / standard_gravity) + " g";
     target.damping = p.damping;
     target.at = [=](double period) {
         if (period < row.b) return ground * (1 + period / row.b * (amplification - 1));
@@ -84,12 +84,13 @@ TargetSpectrum tabulated_spectrum(std::string name, std::vector<double> periods,
         const bool ascends =
             periods[i] >= 0 && (i == 0 || periods[i] > periods[i - 1]) && std::isfinite(periods[i]);
         if (!ascends)
-            faults.push_back({name, "period " + to_text(periods[i]) + " s", "periods must be > 0 and ascending"});
+            faults.push_back(
+                {name, "period " + text::to_text(periods[i]) + " s", "periods must be > 0 and ascending"});
         if (!(accelerations[i] > 0) || !std::isfinite(accelerations[i]))
-            faults.push_back({name, "acceleration " + to_text(accelerations[i]) + " m/s2", "must be > 0"});
+            faults.push_back({name, "acceleration " + text::to_text(accelerations[i]) + " m/s2", "must be > 0"});
     }
     if (!(damping > 0 && damping < 1))
-        faults.push_back({name, "damping " + to_text(damping), "must be > 0 and < 1"});
+        faults.push_back({name, "damping " + text::to_text(damping), "must be > 0 and < 1"});
     if (!faults.empty()) throw InputError(std::move(faults));
     TargetSpectrum target{std::move(name), damping, {}, periods.front(), periods.back()};
     target.at = [periods = std::move(periods), accelerations = std::move(accelerations)](double period) {
@@ -100,4 +101,4 @@ TargetSpectrum tabulated_spectrum(std::string name, std::vector<double> periods,
     return target;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

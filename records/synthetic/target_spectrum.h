@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 /// Elastic response spectrum of pseudo-acceleration.
@@ -34,4 +34,4 @@ TargetSpectrum eurocode_8(const Eurocode8& parameters);
 TargetSpectrum tabulated_spectrum(std::string name, std::vector<double> periods, std::vector<double> accelerations,
                                   double damping);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

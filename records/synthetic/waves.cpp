@@ -7,7 +7,7 @@
 #include "libdda/errors.h"
 #include "libdda/text/numbers.h"
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 namespace
@@ -86,39 +86,40 @@ double highest(const Other& wave)
 
 std::string amplitude_in_words(const char* name, double amplitude)
 {
-    return std::string(name) + " " + to_text(amplitude) + " m/s2, ";
+    return std::string(name) + " " + text::to_text(amplitude) + " m/s2, ";
 }
 
 std::string words(const SineWave& wave)
 {
-    return amplitude_in_words("sine", wave.amplitude) + to_text(wave.frequency) + " Hz, " +
-           to_text(wave.duration) + " s";
+    return amplitude_in_words("sine", wave.amplitude) + text::to_text(wave.frequency) + " Hz, " +
+           text::to_text(wave.duration) + " s";
 }
 std::string words(const RampedSine& wave)
 {
-    return amplitude_in_words("ramped sine", wave.amplitude) + to_text(wave.frequency) + " Hz, " +
-           to_text(wave.duration) + " s with ramps of " + to_text(wave.ramp) + " s";
+    return amplitude_in_words("ramped sine", wave.amplitude) + text::to_text(wave.frequency) + " Hz, " +
+           text::to_text(wave.duration) + " s with ramps of " + text::to_text(wave.ramp) + " s";
 }
 std::string words(const Sweep& wave)
 {
     return amplitude_in_words(wave.logarithmic ? "logarithmic sweep" : "sweep", wave.amplitude) +
-           to_text(wave.from) + " to " + to_text(wave.to) + " Hz, " + to_text(wave.duration) + " s";
+           text::to_text(wave.from) + " to " + text::to_text(wave.to) + " Hz, " + text::to_text(wave.duration) +
+           " s";
 }
 std::string words(const Ricker& wave)
 {
-    return amplitude_in_words("Ricker pulse", wave.amplitude) + to_text(wave.frequency) + " Hz, peak at " +
-           to_text(wave.delay) + " s";
+    return amplitude_in_words("Ricker pulse", wave.amplitude) + text::to_text(wave.frequency) + " Hz, peak at " +
+           text::to_text(wave.delay) + " s";
 }
 std::string words(const OneCycle& wave)
 {
     return amplitude_in_words(wave.shape == OneCycle::Shape::sine ? "one-cycle sine" : "one-cycle cosine",
                               wave.amplitude) +
-           to_text(wave.period) + " s";
+           text::to_text(wave.period) + " s";
 }
 
 void require(std::vector<Fault>& faults, bool good, const char* name, double found, const char* expected)
 {
-    if (!good) faults.push_back({std::string("wave: ") + name, to_text(found), expected});
+    if (!good) faults.push_back({std::string("wave: ") + name, text::to_text(found), expected});
 }
 
 void check(const SineWave&, std::vector<Fault>&) {}
@@ -185,4 +186,4 @@ Channel sampled(const Wave& wave, double time_step)
     return channel;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

@@ -6,7 +6,7 @@
 
 #include "records/record.h"
 
-namespace voussoir
+namespace voussoir::records::synthetic
 {
 
 /// a(t) = amplitude sin(2 pi frequency t + phase) until `duration`.
@@ -77,4 +77,4 @@ Channel sampled(const Wave& wave, double time_step);
 /// 1 / 200 of the shortest period [s].
 double default_time_step(const Wave& wave);
 
-}  // namespace voussoir
+}  // namespace voussoir::records::synthetic

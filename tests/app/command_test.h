@@ -12,7 +12,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app
 {
 
 class CommandTest : public ::testing::Test
@@ -42,4 +42,4 @@ class CommandTest : public ::testing::Test
     std::string output_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app

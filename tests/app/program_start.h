@@ -13,7 +13,7 @@
 
 #include "tests/app/test_files.h"
 
-namespace voussoir
+namespace voussoir::app
 {
 
 struct Ended {
@@ -60,4 +60,4 @@ inline Ended voussoir(const TemporaryFolder& folder, const std::vector<std::stri
     return finish(folder, start(folder, arguments));
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app

@@ -7,7 +7,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app
 {
 
 /// Two boxes, one on the other, at rest and then shaken: a case without faults. Line numbers matter to the tests.
@@ -34,4 +34,4 @@ inline std::string with(std::string text, const std::string& old_part, const std
     return text.replace(at, old_part.size(), new_part);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app

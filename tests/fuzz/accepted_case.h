@@ -53,13 +53,13 @@ inline void check_accepted_stage(const Stage& stage)
 }
 
 /// @throws std::logic_error that says what does not hold
-inline void check_accepted(const Case& the_case)
+inline void check_accepted(const app::Case& the_case)
 {
     check_accepted_model(the_case.model);
     require_of_case(!the_case.stages.empty(), "has no stage");
     for (const Stage& stage : the_case.stages) check_accepted_stage(stage);
     require_of_case(the_case.output.every > 0 && std::isfinite(the_case.output.every), "never shows a frame");
-    for (const HistoryPoint& history : the_case.output.histories)
+    for (const app::HistoryPoint& history : the_case.output.histories)
         require_of_case(!history.point || history.point->allFinite(), "follows a point that is nowhere");
 }
 

@@ -10,7 +10,7 @@
 namespace voussoir
 {
 
-inline void check_accepted_stone(const Stone& stone)
+inline void check_accepted_stone(const importers::helper::Stone& stone)
 {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw std::logic_error(std::string("a believed stone ") + what);
@@ -27,12 +27,12 @@ inline void check_accepted_stone(const Stone& stone)
 }
 
 /// @throws std::logic_error that says what does not hold
-inline void check_accepted(const Geometry& geometry)
+inline void check_accepted(const importers::helper::Geometry& geometry)
 {
     if (!geometry.origin.allFinite()) throw std::logic_error("a believed origin is nowhere");
-    for (const ImportedMesh& mesh : geometry.meshes) {
+    for (const importers::helper::ImportedMesh& mesh : geometry.meshes) {
         if (!(mesh.metres_per_unit > 0)) throw std::logic_error("a believed mesh has no unit");
-        for (const Stone& stone : mesh.stones) check_accepted_stone(stone);
+        for (const importers::helper::Stone& stone : mesh.stones) check_accepted_stone(stone);
     }
 }
 

@@ -11,13 +11,13 @@ namespace voussoir
 {
 
 /// @throws std::logic_error that says what does not hold
-inline void check_accepted(const MeshFile& mesh)
+inline void check_accepted(const importers::mesh::MeshFile& mesh)
 {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw std::logic_error(std::string("an accepted mesh ") + what);
     };
     require(!mesh.surfaces.empty(), "has no surface");
-    for (const PolygonSurface& surface : mesh.surfaces) {
+    for (const importers::mesh::PolygonSurface& surface : mesh.surfaces) {
         require(!surface.faces.empty(), "has a surface without faces");
         for (const Eigen::Vector3d& x : surface.vertices) require(x.allFinite(), "has a vertex that is nowhere");
         for (const std::vector<int>& face : surface.faces)

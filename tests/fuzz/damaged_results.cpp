@@ -16,7 +16,8 @@ namespace
 
 using Values = std::vector<double>;
 
-void put(DraftResults& draft, const std::string& name, ElementType type, Extents extents, Values values)
+void put(DraftResults& draft, const std::string& name, app::results::ElementType type,
+         app::results::Extents extents, Values values)
 {
     draft.numbers[name] = {type, std::move(extents), std::move(values)};
 }
@@ -41,13 +42,14 @@ void put_mesh(DraftResults& draft, bool planar)
             faces.push_back(block);
             part.push_back(0);
         }
-    const auto count = [](const Values& values) { return Extents{values.size()}; };
-    put(draft, "/model/mesh/levers", ElementType::float64, count(levers), levers);
-    put(draft, "/model/mesh/block_first_vertex", ElementType::int32, {3}, {0, vertices, 2 * vertices});
-    put(draft, "/model/mesh/face_first", ElementType::int32, count(first), first);
-    put(draft, "/model/mesh/face_vertices", ElementType::int32, count(corners), corners);
-    put(draft, "/model/mesh/face_block", ElementType::int32, count(faces), faces);
-    put(draft, "/model/mesh/face_part", ElementType::int32, count(part), part);
+    const auto count = [](const Values& values) { return app::results::Extents{values.size()}; };
+    put(draft, "/model/mesh/levers", app::results::ElementType::float64, count(levers), levers);
+    put(draft, "/model/mesh/block_first_vertex", app::results::ElementType::int32, {3},
+        {0, vertices, 2 * vertices});
+    put(draft, "/model/mesh/face_first", app::results::ElementType::int32, count(first), first);
+    put(draft, "/model/mesh/face_vertices", app::results::ElementType::int32, count(corners), corners);
+    put(draft, "/model/mesh/face_block", app::results::ElementType::int32, count(faces), faces);
+    put(draft, "/model/mesh/face_part", app::results::ElementType::int32, count(part), part);
 }
 
 void put_frames(DraftResults& draft, bool planar)
@@ -58,22 +60,24 @@ void put_frames(DraftResults& draft, bool planar)
     for (std::size_t i = 0; i < places.size(); i += coordinates)
         for (const std::size_t one : {3U, 7U, 11U})
             if (one < coordinates) places[i + one] = 1;
-    put(draft, "/frames/count", ElementType::int64, {1}, {2});
-    put(draft, "/frames/time", ElementType::float64, {2}, {0, 0.5});
-    put(draft, "/frames/step", ElementType::int64, {2}, {0, 100});
-    put(draft, "/frames/stage", ElementType::int32, {2}, {0, 1});
-    put(draft, "/frames/coordinates", ElementType::float64, {2, 2, coordinates}, places);
-    put(draft, "/frames/velocities", ElementType::float64, {2, 2, unknowns}, zeros(2 * 2 * unknowns));
-    put(draft, "/frames/ground_displacement", ElementType::float64, {2, d}, zeros(2 * d));
-    if (!planar) put(draft, "/frames/stress", ElementType::float64, {2, 2, 6}, zeros(24));
-    put(draft, "/frames/joints/rows", ElementType::int64, {2, 2}, {0, 1, 1, 1});
-    put(draft, "/frames/joints/pair", ElementType::int32, {2, 2}, {0, 1, 0, 1});
+    put(draft, "/frames/count", app::results::ElementType::int64, {1}, {2});
+    put(draft, "/frames/time", app::results::ElementType::float64, {2}, {0, 0.5});
+    put(draft, "/frames/step", app::results::ElementType::int64, {2}, {0, 100});
+    put(draft, "/frames/stage", app::results::ElementType::int32, {2}, {0, 1});
+    put(draft, "/frames/coordinates", app::results::ElementType::float64, {2, 2, coordinates}, places);
+    put(draft, "/frames/velocities", app::results::ElementType::float64, {2, 2, unknowns},
+        zeros(2 * 2 * unknowns));
+    put(draft, "/frames/ground_displacement", app::results::ElementType::float64, {2, d}, zeros(2 * d));
+    if (!planar) put(draft, "/frames/stress", app::results::ElementType::float64, {2, 2, 6}, zeros(24));
+    put(draft, "/frames/joints/rows", app::results::ElementType::int64, {2, 2}, {0, 1, 1, 1});
+    put(draft, "/frames/joints/pair", app::results::ElementType::int32, {2, 2}, {0, 1, 0, 1});
     for (const char* name : {"force", "centre", "pressure_centre", "normal"})
-        put(draft, std::string("/frames/joints/") + name, ElementType::float64, {2, d}, zeros(2 * d));
-    put(draft, "/frames/joints/moment", ElementType::float64, planar ? Extents{2} : Extents{2, 3},
-        zeros(planar ? 2 : 6));
+        put(draft, std::string("/frames/joints/") + name, app::results::ElementType::float64, {2, d},
+            zeros(2 * d));
+    put(draft, "/frames/joints/moment", app::results::ElementType::float64,
+        planar ? app::results::Extents{2} : app::results::Extents{2, 3}, zeros(planar ? 2 : 6));
     for (const char* name : {"normal_force", "opening", "slip", "area", "closed_area"})
-        put(draft, std::string("/frames/joints/") + name, ElementType::float64, {2}, zeros(2));
+        put(draft, std::string("/frames/joints/") + name, app::results::ElementType::float64, {2}, zeros(2));
 }
 
 /// Takes bytes from the front; zeros when there are none left.
@@ -136,7 +140,7 @@ void edit_text(DraftResults& draft, Bytes& bytes)
 }
 
 template <typename T>
-void write_as(const std::string& name, const DraftDataset& data, Hdf5File& file)
+void write_as(const std::string& name, const DraftDataset& data, app::results::Hdf5File& file)
 {
     std::vector<T> values;
     for (const double value : data.values) {
@@ -166,8 +170,9 @@ DraftResults two_boxes(bool planar)
     draft.texts = {
         {"/model/block_names", {"lower", "upper"}},
         {"/case/settings", {R"([{"name":"weight","type":"static"},{"name":"quake","type":"dynamic"}])"}}};
-    put(draft, "/model/centroid", ElementType::float64, {2, planar ? 2U : 3U}, Values(planar ? 4 : 6, 0.5));
-    put(draft, "/model/foundations/block", ElementType::int32, {1}, {0});
+    put(draft, "/model/centroid", app::results::ElementType::float64, {2, planar ? 2U : 3U},
+        Values(planar ? 4 : 6, 0.5));
+    put(draft, "/model/foundations/block", app::results::ElementType::int32, {1}, {0});
     put_mesh(draft, planar);
     put_frames(draft, planar);
     return draft;
@@ -187,7 +192,7 @@ void edit(std::string_view text, DraftResults& draft)
                 draft.numbers.erase(at);
                 break;
             case 2:
-                data.type = static_cast<ElementType>(bytes.take<std::uint8_t>() % 4);
+                data.type = static_cast<app::results::ElementType>(bytes.take<std::uint8_t>() % 4);
                 break;
             case 3:
                 edit_text(draft, bytes);
@@ -209,7 +214,7 @@ void edit(std::string_view text, DraftResults& draft)
 
 void write_draft(const DraftResults& draft, const std::filesystem::path& path)
 {
-    Hdf5File file = Hdf5File::create(path);
+    app::results::Hdf5File file = app::results::Hdf5File::create(path);
     for (const char* group : {"/model", "/model/mesh", "/model/foundations", "/case", "/frames", "/frames/joints"})
         file.make_group(group);
     for (const auto& [name, text] : draft.attributes) file.attribute("/", name, text);
@@ -218,10 +223,10 @@ void write_draft(const DraftResults& draft, const std::filesystem::path& path)
     for (const auto& [name, data] : draft.numbers) {
         const std::string group = name.substr(0, name.rfind('/'));
         if (!file.has(group)) file.make_group(group);
-        if (data.type == ElementType::float32) write_as<float>(name, data, file);
-        if (data.type == ElementType::float64) write_as<double>(name, data, file);
-        if (data.type == ElementType::int32) write_as<std::int32_t>(name, data, file);
-        if (data.type == ElementType::int64) write_as<std::int64_t>(name, data, file);
+        if (data.type == app::results::ElementType::float32) write_as<float>(name, data, file);
+        if (data.type == app::results::ElementType::float64) write_as<double>(name, data, file);
+        if (data.type == app::results::ElementType::int32) write_as<std::int32_t>(name, data, file);
+        if (data.type == app::results::ElementType::int64) write_as<std::int64_t>(name, data, file);
     }
     if (draft.numbers.count("/frames/stress") > 0)
         file.attribute("/frames/stress", "columns", draft.stress_columns);
@@ -230,10 +235,10 @@ void write_draft(const DraftResults& draft, const std::filesystem::path& path)
 
 void read_everything(const std::filesystem::path& path)
 {
-    const ResultsReader results(path);
+    const app::results::ResultsReader results(path);
     for (std::size_t frame = 0; frame < results.times.size(); ++frame) {
-        const RecordedFrame recorded = results.frame(frame);
-        positions_of(results.model.mesh, results.model.kinematics, recorded.state);
+        const app::results::RecordedFrame recorded = results.frame(frame);
+        app::results::positions_of(results.model.mesh, results.model.kinematics, recorded.state);
     }
 }
 

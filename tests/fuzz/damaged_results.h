@@ -16,8 +16,8 @@ namespace voussoir
 
 /// A dataset of numbers before it is written.
 struct DraftDataset {
-    ElementType type = ElementType::float64;
-    Extents extents;
+    app::results::ElementType type = app::results::ElementType::float64;
+    app::results::Extents extents;
     std::vector<double> values;
 };
 

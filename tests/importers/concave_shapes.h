@@ -7,25 +7,25 @@
 
 #include "tests/importers/shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 
-inline PolygonSurface l_shape()
+inline mesh::PolygonSurface l_shape()
 {
     return prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 0, 1);
 }
 
 /// 3 x 2 x 1 m with a notch of 1 x 1.5 m from above (along y).
-inline PolygonSurface u_shape()
+inline mesh::PolygonSurface u_shape()
 {
     return prism({{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 0.5}, {1, 0.5}, {1, 2}, {0, 2}}, 0, 1);
 }
 
 /// A voussoir with chords for arcs: radii 2 and 3 m, from -30 to 30 degrees in `steps`, 1 m deep, with a square
 /// hole of 0.4 m through it along its depth.
-inline PolygonSurface ring_sector_with_hole(int steps = 6)
+inline mesh::PolygonSurface ring_sector_with_hole(int steps = 6)
 {
-    PolygonSurface surface{"ring sector", {}, {}};
+    mesh::PolygonSurface surface{"ring sector", {}, {}};
     std::vector<Eigen::Vector2d> outline, hole{{2.3, -0.2}, {2.7, -0.2}, {2.7, 0.2}, {2.3, 0.2}};
     const auto on = [&](double radius, int i) {
         const double a = std::numbers::pi / 3 * (static_cast<double>(i) / steps - 0.5);
@@ -63,10 +63,10 @@ inline PolygonSurface ring_sector_with_hole(int steps = 6)
 }
 
 /// A cube of 1 m with a cubic cavity of 0.4 m in its middle.
-inline PolygonSurface hollow_cube()
+inline mesh::PolygonSurface hollow_cube()
 {
-    PolygonSurface surface = unit_cube();
-    const PolygonSurface cavity = box({0.3, 0.3, 0.3}, {0.7, 0.7, 0.7});
+    mesh::PolygonSurface surface = unit_cube();
+    const mesh::PolygonSurface cavity = box({0.3, 0.3, 0.3}, {0.7, 0.7, 0.7});
     surface.vertices.insert(surface.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
     for (std::vector<int> face : cavity.faces) {
         for (int& v : face) v += 8;
@@ -75,4 +75,4 @@ inline PolygonSurface hollow_cube()
     return surface;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -12,13 +12,13 @@
 #include "importers/mesh/polygon_surface.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 
 /// A vertical prism. @param outline (n,2) counter-clockwise seen from above
-inline PolygonSurface prism(const std::vector<Eigen::Vector2d>& outline, double bottom, double top)
+inline mesh::PolygonSurface prism(const std::vector<Eigen::Vector2d>& outline, double bottom, double top)
 {
-    PolygonSurface surface{"stone", {}, {}};
+    mesh::PolygonSurface surface{"stone", {}, {}};
     const int n = static_cast<int>(outline.size());
     for (const double z : {bottom, top})
         for (const Eigen::Vector2d& p : outline) surface.vertices.emplace_back(p.x(), p.y(), z);
@@ -34,19 +34,19 @@ inline PolygonSurface prism(const std::vector<Eigen::Vector2d>& outline, double 
     return surface;
 }
 
-inline PolygonSurface box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper)
+inline mesh::PolygonSurface box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper)
 {
     return prism({lower.head<2>(), {upper.x(), lower.y()}, upper.head<2>(), {lower.x(), upper.y()}}, lower.z(),
                  upper.z());
 }
 
-inline PolygonSurface unit_cube()
+inline mesh::PolygonSurface unit_cube()
 {
     return box({0, 0, 0}, {1, 1, 1});
 }
 
 /// Every face as a fan of triangles.
-inline PolygonSurface triangulated(PolygonSurface surface)
+inline mesh::PolygonSurface triangulated(mesh::PolygonSurface surface)
 {
     std::vector<std::vector<int>> triangles;
     for (const std::vector<int>& face : surface.faces)
@@ -55,4 +55,4 @@ inline PolygonSurface triangulated(PolygonSurface surface)
     return surface;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -25,11 +25,11 @@ struct BoxOnFloor {
     {
         set_pose(model, state, 1, centre, rotation);
     }
-    ContactSet find(NewOverlap overlap = NewOverlap::presses) const
+    ContactSet find(contact::NewOverlap overlap = contact::NewOverlap::presses) const
     {
         ContactSet found;
-        std::vector<PlacedPart> parts;
-        find_contacts(model, state, std::vector<double>(2, 5e-3), 1, parts, found, overlap);
+        std::vector<contact::PlacedPart> parts;
+        contact::find_contacts(model, state, std::vector<double>(2, 5e-3), 1, parts, found, overlap);
         return found;
     }
     void remember(const ContactSet& found)

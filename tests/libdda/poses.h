@@ -37,10 +37,10 @@ inline void set_pose(const Model& model, State& state, int block, const Eigen::V
     std::copy(coefficients, coefficients + 4, x + 3);
 }
 
-inline std::vector<PlacedPart> placed(const Model& model, const State& state)
+inline std::vector<contact::PlacedPart> placed(const Model& model, const State& state)
 {
-    std::vector<PlacedPart> parts;
-    place_parts(model, state, parts);
+    std::vector<contact::PlacedPart> parts;
+    contact::place_parts(model, state, parts);
     return parts;
 }
 

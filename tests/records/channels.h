@@ -9,7 +9,7 @@
 #include "records/record.h"
 #include "records/synthetic/noise.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 inline Channel of_samples(std::vector<double> samples, double time_step, const std::string& component = "x")
@@ -32,7 +32,7 @@ inline Channel sampled(const std::function<double(double)>& acceleration, double
 /// Normal numbers that rise and fall like an earthquake.
 inline Channel noise(std::size_t count, double time_step, std::uint64_t seed, const std::string& component = "x")
 {
-    SplitMix64 random(seed);
+    synthetic::SplitMix64 random(seed);
     std::vector<double> samples(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double x = static_cast<double>(i) / static_cast<double>(count - 1);
@@ -41,4 +41,4 @@ inline Channel noise(std::size_t count, double time_step, std::uint64_t seed, co
     return of_samples(std::move(samples), time_step, component);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

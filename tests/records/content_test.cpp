@@ -8,7 +8,7 @@
 #include "libdda/text/fortran_numbers.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -58,8 +58,8 @@ TEST(Content, TurnsNamesIntoUtf8)
     std::string latin = peer;
     latin.replace(latin.find("Station"), 7, "Orientaci\xF3n");
     EXPECT_EQ(read(latin).station, "Orientaci\xC3\xB3n");
-    EXPECT_EQ(as_utf8("Orientaci\xC3\xB3n \xE2\x82\xAC"), "Orientaci\xC3\xB3n \xE2\x82\xAC");
-    EXPECT_EQ(as_utf8("\xC3"), "\xC3\x83");
+    EXPECT_EQ(text::as_utf8("Orientaci\xC3\xB3n \xE2\x82\xAC"), "Orientaci\xC3\xB3n \xE2\x82\xAC");
+    EXPECT_EQ(text::as_utf8("\xC3"), "\xC3\x83");
 }
 
 TEST(Content, NamesWhatIsNoRecord)
@@ -91,16 +91,16 @@ TEST(Content, TellsDecimalCommas)
 TEST(Content, ReadsFortransExponentsOfThreeDigits)
 {
     double value = 0;
-    EXPECT_TRUE(parse_fortran_number("1.234-105", value));
+    EXPECT_TRUE(text::parse_fortran_number("1.234-105", value));
     EXPECT_DOUBLE_EQ(value, 1.234e-105);
-    EXPECT_TRUE(parse_fortran_number("-.5+100", value));
+    EXPECT_TRUE(text::parse_fortran_number("-.5+100", value));
     EXPECT_DOUBLE_EQ(value, -0.5e100);
     for (const char* text : {"1234-105", "1.2-10", "1.2-1050", "1.2-105.5"})
-        EXPECT_FALSE(parse_fortran_number(text, value)) << text;
+        EXPECT_FALSE(text::parse_fortran_number(text, value)) << text;
     EXPECT_EQ(
         read("NPTS\nx\nIN UNITS OF M/S2\nNPTS= 3, DT= .01\n 1.5 1.2-105-2.0E+00\n").channels.at(0).samples[2], -2);
 }
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -13,7 +13,7 @@
 #include "records/record.h"
 #include "tests/records/test_files.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 class RealRecords : public testing::Test
@@ -81,4 +81,4 @@ class RealRecords : public testing::Test
     }
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::records

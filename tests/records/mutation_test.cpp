@@ -14,7 +14,7 @@
 #include "tests/limited_requests.h"
 #include "tests/records/test_files.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -86,4 +86,4 @@ TEST(DamagedRecords, ComeFromSoundOnes)
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -9,7 +9,7 @@
 #include "records/record.h"
 #include "tests/records/test_files.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 inline Record read(const std::string& content, const ReadOptions& options = {})
@@ -46,4 +46,4 @@ inline ReadOptions in_g(double time_step)
     return {.unit = "g", .time_step = time_step};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -2,7 +2,7 @@
 
 #include "tests/records/expected.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -81,4 +81,4 @@ TEST_F(RealRecords, EveryFileIsReadOrRefusedAsExpected)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

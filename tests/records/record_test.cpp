@@ -11,7 +11,7 @@
 #include "records/units.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -201,4 +201,4 @@ TEST(Units, AreFoundByTheirUsualSpellings)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -11,7 +11,7 @@
 #include "tests/records/expected.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -91,15 +91,15 @@ TEST(StartTime, ComponentsAreCutToTheirCommonBeginning)
 {
     const Channel first = starting("2020/01/01 00:00:00", "x", {1, 2, 3, 4, 5, 6});
     const Channel second = starting("2020/01/01 00:00:01", "y", {3, 4, 5, 6});
-    const ProcessedRecord together = process({first, second}, {});
+    const processing::ProcessedRecord together = processing::process({first, second}, {});
     EXPECT_EQ(together.channels[0].samples, second.samples);
     EXPECT_EQ(together.channels[1].samples, second.samples);
     ASSERT_EQ(together.sentences.size(), 1);
     EXPECT_EQ(together.sentences[0],
               "component \"x\": 1 s cut, to start with the last component at 2020-01-01T00:00:01");
-    EXPECT_TRUE(process(together.channels, {}).sentences.empty()) << "already in step";
+    EXPECT_TRUE(processing::process(together.channels, {}).sentences.empty()) << "already in step";
     // A window does not lose the start.
-    const ProcessedRecord later = process({first}, {TimeWindow{1, 2}});
+    const processing::ProcessedRecord later = processing::process({first}, {processing::TimeWindow{1, 2}});
     EXPECT_EQ(later.channels[0].start, second.start);
 }
 
@@ -118,9 +118,9 @@ TEST(StartTime, ThatNobodyKnowsIsToldWhenItMatters)
 {
     const Channel known = starting("2020/01/01 00:00:00", "x", {1, 2, 3});
     const Channel unknown = of_samples({1, 2, 3}, 0.5, "y"), longer = of_samples({1, 2, 3, 4}, 0.5, "z");
-    EXPECT_TRUE(process({unknown, unknown}, {}).sentences.empty());
+    EXPECT_TRUE(processing::process({unknown, unknown}, {}).sentences.empty());
     for (const Channel& other : {known, longer}) {
-        const ProcessedRecord record = process({other, unknown}, {});
+        const processing::ProcessedRecord record = processing::process({other, unknown}, {});
         ASSERT_EQ(record.sentences.size(), 1);
         expect_in(record.sentences[0], "\"y\" have no start time");
         EXPECT_EQ(record.channels[0].samples, other.samples);
@@ -145,11 +145,11 @@ TEST(StartTime, OfRecordsWithoutACommonMomentIsRefused)
 
 TEST(StartTime, WindowsSayWhichComponentsEndEarly)
 {
-    const ProcessedRecord record =
-        process({of_samples({1, 2, 3}, 1, "x"), of_samples({1, 2, 3, 4, 5}, 1, "y")}, {TimeWindow{1, 4}});
+    const processing::ProcessedRecord record = processing::process(
+        {of_samples({1, 2, 3}, 1, "x"), of_samples({1, 2, 3, 4, 5}, 1, "y")}, {processing::TimeWindow{1, 4}});
     expect_in(record.sentences.back(), "window 1 to 4 s: component \"x\" ends at 2 s");
 }
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

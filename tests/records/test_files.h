@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace voussoir
+namespace voussoir::records
 {
 
 inline std::filesystem::path repository()
@@ -55,4 +55,4 @@ class TemporaryFile
     std::filesystem::path path_;
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::records

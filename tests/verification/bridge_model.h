@@ -9,10 +9,11 @@
 namespace voussoir::verification
 {
 
-inline Model bridge_model(const ArchBridge& bridge, Kinematics kinematics = Kinematics::spatial_deformable)
+inline Model bridge_model(const importers::patterns::ArchBridge& bridge,
+                          Kinematics kinematics = Kinematics::spatial_deformable)
 {
     Model model = make_model(kinematics, {"granite", 2400, 4.5e9, 0.25}, testing::dry(30));
-    for (const PolygonSurface& stone : arch_bridge(bridge)) {
+    for (const importers::mesh::PolygonSurface& stone : importers::patterns::arch_bridge(bridge)) {
         const int block = static_cast<int>(model.blocks.size());
         model.blocks.push_back(
             make_block(stone.name, 0, 0, {make_convex_polyhedron(stone.vertices, stone.faces, stone.name)}));

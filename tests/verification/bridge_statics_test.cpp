@@ -74,7 +74,7 @@ std::vector<HalfArchJoint> half_arch(const Model& model)
     const auto lower = [](const Vector3d& p, const Vector3d& q) { return p.z() < q.z(); };
     const double a = std::abs(std::min_element(key.begin(), key.end(), lower)->x());
     const double b = std::abs(std::max_element(key.begin(), key.end(), lower)->x());
-    double weight = 0.5 * model.mass(order[47]) * gravity;
+    double weight = 0.5 * model.mass(order[47]) * testing::gravity;
     double first_moment = weight * (a * a + a * b + b * b) / (3 * (a + b));
     for (int i = 46; i >= 1; --i) {
         const Block& stone = model.blocks[order[i]];
@@ -92,8 +92,8 @@ std::vector<HalfArchJoint> half_arch(const Model& model)
         joint.weight = weight;
         joint.weight_arm = first_moment / weight;
         joints.push_back(joint);
-        weight += model.mass(order[i]) * gravity;
-        first_moment -= model.mass(order[i]) * gravity * stone.moments.centroid.x();
+        weight += model.mass(order[i]) * testing::gravity;
+        first_moment -= model.mass(order[i]) * testing::gravity * stone.moments.centroid.x();
     }
     return joints;
 }
@@ -107,13 +107,14 @@ TEST(BridgeStatics, EveryJointOfTheHalfArchIsInEquilibrium)
     ASSERT_EQ(solved.joints.size(), 94U);
     const std::vector<int> order = order_of_arch(solved.model);
     double arch_weight = 0, worst = 0;
-    for (std::size_t i = 1; i + 1 < order.size(); ++i) arch_weight += solved.model.mass(order[i]) * gravity;
+    for (std::size_t i = 1; i + 1 < order.size(); ++i)
+        arch_weight += solved.model.mass(order[i]) * testing::gravity;
 
     // From the crown joint outwards: crown joint, weights, joint i.
     Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
     add_joint(solved.joints[46], order[46], force, moment);
     for (int i = 46; i >= 1; --i) {
-        const Vector3d weight(0, 0, -solved.model.mass(order[i]) * gravity);
+        const Vector3d weight(0, 0, -solved.model.mass(order[i]) * testing::gravity);
         force += weight;
         moment += testing::centroid(solved.model, solved.state, order[i]).cross(weight);
         Vector3d whole_force = force, whole_moment = moment;
@@ -142,7 +143,7 @@ TEST(BridgeStatics, ThrustDoesNotDependOnTheStaticStepAndLiesInTheRangeOfLimitAn
         "crown thrust per metre: %.6f MN (1 s), %.6f MN (0.1 s); limit analysis %.4f to %.4f MN; q L^2 / 8 f with "
         "the mean weight %.2f MN\n",
         thrust(coarse) / width / 1e6, thrust(fine) / width / 1e6, range.least / width / 1e6,
-        range.greatest / width / 1e6, 1.75 * 2400 * gravity * 45 * 45 / (8 * 5.5) / 1e6);
+        range.greatest / width / 1e6, 1.75 * 2400 * testing::gravity * 45 * 45 / (8 * 5.5) / 1e6);
     EXPECT_NEAR(thrust(fine) / thrust(coarse), 1, 1e-4);
     ASSERT_TRUE(range.exists);
     EXPECT_GT(thrust(coarse), range.least);

@@ -20,7 +20,7 @@ class ExactIntegral
 {
  public:
     /// @param samples [m/s2, m/s or m]; @param time_step [s]
-    ExactIntegral(Quantity quantity, const std::vector<double>& samples, double time_step)
+    ExactIntegral(records::Quantity quantity, const std::vector<double>& samples, double time_step)
         : quantity_(quantity), samples_(samples.begin(), samples.end()), step_(time_step)
     {
         zeroth_.push_back(0);
@@ -40,10 +40,10 @@ class ExactIntegral
         const long double t = std::min<long double>(time, end);
         const std::size_t i = std::min(static_cast<std::size_t>(t / step_), last - 1);
         const long double since = t - static_cast<long double>(i) * step_;
-        if (quantity_ == Quantity::displacement) return static_cast<double>(cubic(i, since / step_));
+        if (quantity_ == records::Quantity::displacement) return static_cast<double>(cubic(i, since / step_));
         const long double zeroth = zeroth_[i] + zeroth_moment(i, since);
         const long double rest = time - t;  // after the end
-        if (quantity_ == Quantity::velocity) return static_cast<double>(zeroth + rest * samples_.back());
+        if (quantity_ == records::Quantity::velocity) return static_cast<double>(zeroth + rest * samples_.back());
         const long double first = first_[i] + first_moment(i, since);
         return static_cast<double>(time * zeroth - first);
     }
@@ -93,7 +93,7 @@ class ExactIntegral
                u * u * v * tangent(i + 1);
     }
 
-    Quantity quantity_;
+    records::Quantity quantity_;
     std::vector<long double> samples_;
     long double step_;
     std::vector<long double> zeroth_, first_;  // from 0 to each sample

@@ -31,9 +31,9 @@ struct GroundOfStation {
     double duration = 0;            // s
 };
 
-void add_component(const Channel& channel, int axis, const std::string& name, GroundOfStation& ground)
+void add_component(const records::Channel& channel, int axis, const std::string& name, GroundOfStation& ground)
 {
-    ground.motions[axis] = std::make_shared<GroundMotion>(to_ground_motion(channel, name));
+    ground.motions[axis] = std::make_shared<GroundMotion>(records::to_ground_motion(channel, name));
     ground.exact.emplace_back(channel.quantity, channel.samples, channel.time_step);
     ground.peaks[axis] = ground.exact.back().peak_displacement();
     ground.duration = ground.motions[axis]->duration();
@@ -90,11 +90,11 @@ class LAquila : public ::testing::TestWithParam<const char*>
     {
         const char* components[] = {"H1", "H2", "V"};
         for (const std::string component : components) {
-            const auto folder = data_folder() / "motions/laquila2009";
+            const auto folder = records::data_folder() / "motions/laquila2009";
             auto file = folder / (std::string(GetParam()) + "_" + component + ".cor.acc");
             if (!exists(file)) file += ".gz";
             if (!exists(file)) GTEST_SKIP() << "no " << file;
-            channels_.push_back(read_record(file, {}).channels.at(0));
+            channels_.push_back(records::read_record(file, {}).channels.at(0));
         }
     }
 
@@ -106,16 +106,16 @@ class LAquila : public ::testing::TestWithParam<const char*>
     }
 
     /// The 5 s round the peak of the strongest component, taken as records of their own, of any quantity.
-    GroundOfStation strong_part(Quantity quantity = Quantity::acceleration) const
+    GroundOfStation strong_part(records::Quantity quantity = records::Quantity::acceleration) const
     {
         std::size_t peak_at = 0;
         double largest = 0;
-        for (const Channel& channel : channels_)
+        for (const records::Channel& channel : channels_)
             for (std::size_t i = 0; i < channel.samples.size(); ++i)
                 if (std::abs(channel.samples[i]) > largest) largest = std::abs(channel.samples[i]), peak_at = i;
         GroundOfStation ground;
         for (int axis = 0; axis < 3; ++axis) {
-            Channel part = channels_[axis];
+            records::Channel part = channels_[axis];
             const auto before = static_cast<std::size_t>(1.5 / part.time_step),
                        count = static_cast<std::size_t>(5 / part.time_step);
             const auto from = part.samples.begin() + static_cast<std::ptrdiff_t>(peak_at - before);
@@ -126,7 +126,7 @@ class LAquila : public ::testing::TestWithParam<const char*>
         return ground;
     }
 
-    std::vector<Channel> channels_;
+    std::vector<records::Channel> channels_;
 };
 INSTANTIATE_TEST_SUITE_P(Stations, LAquila, ::testing::Values("AQV_16837", "AQK_16889", "AQG_16833"),
                          [](const auto& info) { return std::string(info.param).substr(0, 3); });
@@ -188,7 +188,7 @@ TEST_P(LAquila, FoundationFollowsTheRecordWhenStepsAreCut)
 // The same samples, called velocities and displacements: a record of either is followed as exactly.
 TEST_P(LAquila, FoundationFollowsARecordOfVelocityOrDisplacement)
 {
-    for (const Quantity quantity : {Quantity::velocity, Quantity::displacement}) {
+    for (const records::Quantity quantity : {records::Quantity::velocity, records::Quantity::displacement}) {
         GroundOfStation ground = strong_part(quantity);
         for (const double time_step : {3.7e-3, 11e-3}) {
             Scene scene(ground, false, ground.duration, time_step);

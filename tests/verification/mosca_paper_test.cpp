@@ -60,7 +60,7 @@ void read_stresses(const Model& model, const State& state, Answer& answer)
 
 Answer shake(const Reading& reading)
 {
-    ArchBridge bridge;
+    importers::patterns::ArchBridge bridge;
     bridge.rise = 1.5;
     bridge.abutment_length = reading.abutment_length;
     Model model = bridge_model(bridge);

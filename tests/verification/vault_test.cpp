@@ -34,14 +34,14 @@ struct Vault {
 };
 
 /// Friction is a coefficient.
-Vault make_vault(const ImportedMesh& mesh, double friction)
+Vault make_vault(const importers::helper::ImportedMesh& mesh, double friction)
 {
     JointMaterial joint;
     joint.name = "dry";
     joint.friction_angle = std::atan(friction);
     Vault vault{make_model(Kinematics::spatial_rigid, {"stone", 2000, 10e9, 0.2}, joint)};
     Model& model = vault.model;
-    for (const Stone& stone : mesh.stones) {
+    for (const importers::helper::Stone& stone : mesh.stones) {
         model.blocks.push_back(make_block(stone.name, 0, 0, stone.parts, stone.moments));
         double lowest = 1e300;
         for (const ConvexPolyhedron& part : stone.parts)
@@ -70,7 +70,7 @@ Stage self_weight(double unit_of_time)
 }
 
 /// Self-weight by static steps, then a while of free motion.
-VaultRun run_vault(const ImportedMesh& mesh, double friction)
+VaultRun run_vault(const importers::helper::ImportedMesh& mesh, double friction)
 {
     const auto [model, span] = make_vault(mesh, friction);
     const double unit_of_time = std::sqrt(span / 9.81);
@@ -96,15 +96,17 @@ VaultRun run_vault(const ImportedMesh& mesh, double friction)
 }
 
 /// The survey in metres of this many, or nothing without the data.
-std::optional<ImportedMesh> read_vault(double metres_per_unit)
+std::optional<importers::helper::ImportedMesh> read_vault(double metres_per_unit)
 {
     setenv("VOUSSOIR_BIN_DIR", VOUSSOIR_BINARIES, 1);
     const char* variable = std::getenv("VOUSSOIR_DATA");
     const std::filesystem::path data = variable != nullptr ? variable : VOUSSOIR_DEFAULT_DATA;
     const std::filesystem::path file = data / "meshes/masonry/crossvault.obj";
     if (!std::filesystem::exists(file)) return {};
-    const Geometry geometry = import_geometry({{.file = file, .metres_per_unit = metres_per_unit}}, {});
-    for (const Overlap& overlap : geometry.overlaps) EXPECT_LT(overlap.fraction, 0.01) << overlap.stone_a;
+    const importers::helper::Geometry geometry =
+        importers::helper::import_geometry({{.file = file, .metres_per_unit = metres_per_unit}}, {});
+    for (const importers::helper::Overlap& overlap : geometry.overlaps)
+        EXPECT_LT(overlap.fraction, 0.01) << overlap.stone_a;
     return geometry.meshes.at(0);
 }
 
@@ -117,7 +119,7 @@ TEST(CrossVault, StandsAtAnySizeWithFrictionAndFallsAtAnySizeWithout)
 #endif
     for (const double unit : units) {
         SCOPED_TRACE(unit);
-        const std::optional<ImportedMesh> mesh = read_vault(unit);
+        const std::optional<importers::helper::ImportedMesh> mesh = read_vault(unit);
         if (!mesh) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
         ASSERT_TRUE(mesh->accepted) << mesh->reason;
         ASSERT_EQ(mesh->stones.size(), 184U);
@@ -133,7 +135,7 @@ TEST(CrossVault, ComesToRestWhateverTheRounding)
 {
     for (const double share : {0.0, 1e-15, -1e-14, 1e-13, -1e-13, 4e-12}) {
         SCOPED_TRACE(share);
-        const std::optional<ImportedMesh> mesh = read_vault(0.01 * (1 + share));
+        const std::optional<importers::helper::ImportedMesh> mesh = read_vault(0.01 * (1 + share));
         if (!mesh) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
         const auto [model, span] = make_vault(*mesh, 0.6);
         State state = initial_state(model);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -146,4 +146,4 @@ Estimate estimate(const std::vector<Sample>& samples, const std::vector<double>&
     return result;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 /// What a run gave for one quantity, (components x times): a history, or a single column for a peak or an end
@@ -40,4 +40,4 @@ struct Estimate {
 /// Source: [Richardson1911]; [Roache1994] (grid convergence index).
 Estimate estimate(const std::vector<Sample>& samples, const std::vector<double>& steps, double resolution = 0);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -8,7 +8,7 @@
 #include "app/studies/converge/verdict.h"
 #include "app/words/figures_in_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -27,9 +27,9 @@ std::string file_name(std::size_t number, const std::string& quantity)
 /// nothing a logarithmic scale could show, are left out.
 /// @param abscissa picks x of a row
 template <typename Abscissa>
-Curve curve_of(const Series& series, Abscissa abscissa)
+plots::Curve curve_of(const Series& series, Abscissa abscissa)
 {
-    Curve curve{std::string(name_of(series.integrator)), {}, {}};
+    plots::Curve curve{std::string(results::name_of(series.integrator)), {}, {}};
     if (series.varied == Varied::stiffness) curve.name = title_of(series);
     for (const SeriesRow& row : series.rows) {
         const double together = row.error ? *row.error + series.uncertainty : 0;
@@ -43,9 +43,9 @@ Curve curve_of(const Series& series, Abscissa abscissa)
 /// One curve a series; where there is no such series, nothing is added.
 template <typename Abscissa>
 void add_diagram(const QuantityStudy& study, Varied varied, const std::string& x_title, Abscissa abscissa,
-                 Figure& figure)
+                 plots::Figure& figure)
 {
-    Diagram diagram{x_title, "estimated error with its uncertainty [-]", {}, {}};
+    plots::Diagram diagram{x_title, "estimated error with its uncertainty [-]", {}, {}};
     for (const Series& series : study.series)
         if (series.varied == varied) diagram.curves.push_back(curve_of(series, abscissa));
     for (const double tolerance : tolerances)
@@ -69,14 +69,14 @@ std::vector<std::string> notes_of(const QuantityStudy& study)
 
 }  // namespace
 
-std::vector<Figure> converge_figures(const ConvergeStudy& study)
+std::vector<plots::Figure> converge_figures(const ConvergeStudy& study)
 {
     const auto time_step = [](const SeriesRow& row) { return row.time_step; };
     const auto cpu_time = [](const SeriesRow& row) { return row.cost.cpu(); };
     const auto stiffness = [](const SeriesRow& row) { return row.setting.stiffness_factor; };
-    std::vector<Figure> figures;
+    std::vector<plots::Figure> figures;
     for (const QuantityStudy& quantity : study.quantities) {
-        Figure figure{
+        plots::Figure figure{
             file_name(figures.size(), quantity.name), study.title, quantity.name, {}, false, notes_of(quantity)};
         add_diagram(quantity, Varied::time_step, "time step [s]", time_step, figure);
         add_diagram(quantity, Varied::time_step, "CPU time [s]", cpu_time, figure);
@@ -86,4 +86,4 @@ std::vector<Figure> converge_figures(const ConvergeStudy& study)
     return figures;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

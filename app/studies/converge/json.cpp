@@ -6,7 +6,7 @@
 #include "app/studies/converge/verdict.h"
 #include "app/version/version.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -26,7 +26,7 @@ Json or_null(const std::optional<double>& value)
 
 Json to_json(const Series& series, const SeriesRow& row)
 {
-    return {{"integrator", name_of(row.setting.integrator)},
+    return {{"integrator", results::name_of(row.setting.integrator)},
             {"time_step_s", row.time_step},
             {"time_step_factor", row.setting.step_factor},
             {"stiffness_factor", row.setting.stiffness_factor},
@@ -87,9 +87,9 @@ std::string converge_json(const ConvergeStudy& study)
     const Json json = {{"case", study.case_file},           {"title", study.title},
                        {"overrides", study.overrides},      {"collapse", study.collapse_rule},
                        {"threads", study.threads},          {"notes", study.notes},
-                       {"overall", overall_verdict(study)}, {"engine", Json::parse(engine_json())},
+                       {"overall", overall_verdict(study)}, {"engine", Json::parse(version::engine_json())},
                        {"quantities", quantities}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -6,7 +6,7 @@
 #include "app/words/diagnosis_words.h"
 #include "libdda/run/run.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -70,7 +70,8 @@ MeasuredRun run_setting(const Case& the_case, const ConvergeSetting& setting,
     };
     const RunReport report = run(changed.model, changed.stages, state, observer);
     if (stopped) throw Interrupted();
-    if (report.outcome == Outcome::gave_up) result.failure = message_of(report, changed.model, changed.stages);
+    if (report.outcome == Outcome::gave_up)
+        result.failure = words::message_of(report, changed.model, changed.stages);
     result.cost.steps = report.steps;
     result.cost.step_cuts = report.step_cuts;
     result.cost.iterations = report.open_close_iterations;
@@ -79,4 +80,4 @@ MeasuredRun run_setting(const Case& the_case, const ConvergeSetting& setting,
     return result;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -8,7 +8,7 @@
 #include "app/studies/converge/recorder.h"
 #include "app/studies/converge/setting.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 /// CPU times by the process clock, and counts; of one run or of several added up.
@@ -45,4 +45,4 @@ MeasuredRun run_setting(const Case& the_case, const ConvergeSetting& setting,
                         const std::vector<Quantity>& channels, const CollapseRule& rule,
                         const ConvergeWatch& watch);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

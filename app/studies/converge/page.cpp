@@ -3,7 +3,7 @@
 #include "app/studies/converge/report.h"
 #include "app/studies/converge/verdict.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -51,4 +51,4 @@ std::string converge_page(const ConvergeStudy& study, const std::string& command
     return text;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

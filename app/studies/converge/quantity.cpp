@@ -9,7 +9,7 @@
 #include "libdda/errors.h"
 #include "libdda/model/kinematics.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -72,7 +72,7 @@ std::optional<Quantity> read_word(const std::string& word, const Case& the_case,
     const std::optional<Measure> measure = measure_named(how);
     if (!measure) {
         faults.push_back({"--quantity " + word, "there is no measure \"" + how + "\"",
-                          suggestion(how, {measures.begin(), measures.end()})});
+                          words::suggestion(how, {measures.begin(), measures.end()})});
         return std::nullopt;
     }
     std::vector<std::string> known;
@@ -81,7 +81,8 @@ std::optional<Quantity> read_word(const std::string& word, const Case& the_case,
         each.measure = *measure;
         if (known.back() == what) return each;
     }
-    faults.push_back({"--quantity " + word, "there is no quantity \"" + what + "\"", suggestion(what, known)});
+    faults.push_back(
+        {"--quantity " + word, "there is no quantity \"" + what + "\"", words::suggestion(what, known)});
     return std::nullopt;
 }
 
@@ -110,4 +111,4 @@ std::vector<Quantity> read_quantities(const std::vector<std::string>& words, con
     return chosen;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -6,7 +6,7 @@
 
 #include "app/case/case.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 /// What is followed through a run.
@@ -41,4 +41,4 @@ std::string unit_of(const Quantity& quantity);
 /// @throws InputError with every word that is none, and the nearest that is one
 std::vector<Quantity> read_quantities(const std::vector<std::string>& words, const Case& the_case);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -6,7 +6,7 @@
 #include "app/results/histories.h"
 #include "app/results/surface_mesh.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 using Eigen::Vector3d;
@@ -38,7 +38,7 @@ Recorder::Recorder(const Case& the_case, const std::vector<Quantity>& channels, 
     for (const Quantity& quantity : channels) {
         channels_.push_back({quantity, {}});
         if (quantity.point >= 0)
-            channels_.back().point = material_point(model, the_case.output.histories[quantity.point]);
+            channels_.back().point = results::material_point(model, the_case.output.histories[quantity.point]);
     }
     recording.values.resize(channels.size());
     recording.extents.assign(channels.size(), 0);
@@ -47,7 +47,7 @@ Recorder::Recorder(const Case& the_case, const std::vector<Quantity>& channels, 
 
 void Recorder::step(const State& state)
 {
-    const Vector3d ground = ground_displacement(case_.model, state);
+    const Vector3d ground = results::ground_displacement(case_.model, state);
     follow_blocks(state, ground);
     look_for_collapse(state);
     // In the initial state time does not pass, nor in a static stage: what it ends with replaces what was before.
@@ -107,4 +107,4 @@ Vector3d Recorder::value_of(const Channel& channel, const State& state, const Ve
     return value;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

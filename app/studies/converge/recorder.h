@@ -9,7 +9,7 @@
 #include "app/studies/converge/quantity.h"
 #include "libdda/analysis/material_point.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 /// Every accepted step of the dynamic stages, after the state in which the motion began.
@@ -60,4 +60,4 @@ class Recorder
     std::vector<Eigen::Vector3d> drift_, rest_;  // m, of those blocks: now, and when the motion began
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

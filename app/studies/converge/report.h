@@ -7,7 +7,7 @@
 #include "app/plots/diagram.h"
 #include "app/studies/converge/study.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 /// The tables of all quantities and what they say, for a terminal.
@@ -25,6 +25,6 @@ std::string converge_json(const ConvergeStudy& study);
 
 /// One figure a quantity: error against time step, against CPU time and against contact stiffness. A name is that
 /// of the quantity in letters that every file system takes, with a number before it.
-std::vector<Figure> converge_figures(const ConvergeStudy& study);
+std::vector<plots::Figure> converge_figures(const ConvergeStudy& study);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

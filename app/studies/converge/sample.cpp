@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 using Eigen::Vector3d;
@@ -46,4 +46,4 @@ double value_of(const Quantity& quantity, const Sample& sample)
     return has_sign ? sample(0, 0) : size_of(sample);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

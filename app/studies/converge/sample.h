@@ -6,7 +6,7 @@
 #include "app/studies/converge/estimate.h"
 #include "app/studies/converge/recorder.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 /// Of a history its values at `times`, linear between recorded steps (where a time is a step of the run, as on
@@ -19,4 +19,4 @@ Sample sample_of(const Quantity& quantity, const Recording& recording, const std
 /// The number that stands for a sample in a table: the end of a component with its sign, else the largest size.
 double value_of(const Quantity& quantity, const Sample& sample);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

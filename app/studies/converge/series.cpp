@@ -1,6 +1,6 @@
 #include "app/studies/converge/series.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -56,4 +56,4 @@ const SeriesRow* cheapest(const Series& series, double tolerance)
     return best;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -9,7 +9,7 @@
 #include "app/studies/converge/estimate.h"
 #include "app/studies/converge/measured_run.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 enum class Varied { time_step, stiffness };
@@ -55,4 +55,4 @@ const SeriesRow* cheapest(const Series& series, double tolerance);
 /// What engineers ask of a settled answer, and of a first one.
 inline constexpr double tolerances[] = {0.01, 0.05};
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

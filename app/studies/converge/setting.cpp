@@ -11,7 +11,7 @@
 #include "app/words/quantity.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -71,8 +71,8 @@ std::vector<double> read_steps(const std::vector<std::string>& texts, const Case
     std::vector<double> factors;
     std::vector<std::string> read;
     for (const std::string& text : texts) {
-        const ParsedQuantity quantity = parse_quantity(text);
-        if (quantity.problem.empty() && (quantity.bare || quantity.has(dimension::time))) {
+        const words::ParsedQuantity quantity = words::parse_quantity(text);
+        if (quantity.problem.empty() && (quantity.bare || quantity.has(words::dimension::time))) {
             factors.push_back(quantity.value / own);
             read.push_back(text);
         } else
@@ -101,13 +101,13 @@ std::vector<Integrator> read_integrators(const std::vector<std::string>& names, 
     std::vector<Integrator> integrators{own};
     std::vector<std::string> known;
     for (const Integrator each : {Integrator::newmark, Integrator::energy_decaying}) {
-        known.emplace_back(name_of(each));
+        known.emplace_back(results::name_of(each));
         if (each != own && std::find(names.begin(), names.end(), known.back()) != names.end())
             integrators.push_back(each);
     }
     for (const std::string& name : names)
         if (std::find(known.begin(), known.end(), name) == known.end())
-            faults.push_back({"--integrators", "\"" + name + "\"", suggestion(name, known)});
+            faults.push_back({"--integrators", "\"" + name + "\"", words::suggestion(name, known)});
     return integrators;
 }
 
@@ -148,4 +148,4 @@ Case with_setting(const Case& the_case, const ConvergeSetting& setting)
     return changed;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -6,7 +6,7 @@
 
 #include "app/case/case.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 struct ConvergeSetting {
@@ -43,4 +43,4 @@ ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case);
 /// The case with a setting put in.
 Case with_setting(const Case& the_case, const ConvergeSetting& setting);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

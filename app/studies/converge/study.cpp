@@ -7,7 +7,7 @@
 #include "app/studies/converge/sample.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -225,4 +225,4 @@ ConvergeStudy run_study(const Case& the_case, const SettingList& list, const std
     return study;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -6,7 +6,7 @@
 
 #include "app/studies/converge/series.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 /// One quantity in all series.
@@ -54,4 +54,4 @@ SeriesRow row_of(const ConvergeSetting& setting, const Case& the_case, const Run
 ConvergeStudy run_study(const Case& the_case, const SettingList& list, const std::vector<Quantity>& quantities,
                         const CollapseRule& rule, const ConvergeWatch& watch);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

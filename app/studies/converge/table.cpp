@@ -3,7 +3,7 @@
 #include "app/studies/converge/report.h"
 #include "app/studies/converge/verdict.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -48,4 +48,4 @@ std::string converge_table(const ConvergeStudy& study)
     return text;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

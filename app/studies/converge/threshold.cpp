@@ -10,7 +10,7 @@
 #include "libdda/errors.h"
 #include "libdda/text/words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -20,11 +20,11 @@ constexpr std::string_view between = "..";
 /// A number and what follows it. @returns false when there is no number
 bool split_number(std::string_view text, double& number, std::string& unit)
 {
-    text = trim(text);
+    text = text::trim(text);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc{} || !std::isfinite(number)) return false;
     text.remove_prefix(end - text.data());
-    unit = trim(text);
+    unit = text::trim(text);
     return true;
 }
 
@@ -160,4 +160,4 @@ ConvergeStudy run_threshold_study(const Case& the_case, const SettingList& list,
     return study;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

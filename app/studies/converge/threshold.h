@@ -7,7 +7,7 @@
 
 #include "app/studies/converge/study.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 /// "foundation.motion.x.scale=1..3", "stages[0].body_acceleration[0].x.sine.acceleration=0.1 g..0.5 g".
@@ -31,4 +31,4 @@ ConvergeStudy run_threshold_study(const Case& the_case, const SettingList& list,
                                   const CollapseRule& rule, int threads, const ConvergeWatch& watch,
                                   const CaseReader& read);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

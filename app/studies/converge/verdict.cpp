@@ -8,7 +8,7 @@
 #include "app/results/settings.h"
 #include "app/words/figures_in_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -82,14 +82,15 @@ bool meets_everywhere(const ConvergeStudy& study, std::size_t series, std::size_
 
 std::string title_of(const Series& series)
 {
-    const std::string integrator(name_of(series.integrator));
+    const std::string integrator(results::name_of(series.integrator));
     if (series.varied == Varied::time_step) return "time step, " + integrator;
-    return fmt::format("contact stiffness, {}, at {}", integrator, step_in_words(series.rows.front().time_step));
+    return fmt::format("contact stiffness, {}, at {}", integrator,
+                       words::step_in_words(series.rows.front().time_step));
 }
 
 std::string setting_in_words(const Series& series, const SeriesRow& row)
 {
-    if (series.varied == Varied::time_step) return step_in_words(row.time_step);
+    if (series.varied == Varied::time_step) return words::step_in_words(row.time_step);
     return fmt::format("x {:g}", row.setting.stiffness_factor);
 }
 
@@ -101,7 +102,7 @@ std::string value_in_words(const std::optional<double>& value, const std::string
 
 std::string share_in_words(const std::optional<double>& share)
 {
-    return share ? error_in_words(*share) : "-";
+    return share ? words::error_in_words(*share) : "-";
 }
 
 std::string error_of(const Series& series, const SeriesRow& row)
@@ -172,4 +173,4 @@ std::vector<std::string> overall_verdict(const ConvergeStudy& study)
     return lines;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -7,7 +7,7 @@
 
 #include "app/studies/converge/study.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 
 /// "time step, newmark", "contact stiffness, newmark, at 1 ms".
@@ -40,4 +40,4 @@ std::vector<std::string> verdict(const QuantityStudy& study, const Series& serie
 /// time steps in which any is; empty with a single quantity.
 std::vector<std::string> overall_verdict(const ConvergeStudy& study);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

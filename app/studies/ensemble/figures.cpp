@@ -2,7 +2,7 @@
 
 #include "app/studies/ensemble/report.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 namespace
@@ -10,10 +10,10 @@ namespace
 
 constexpr std::size_t max_points = 1500;  // of a curve: more than a picture is wide
 
-Curve curve_of(const std::string& name, const std::vector<double>& times,
-               const std::vector<Eigen::Vector3d>& history)
+plots::Curve curve_of(const std::string& name, const std::vector<double>& times,
+                      const std::vector<Eigen::Vector3d>& history)
 {
-    Curve curve{name, {}, {}};
+    plots::Curve curve{name, {}, {}};
     const std::size_t every = 1 + times.size() / max_points;
     for (std::size_t i = 0; i < times.size(); i += every) {
         curve.x.push_back(times[i]);
@@ -24,13 +24,13 @@ Curve curve_of(const std::string& name, const std::vector<double>& times,
 
 }  // namespace
 
-std::vector<Figure> ensemble_figures(const EnsembleStudy& study)
+std::vector<plots::Figure> ensemble_figures(const EnsembleStudy& study)
 {
-    Figure figure{
+    plots::Figure figure{
         "drift", study.title, fmt::format("{} = {}", study.variation.key, fmt::join(study.variation.values, ", ")),
         {},      true,        {}};
     for (std::size_t point = 0; point < study.points.size(); ++point) {
-        Diagram diagram{"time [s]", study.points[point] + " [mm]", {}, {}, false, false, false};
+        plots::Diagram diagram{"time [s]", study.points[point] + " [mm]", {}, {}, false, false, false};
         for (const auto& runs : study.runs)
             for (const MemberRun& run : runs)
                 diagram.curves.push_back(curve_of(setting_in_words(study, run.setting), run.recording.times,
@@ -40,4 +40,4 @@ std::vector<Figure> ensemble_figures(const EnsembleStudy& study)
     return {figure};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

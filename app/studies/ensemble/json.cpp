@@ -4,7 +4,7 @@
 #include "app/studies/ensemble/report.h"
 #include "app/version/version.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 namespace
@@ -69,7 +69,7 @@ Json to_json(const MeasureStudy& study)
 std::string ensemble_json(const EnsembleStudy& study)
 {
     Json settings = Json::array(), runs = Json::array(), measures = Json::array();
-    for (const ConvergeSetting& each : study.settings)
+    for (const converge::ConvergeSetting& each : study.settings)
         settings.push_back(
             {{"time_step_s", each.step_factor * study.time_step}, {"stiffness_factor", each.stiffness_factor}});
     for (const auto& row : study.runs)
@@ -77,7 +77,7 @@ std::string ensemble_json(const EnsembleStudy& study)
     for (const MeasureStudy& each : study.measures) measures.push_back(to_json(each));
     const Json json = {{"case", study.case_file},
                        {"title", study.title},
-                       {"engine", Json::parse(engine_json())},
+                       {"engine", Json::parse(version::engine_json())},
                        {"overrides", study.overrides},
                        {"warnings", study.warnings},
                        {"varied", study.variation.key},
@@ -93,4 +93,4 @@ std::string ensemble_json(const EnsembleStudy& study)
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 namespace
@@ -73,4 +73,4 @@ double range_of(const std::vector<double>& values)
     return *least == *most ? 0 : *most - *least;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

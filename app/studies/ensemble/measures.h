@@ -6,7 +6,7 @@
 
 #include "app/studies/ensemble/member_run.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 struct EnsembleMeasure {
@@ -27,4 +27,4 @@ double median_of(std::vector<double> values);
 /// Largest less smallest; 0 where all are infinite, NaN if one value is NaN or there is none.
 double range_of(const std::vector<double>& values);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

@@ -10,7 +10,7 @@
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/run/run.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 namespace
@@ -67,20 +67,20 @@ class OpeningBook
     std::vector<bool> opened_;
 };
 
-std::vector<Quantity> drifts_of(const Case& member)
+std::vector<converge::Quantity> drifts_of(const Case& member)
 {
-    std::vector<Quantity> drifts;
+    std::vector<converge::Quantity> drifts;
     for (int point = 0; point < static_cast<int>(member.output.histories.size()); ++point)
-        drifts.push_back({Field::drift, point, -1, Measure::history, point});
+        drifts.push_back({converge::Field::drift, point, -1, converge::Measure::history, point});
     return drifts;
 }
 
 }  // namespace
 
-MemberRun run_member(const Case& member, const ConvergeSetting& setting, double limit,
+MemberRun run_member(const Case& member, const converge::ConvergeSetting& setting, double limit,
                      const std::function<bool()>& stop)
 {
-    Case changed = with_setting(member, setting);
+    Case changed = converge::with_setting(member, setting);
     for (std::size_t i = 0; i < changed.stages.size(); ++i) {
         changed.stages[i].control.threads = 1;
         changed.stages[i].control.integrator = member.stages[i].control.integrator;
@@ -88,22 +88,23 @@ MemberRun run_member(const Case& member, const ConvergeSetting& setting, double 
     MemberRun result;
     OpeningBook openings(changed.model, limit);
     State state = initial_state(changed.model);
-    Recorder recorder(changed, drifts_of(changed), {});
-    const double start = thread_time();
+    converge::Recorder recorder(changed, drifts_of(changed), {});
+    const double start = importers::process::thread_time();
     double rest = start;
     RunObserver observer;
     observer.every = changed.output.every;
     observer.frame = [&](const State& now, const RunReport&) { openings.look(now, result); };
     observer.step = [&](const State& now, const StepReport&, const RunReport&) {
         recorder.step(now);
-        if (now.time == 0) rest = thread_time();
+        if (now.time == 0) rest = importers::process::thread_time();
     };
     observer.stop = [&] { return (stop && stop()) || recorder.collapse; };
     const RunReport report = run(changed.model, changed.stages, state, observer);
-    result.cpu = thread_time() - start;
-    result.cpu_dynamic = thread_time() - rest;
-    if (report.outcome == Outcome::gave_up) result.failure = message_of(report, changed.model, changed.stages);
-    result.warnings = warnings_of(report, changed.model, changed.stages);
+    result.cpu = importers::process::thread_time() - start;
+    result.cpu_dynamic = importers::process::thread_time() - rest;
+    if (report.outcome == Outcome::gave_up)
+        result.failure = words::message_of(report, changed.model, changed.stages);
+    result.warnings = words::warnings_of(report, changed.model, changed.stages);
     result.steps = report.steps;
     result.step_cuts = report.step_cuts;
     result.iterations = report.open_close_iterations;
@@ -114,4 +115,4 @@ MemberRun run_member(const Case& member, const ConvergeSetting& setting, double 
     return result;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

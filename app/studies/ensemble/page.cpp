@@ -4,7 +4,7 @@
 
 #include "app/studies/ensemble/report.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 namespace
@@ -95,4 +95,4 @@ std::string ensemble_page(const EnsembleStudy& study, const std::string& command
     return text + "\n" + measures_table(study) + "\n" + runs_table(study) + warnings_of(study);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

@@ -7,7 +7,7 @@
 #include "app/plots/diagram.h"
 #include "app/studies/ensemble/study.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 /// One finished run, in a line.
@@ -30,6 +30,6 @@ std::string ensemble_page(const EnsembleStudy& study, const std::string& command
 std::string ensemble_json(const EnsembleStudy& study);
 
 /// One figure: the drift of each point over time, one curve a run, one colour a setting.
-std::vector<Figure> ensemble_figures(const EnsembleStudy& study);
+std::vector<plots::Figure> ensemble_figures(const EnsembleStudy& study);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

@@ -12,7 +12,7 @@
 #include "app/studies/converge/measured_run.h"
 #include "app/words/figures_in_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 namespace
@@ -49,7 +49,7 @@ class Queue
     void rethrow() const
     {
         if (failure_) std::rethrow_exception(failure_);
-        if (stopped_) throw Interrupted();
+        if (stopped_) throw converge::Interrupted();
     }
 
  private:
@@ -93,9 +93,9 @@ void run_all(const std::vector<Case>& members, const EnsembleWatch& watch, Ensem
     queue.rethrow();
 }
 
-std::vector<ConvergeSetting> settings_of(const Integrator integrator, double stiffness_factor)
+std::vector<converge::ConvergeSetting> settings_of(const Integrator integrator, double stiffness_factor)
 {
-    std::vector<ConvergeSetting> settings{{integrator, 1, 1}, {integrator, 0.5, 1}};
+    std::vector<converge::ConvergeSetting> settings{{integrator, 1, 1}, {integrator, 0.5, 1}};
     if (stiffness_factor != 1) settings.push_back({integrator, 1, stiffness_factor});
     return settings;
 }
@@ -103,7 +103,7 @@ std::vector<ConvergeSetting> settings_of(const Integrator integrator, double sti
 /// A study of nothing yet, with what the case says of itself.
 EnsembleStudy begin_ensemble(const Case& member, const Variation& variation, const EnsembleChoices& choices)
 {
-    const StepControl& control = first_dynamic_stage(member).control;
+    const StepControl& control = converge::first_dynamic_stage(member).control;
     EnsembleStudy study;
     study.case_file = member.file.string();
     study.title = member.title;
@@ -162,8 +162,8 @@ bool EnsembleStudy::agrees() const
 
 std::string setting_in_words(const EnsembleStudy& study, std::size_t setting)
 {
-    const ConvergeSetting& each = study.settings[setting];
-    std::string words = step_in_words(each.step_factor * study.time_step);
+    const converge::ConvergeSetting& each = study.settings[setting];
+    std::string words = words::step_in_words(each.step_factor * study.time_step);
     if (each.stiffness_factor != 1) words += fmt::format(", contact stiffness x {:g}", each.stiffness_factor);
     return words;
 }
@@ -179,4 +179,4 @@ EnsembleStudy run_ensemble(const std::vector<Case>& members, const Variation& va
     return study;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

@@ -11,7 +11,7 @@
 #include "app/studies/ensemble/measures.h"
 #include "app/studies/ensemble/variation.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 struct EnsembleChoices {
@@ -41,10 +41,10 @@ struct EnsembleStudy {
     std::vector<std::string> overrides;
     Variation variation;
     EnsembleChoices choices;
-    double time_step = 0;                      // s, of the first dynamic stage of the case
-    std::vector<ConvergeSetting> settings;     // h, h / 2, and the stiffness
-    std::vector<std::string> points;           // of the histories
-    std::vector<std::vector<MemberRun>> runs;  // (settings x members)
+    double time_step = 0;                             // s, of the first dynamic stage of the case
+    std::vector<converge::ConvergeSetting> settings;  // h, h / 2, and the stiffness
+    std::vector<std::string> points;                  // of the histories
+    std::vector<std::vector<MemberRun>> runs;         // (settings x members)
     std::vector<MeasureStudy> measures;
     std::vector<std::string> motions;   // what shook it
     std::vector<std::string> warnings;  // of reading the case, repairs included
@@ -66,4 +66,4 @@ std::string setting_in_words(const EnsembleStudy& study, std::size_t setting);
 EnsembleStudy run_ensemble(const std::vector<Case>& members, const Variation& variation,
                            const EnsembleChoices& choices, const EnsembleWatch& watch);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

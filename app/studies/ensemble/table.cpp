@@ -5,7 +5,7 @@
 #include "app/studies/ensemble/report.h"
 #include "app/words/figures_in_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 namespace
@@ -90,4 +90,4 @@ std::string ensemble_table(const EnsembleStudy& study)
     return text + "\n" + verdict_of(study) + "\n";
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

@@ -6,7 +6,7 @@
 #include "app/studies/converge/setting.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 Variation read_variation(const std::string& text)
@@ -40,7 +40,8 @@ std::vector<std::string> points_of(const Case& member)
 /// Members have the same points and the same time step, which may be halved.
 void expect_comparable(const Case& member, const Case& first)
 {
-    const StepControl &control = first_dynamic_stage(member).control, &other = first_dynamic_stage(first).control;
+    const StepControl &control = converge::first_dynamic_stage(member).control,
+                      &other = converge::first_dynamic_stage(first).control;
     if (points_of(member) != points_of(first) || control.time_step != other.time_step ||
         member.stages.size() != first.stages.size())
         throw InputError(
@@ -71,4 +72,4 @@ std::vector<Case> read_members(const std::filesystem::path& file, const std::vec
     return members;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

@@ -6,7 +6,7 @@
 
 #include "app/case/case.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 struct Variation {
@@ -22,4 +22,4 @@ Variation read_variation(const std::string& text);
 std::vector<Case> read_members(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                                const Variation& variation, const CaseReader& read);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 
 JointMaterial dry_joint(double friction)
@@ -46,4 +46,4 @@ ContactStiffness stiffness_by_rule(const SceneSetting& setting, double complianc
             *setting.stiffness_factor * default_stiffness(setting.kinematics, compliance)};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

@@ -4,7 +4,7 @@
 #include "app/studies/scenes/scene_setting.h"
 #include "libdda/model/model.h"
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 
 /// A dry joint with Shi's stiffness per contact point. @param friction coefficient; @param stiffness [N/m]
@@ -26,4 +26,4 @@ ContactStiffness stiffness_by_rule(const SceneSetting& setting, double complianc
 /// 2 f / compliance, f = 10 for deformable blocks and 1 for rigid ones [Pa/m].
 double default_stiffness(Kinematics kinematics, double compliance);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

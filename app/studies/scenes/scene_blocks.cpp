@@ -1,7 +1,7 @@
 #include "app/studies/scenes/scene_blocks.h"
 #include "libdda/contact/initial_contacts.h"
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 namespace
 {
@@ -58,4 +58,4 @@ StartContact start_contact(const Model& model)
     return is_planar(model.kinematics) ? first_of(state.planar_contacts) : first_of(state.contacts);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

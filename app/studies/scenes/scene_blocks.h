@@ -7,7 +7,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/state.h"
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 
 /// make_model for a scene that may be planar: a slice of `thickness` [m] that nothing pushes sideways (plane
@@ -32,4 +32,4 @@ struct StartContact {
 };
 StartContact start_contact(const Model& model);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

@@ -6,7 +6,7 @@
 #include "libdda/model/kinematics.h"
 #include "libdda/model/step_control.h"
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 
 /// What studies vary of a scene.
@@ -18,4 +18,4 @@ struct SceneSetting {
     std::optional<double> stiffness_factor;  // times the documented default contact stiffness
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 
 using Eigen::Vector3d;
@@ -62,4 +62,4 @@ ConvexPolyhedron prism(const std::vector<Eigen::Vector2d>& section, double from,
     return make_convex_polyhedron(std::move(vertices), std::move(faces), "prism");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

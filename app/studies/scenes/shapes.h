@@ -6,7 +6,7 @@
 
 #include "libdda/geometry/convex_polyhedron.h"
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 
 /// Eight faces, the six corners at `radius` [m] along the axes. @param scale factor along each axis
@@ -22,4 +22,4 @@ ConvexPolyhedron bar_on_edge(const Eigen::Vector3d& centre, int axis, double len
 /// A prism along x. @param section (n) corners (y, z) [m], counter-clockwise seen from +x; @param from, to [m]
 ConvexPolyhedron prism(const std::vector<Eigen::Vector2d>& section, double from, double to);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

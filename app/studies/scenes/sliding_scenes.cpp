@@ -8,7 +8,7 @@
 #include "app/studies/scenes/scene_blocks.h"
 #include "app/studies/scenes/shapes.h"
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 namespace
 {
@@ -110,4 +110,4 @@ double stiffness_per_point(const SlidingScene& scene)
     return contact.stiffness * contact.area_per_point;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

@@ -11,7 +11,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 
 constexpr double degree = std::numbers::pi / 180;  // rad
@@ -69,4 +69,4 @@ void scale_stiffness(Model& model, double factor);
 /// The stiffness of a contact point of the scene as it stands at the start [N/m], Shi's g0 of the papers.
 double stiffness_per_point(const SlidingScene& scene);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

@@ -1,6 +1,6 @@
 #include "app/studies/scenes/stages.h"
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 
 Stage rest_stage(double g)
@@ -61,4 +61,4 @@ Stage dynamic_stage(const SceneSetting& setting, double duration, const Eigen::V
     return stage;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

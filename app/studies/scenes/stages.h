@@ -7,7 +7,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 
-namespace voussoir
+namespace voussoir::app::studies::scenes
 {
 
 constexpr double papers_gravity = 9.81;  // m/s2, the papers'
@@ -29,4 +29,4 @@ Stage static_stage(const SceneSetting& setting, const Eigen::Vector3d& g = {0, 0
 Stage dynamic_stage(const SceneSetting& setting, double duration,
                     const Eigen::Vector3d& g = {0, 0, -papers_gravity});
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::scenes

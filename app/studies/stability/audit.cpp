@@ -9,7 +9,7 @@
 #include "app/studies/stability/engine.h"
 #include "app/words/figures_in_words.h"
 
-namespace voussoir::stability
+namespace voussoir::app::studies::stability
 {
 namespace
 {
@@ -85,16 +85,16 @@ void refuse_interpenetration(const Model& model, CellRun& cell)
 void run_at_rest(const Model& model, double time_step, double duration, double g, CellRun& cell)
 {
     State state = initial_state(model);
-    if (!run_counted(model, {rest_stage(g)}, state, {}, cell)) return;
+    if (!run_counted(model, {scenes::rest_stage(g)}, state, {}, cell)) return;
     const double weight = weight_of(model, g);
     const double unbalanced = weight > 0 ? std::abs(pressure_on_ground(model, state) - weight) / weight : 0;
     const State rest = state;
     state.stage = 0;
     begin_stage(model, 0, state);
-    if (!run_counted(model, {motion_stage(duration, time_step, g)}, state, {}, cell)) return;
+    if (!run_counted(model, {scenes::motion_stage(duration, time_step, g)}, state, {}, cell)) return;
     const double drift = farthest_from(model, rest, state) / smallest_size(model);
     cell.error = std::max(unbalanced, drift);
-    cell.note = fmt::format("force {}, drift {}", error_in_words(unbalanced), error_in_words(drift));
+    cell.note = fmt::format("force {}, drift {}", words::error_in_words(unbalanced), words::error_in_words(drift));
     cell.energy_residual = std::numeric_limits<double>::quiet_NaN();  // nothing moved: a share of nothing
     refuse_interpenetration(model, cell);
 }
@@ -118,12 +118,12 @@ void run_audited(const Model& model, const Stage& motion, double lowest, State& 
     cell.note = fmt::format(
         "unaccounted {}, appeared {}, given by newly detected contacts {} of {:.3g} J; at the end friction "
         "{:.3g}, integrator {:.3g}, rotation {:.3g}, redetection {:.3g} J",
-        error_in_words(cell.energy_residual), error_in_words(gained), error_in_words(given), scale, last.friction,
-        last.algorithmic, last.algorithmic_rotation, last.redetection);
+        words::error_in_words(cell.energy_residual), words::error_in_words(gained), words::error_in_words(given),
+        scale, last.friction, last.algorithmic, last.algorithmic_rotation, last.redetection);
     refuse_interpenetration(model, cell);
     if (lowest_centroid(model, state) >= lowest) return;
     cell.note += "; a block fell through the ground";
     cell.error = infinity;
 }
 
-}  // namespace voussoir::stability
+}  // namespace voussoir::app::studies::stability

@@ -7,7 +7,7 @@
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
-namespace voussoir::stability
+namespace voussoir::app::studies::stability
 {
 
 /// Brings the scene to rest, keeps it there for `duration` [s] with no damping but the integrator's, and sets the
@@ -35,4 +35,4 @@ void refuse_interpenetration(const Model& model, CellRun& cell);
 /// size_of the smallest block that has unknowns [m].
 double smallest_size(const Model& model);
 
-}  // namespace voussoir::stability
+}  // namespace voussoir::app::studies::stability

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace voussoir::stability
+namespace voussoir::app::studies::stability
 {
 
 /// N/m per contact point.
@@ -16,4 +16,4 @@ inline constexpr std::array<double, 6> time_steps{1e-5, 1e-4, 1e-3, 5e-3, 1e-2, 
 /// s; three decades. What a cell is compared with takes a tenth of them.
 inline constexpr std::array<double, 6> wall_time_steps{2e-5, 1e-4, 1e-3, 5e-3, 1e-2, 2e-2};
 
-}  // namespace voussoir::stability
+}  // namespace voussoir::app::studies::stability

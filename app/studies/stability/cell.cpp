@@ -6,7 +6,7 @@
 
 #include "app/studies/stability/families.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 
 std::vector<StabilityScene> stability_scenes(const CaseReader& read)
@@ -23,4 +23,4 @@ std::string in_words(const CellParameter& parameter)
     return fmt::format("{:.4g}{}{}", parameter.value, parameter.unit.empty() ? "" : " ", parameter.unit);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -8,7 +8,7 @@
 
 #include "app/case/case.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 
 /// "contact stiffness", 1e8, "N/m".
@@ -63,4 +63,4 @@ std::vector<StabilityScene> stability_scenes(const CaseReader& read);
 /// "1e+08 N/m", "rigid".
 std::string in_words(const CellParameter& parameter);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

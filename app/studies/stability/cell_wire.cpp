@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
@@ -109,4 +109,4 @@ std::string stability_json(const std::vector<CellResult>& results, const std::st
     return text_of({{"cells", cells}, {"engine", json::parse(engine)}}, 2);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

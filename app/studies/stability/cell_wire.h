@@ -7,7 +7,7 @@
 #include "app/studies/stability/cell.h"
 #include "app/studies/stability/runner.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 
 /// Which cell to run, and what it may take.
@@ -32,4 +32,4 @@ CellRun cell_run_from_json(const std::string& text);
 /// @param engine JSON text of engine_json
 std::string stability_json(const std::vector<CellResult>& results, const std::string& engine);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

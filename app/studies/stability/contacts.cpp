@@ -9,12 +9,11 @@
 #include "app/studies/stability/engine.h"
 #include "app/studies/stability/families.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
 
-using namespace stability;
 using Eigen::Vector3d;
 
 constexpr double stiffness = 1e8;  // N/m, per contact point: an area of next to nothing has none by the rule
@@ -22,15 +21,15 @@ constexpr double stiffness = 1e8;  // N/m, per contact point: an area of next to
 /// A slab of 1 x 1 x 0.3 m with three needles under it whose tips are squares of side `tip` [m].
 CellRun run_needles(double tip, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.6, stiffness));
-    hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.6, stiffness));
+    scenes::hold(model, scenes::add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
     std::vector<ConvexPolyhedron> parts{make_box({-0.5, -0.5, 0.2}, {0.5, 0.5, 0.5})};
     for (const Eigen::Vector2d& place :
          {Eigen::Vector2d(-0.4, -0.4), Eigen::Vector2d(0.4, -0.4), Eigen::Vector2d(0, 0.4)})
-        parts.push_back(needle(place, tip, 0, 0.1, 0.2));
+        parts.push_back(scenes::needle(place, tip, 0, 0.1, 0.2));
     model.blocks.push_back(make_block("stone", 0, 0, std::move(parts)));
     CellRun cell;
-    run_at_rest(model, time_step, 1, papers_gravity, cell);
+    run_at_rest(model, time_step, 1, scenes::papers_gravity, cell);
     return cell;
 }
 
@@ -40,21 +39,21 @@ enum class Touch { vertex_on_vertex, edge_on_edge, edge_on_parallel_edge };
 /// A stone dropped from 0.2 m on a held one, `beside` [m] its middle; then it rolls off onto the ground.
 CellRun run_drop(Touch touch, double beside, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.6));
-    hold(model, add_box(model, "ground", {-8, -8, -1}, {8, 8, 0}));
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.6));
+    scenes::hold(model, scenes::add_box(model, "ground", {-8, -8, -1}, {8, 8, 0}));
     const Vector3d above(beside, beside / 2, 1.3);
     if (touch == Touch::vertex_on_vertex) {
-        model.blocks.push_back(make_block("below", 0, 0, {octahedron({0, 0, 0.3}, {0.3, 0.3, 0.3})}));
-        model.blocks.push_back(make_block("above", 0, 0, {octahedron(above, {0.5, 0.5, 0.5})}));
+        model.blocks.push_back(make_block("below", 0, 0, {scenes::octahedron({0, 0, 0.3}, {0.3, 0.3, 0.3})}));
+        model.blocks.push_back(make_block("above", 0, 0, {scenes::octahedron(above, {0.5, 0.5, 0.5})}));
     } else {
         const int axis = touch == Touch::edge_on_edge ? 1 : 0;
-        model.blocks.push_back(make_block("below", 0, 0, {bar_on_edge({0, 0, 0.3}, 0, 2, 0.6)}));
-        model.blocks.push_back(make_block("above", 0, 0, {bar_on_edge(above, axis, 2, 1)}));
+        model.blocks.push_back(make_block("below", 0, 0, {scenes::bar_on_edge({0, 0, 0.3}, 0, 2, 0.6)}));
+        model.blocks.push_back(make_block("above", 0, 0, {scenes::bar_on_edge(above, axis, 2, 1)}));
     }
-    hold(model, 1);
+    scenes::hold(model, 1);
     State state = initial_state(model);
     CellRun cell;
-    run_audited(model, motion_stage(1.5, time_step), 0, state, cell);
+    run_audited(model, scenes::motion_stage(1.5, time_step), 0, state, cell);
     return cell;
 }
 
@@ -104,4 +103,4 @@ StabilityScene point_scene()
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -10,12 +10,11 @@
 #include "app/studies/stability/families.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
 
-using namespace stability;
 using Eigen::Vector3d;
 
 /// A folder that goes with what is in it.
@@ -105,4 +104,4 @@ StabilityScene coordinate_scene(const CaseReader& read)
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -9,7 +9,7 @@
 #include "importers/process/thread_time.h"
 #include "libdda/analysis/diagnosis.h"
 
-namespace voussoir::stability
+namespace voussoir::app::studies::stability
 {
 
 namespace
@@ -19,7 +19,7 @@ namespace
 void note_warnings(const Model& model, const std::vector<Stage>& stages, const RunReport& report, CellRun& cell)
 {
     for (const auto& warning : {energy_warning(report.energy), overlap_warning(report)})
-        if (warning) cell.warning += (cell.warning.empty() ? "" : "; ") + in_words(*warning, model, stages);
+        if (warning) cell.warning += (cell.warning.empty() ? "" : "; ") + words::in_words(*warning, model, stages);
 }
 
 }  // namespace
@@ -27,15 +27,15 @@ void note_warnings(const Model& model, const std::vector<Stage>& stages, const R
 bool run_counted(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer,
                  CellRun& cell)
 {
-    const double start = thread_time();
+    const double start = importers::process::thread_time();
     const RunReport report = run(model, stages, state, observer);
-    cell.cpu_time += thread_time() - start;
+    cell.cpu_time += importers::process::thread_time() - start;
     cell.steps += report.steps;
     cell.step_cuts += report.step_cuts;
     cell.iterations += report.open_close_iterations;
     cell.energy_residual = report.energy.relative_residual();
     cell.max_penetration = std::max(cell.max_penetration, report.max_penetration);
-    if (report.outcome == Outcome::gave_up) cell.diagnosis = message_of(report, model, stages);
+    if (report.outcome == Outcome::gave_up) cell.diagnosis = words::message_of(report, model, stages);
     note_warnings(model, stages, report, cell);
     return report.outcome != Outcome::gave_up;
 }
@@ -44,7 +44,7 @@ std::string run_reference(const Model& model, const std::vector<Stage>& stages, 
                           const RunObserver& observer)
 {
     const RunReport report = run(model, stages, state, observer);
-    return report.outcome == Outcome::gave_up ? message_of(report, model, stages) : "";
+    return report.outcome == Outcome::gave_up ? words::message_of(report, model, stages) : "";
 }
 
 std::string cell_name(const std::string& scene, const std::vector<std::string>& parts)
@@ -73,4 +73,4 @@ StabilityCell& add_cell(StabilityScene& scene, const std::string& label, std::ve
     return scene.cells.back();
 }
 
-}  // namespace voussoir::stability
+}  // namespace voussoir::app::studies::stability

@@ -12,7 +12,7 @@
 #include "libdda/model/state.h"
 #include "libdda/run/run.h"
 
-namespace voussoir::stability
+namespace voussoir::app::studies::stability
 {
 
 /// Runs the stages from the state and counts into `cell`.
@@ -34,4 +34,4 @@ std::string cell_name(const std::string& scene, const std::vector<std::string>& 
 StabilityCell& add_cell(StabilityScene& scene, const std::string& label, std::vector<CellParameter> parameters,
                         double time_step, std::function<CellRun()> run);
 
-}  // namespace voussoir::stability
+}  // namespace voussoir::app::studies::stability

@@ -6,7 +6,7 @@
 
 #include "app/studies/stability/cell.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 
 StabilityScene sliding_scene();  // a block on an elastic-frictional spring, over stiffness and time step
@@ -33,4 +33,4 @@ StabilityScene landing_scene();  // a rocking block comes down
 StabilityScene many_scene();  // 1,000 blocks stand
 StabilityScene heap_scene();  // hundreds fall
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

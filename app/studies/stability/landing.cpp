@@ -9,12 +9,11 @@
 #include "app/studies/stability/engine.h"
 #include "app/studies/stability/families.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
 
-using namespace stability;
 using Eigen::Vector3d;
 
 constexpr double lean = 0.1, height = 3, width = 1, thickness = 0.2;  // rad, m
@@ -23,8 +22,8 @@ constexpr double lean = 0.1, height = 3, width = 1, thickness = 0.2;  // rad, m
 /// other, must not give it more swing than it had.
 CellRun run_landing(double stiffness, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(1.5, stiffness));
-    hold(model, add_box(model, "base", {-20, -2, -2}, {20, 2, 0}));
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(1.5, stiffness));
+    scenes::hold(model, scenes::add_box(model, "base", {-20, -2, -2}, {20, 2, 0}));
     const Eigen::AngleAxisd turn(lean, Vector3d::UnitY());
     std::vector<Vector3d> corners;
     const ConvexPolyhedron box = make_box({-width, -thickness / 2, 0}, {0, thickness / 2, height});
@@ -32,7 +31,7 @@ CellRun run_landing(double stiffness, double time_step)
     model.blocks.push_back(make_block("pier", 0, 0, {make_convex_polyhedron(corners, box.faces, "pier")}));
     State state = initial_state(model);
     CellRun cell;
-    run_audited(model, motion_stage(6, time_step), 0, state, cell);
+    run_audited(model, scenes::motion_stage(6, time_step), 0, state, cell);
     return cell;
 }
 
@@ -59,4 +58,4 @@ StabilityScene landing_scene()
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -13,19 +13,18 @@
 #include "app/studies/stability/run_down.h"
 #include "libdda/analysis/energies.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
 
-using namespace stability;
 using Eigen::Vector3d;
 
 Model slab_on_incline(double friction)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(friction));
-    hold(model, add_box(model, "base", {-2, -2, -1}, {60, 2, 0}));
-    add_box(model, "slab", {-0.5, -0.5, 0}, {0.5, 0.5, 0.1});
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(friction));
+    scenes::hold(model, scenes::add_box(model, "base", {-2, -2, -1}, {60, 2, 0}));
+    scenes::add_box(model, "slab", {-0.5, -0.5, 0}, {0.5, 0.5, 0.1});
     return model;
 }
 
@@ -33,15 +32,15 @@ CellRun run_friction(double angle, double friction_angle, double time_step)
 {
     const double friction = std::tan(friction_angle * std::numbers::pi / 180);
     CellRun cell;
-    run_down(slab_on_incline(friction), angle, friction, papers_gravity, time_step, cell);
+    run_down(slab_on_incline(friction), angle, friction, scenes::papers_gravity, time_step, cell);
     return cell;
 }
 
 /// A brick without gravity, thrown and spinning about all axes.
 CellRun run_flight(Kinematics kinematics, double time_step)
 {
-    Model model = make_model(kinematics, stone(), dry_joint(0.6));
-    add_box(model, "brick", {0, 0, 0}, {0.5, 0.25, 0.1});
+    Model model = make_model(kinematics, scenes::stone(), scenes::dry_joint(0.6));
+    scenes::add_box(model, "brick", {0, 0, 0}, {0.5, 0.25, 0.1});
     State state = initial_state(model);
     const Vector3d velocity(3, -2, 1), spin(2, 5, -3);
     double* rates = state.velocities.data();
@@ -53,7 +52,7 @@ CellRun run_flight(Kinematics kinematics, double time_step)
     const Vector3d momentum = angular_momentum(model, state, 0);
     const double energy = kinetic_energy(model, state);
     CellRun cell;
-    if (!run_counted(model, {motion_stage(10, time_step, 0)}, state, {}, cell)) return cell;
+    if (!run_counted(model, {scenes::motion_stage(10, time_step, 0)}, state, {}, cell)) return cell;
     const Vector3d start = Vector3d(0.25, 0.125, 0.05), end = pose_of(kinematics, state, 0).centroid;
     cell.error =
         std::max({(angular_momentum(model, state, 0) - momentum).norm() / momentum.norm(),
@@ -65,10 +64,11 @@ CellRun run_flight(Kinematics kinematics, double time_step)
 /// Ten cubes of 0.5 m on one another.
 Model stack(double friction)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(friction));
-    hold(model, add_box(model, "base", {-20, -20, -1}, {20, 20, 0}));
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(friction));
+    scenes::hold(model, scenes::add_box(model, "base", {-20, -20, -1}, {20, 20, 0}));
     for (int i = 0; i < 10; ++i)
-        add_box(model, fmt::format("cube {}", i + 1), {-0.25, -0.25, 0.5 * i}, {0.25, 0.25, 0.5 * (i + 1)});
+        scenes::add_box(model, fmt::format("cube {}", i + 1), {-0.25, -0.25, 0.5 * i},
+                        {0.25, 0.25, 0.5 * (i + 1)});
     return model;
 }
 
@@ -84,14 +84,14 @@ CellRun run_shaken_stack(double shaking, double frequency, double time_step)
     const Model model = stack(0.6);
     State state = initial_state(model);
     CellRun cell;
-    if (!run_counted(model, {rest_stage()}, state, {}, cell)) return cell;
-    Stage motion = motion_stage(2, time_step);
+    if (!run_counted(model, {scenes::rest_stage()}, state, {}, cell)) return cell;
+    Stage motion = scenes::motion_stage(2, time_step);
     const auto wave = [&](double a, double f) {
         return std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(a, f, 0, 2));
     };
-    motion.motions = {{0, 0, wave(shaking * papers_gravity, frequency)},
-                      {0, 1, wave(0.8 * shaking * papers_gravity, 1.3 * frequency)},
-                      {0, 2, wave(0.4 * shaking * papers_gravity, 1.7 * frequency)}};
+    motion.motions = {{0, 0, wave(shaking * scenes::papers_gravity, frequency)},
+                      {0, 1, wave(0.8 * shaking * scenes::papers_gravity, 1.3 * frequency)},
+                      {0, 2, wave(0.4 * shaking * scenes::papers_gravity, 1.7 * frequency)}};
     run_audited(model, motion, -0.5, state, cell);
     return cell;
 }
@@ -99,28 +99,28 @@ CellRun run_shaken_stack(double shaking, double frequency, double time_step)
 /// A cube of 0.5 m hits the ground at `speed` [m/s], a corner first.
 CellRun run_hit(double speed, double stiffness_factor, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.6));
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.6));
     model.joints[0].stiffness.factor = stiffness_factor;
-    hold(model, add_box(model, "ground", {-200, -200, -1}, {200, 200, 0}));
-    model.blocks.push_back(make_block("stone", 0, 0, {octahedron({0, 0, 0.6}, {0.5, 0.4, 0.5})}));
+    scenes::hold(model, scenes::add_box(model, "ground", {-200, -200, -1}, {200, 200, 0}));
+    model.blocks.push_back(make_block("stone", 0, 0, {scenes::octahedron({0, 0, 0.6}, {0.5, 0.4, 0.5})}));
     State state = initial_state(model);
-    set_velocity(model, state, 1, {0.2 * speed, 0.1 * speed, -speed});
+    scenes::set_velocity(model, state, 1, {0.2 * speed, 0.1 * speed, -speed});
     CellRun cell;
-    run_audited(model, motion_stage(0.5, time_step), 0, state, cell);
+    run_audited(model, scenes::motion_stage(0.5, time_step), 0, state, cell);
     return cell;
 }
 
 /// Two cubes meet face to face at `speed` [m/s] each, without gravity and not quite in line.
 CellRun run_meeting(double speed, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.6));
-    add_box(model, "left", {-1, 0, 0}, {-0.5, 0.5, 0.5});
-    add_box(model, "right", {0.5, 0.1, 0.2}, {1, 0.6, 0.7});
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.6));
+    scenes::add_box(model, "left", {-1, 0, 0}, {-0.5, 0.5, 0.5});
+    scenes::add_box(model, "right", {0.5, 0.1, 0.2}, {1, 0.6, 0.7});
     State state = initial_state(model);
-    set_velocity(model, state, 0, {speed, 0, 0});
-    set_velocity(model, state, 1, {-speed, 0, 0});
+    scenes::set_velocity(model, state, 0, {speed, 0, 0});
+    scenes::set_velocity(model, state, 1, {-speed, 0, 0});
     CellRun cell;
-    run_audited(model, motion_stage(0.2, time_step, 0), -1e3, state, cell);
+    run_audited(model, scenes::motion_stage(0.2, time_step, 0), -1e3, state, cell);
     if (!cell.diagnosis.empty()) return cell;
     const Vector3d momentum = velocity_of(model.kinematics, state, 0) + velocity_of(model.kinematics, state, 1);
     const bool passed_through =
@@ -176,7 +176,7 @@ StabilityScene gravity_scene()
                  [h] { return run_flight(Kinematics::spatial_deformable, h); });
         for (const double g : {0., 1., 3., 10.})
             add_cell(scene, fmt::format("stack={:g}", g), {{"stack", g, "g"}}, h,
-                     [=] { return run_stack_at_rest(g * papers_gravity, h); });
+                     [=] { return run_stack_at_rest(g * scenes::papers_gravity, h); });
     }
     return scene;
 }
@@ -226,4 +226,4 @@ StabilityScene impact_scene()
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

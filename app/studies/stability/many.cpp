@@ -13,27 +13,26 @@
 #include "app/studies/stability/engine.h"
 #include "app/studies/stability/families.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
 
-using namespace stability;
 using Eigen::Vector3d;
 
 /// `columns` columns of flat stones of 1 x 1 x 0.3 m, side by side with a gap, 1,000 in all.
 CellRun run_columns(Kinematics kinematics, int columns, double time_step)
 {
     constexpr int stones = 1000;
-    Model model = make_model(kinematics, stone(), dry_joint(0.6));
-    hold(model, add_box(model, "base", {-2, -2, -1}, {2.0 + 1.5 * columns, 3, 0}));
+    Model model = make_model(kinematics, scenes::stone(), scenes::dry_joint(0.6));
+    scenes::hold(model, scenes::add_box(model, "base", {-2, -2, -1}, {2.0 + 1.5 * columns, 3, 0}));
     const int courses = stones / columns;
     for (int c = 0; c < columns; ++c)
         for (int i = 0; i < courses; ++i)
-            add_box(model, fmt::format("column {} stone {}", c + 1, i + 1), {1.5 * c, 0, 0.3 * i},
-                    {1.5 * c + 1, 1, 0.3 * (i + 1)});
+            scenes::add_box(model, fmt::format("column {} stone {}", c + 1, i + 1), {1.5 * c, 0, 0.3 * i},
+                            {1.5 * c + 1, 1, 0.3 * (i + 1)});
     CellRun cell;
-    run_at_rest(model, time_step, 20 * time_step, papers_gravity, cell);
+    run_at_rest(model, time_step, 20 * time_step, scenes::papers_gravity, cell);
     return cell;
 }
 
@@ -41,20 +40,20 @@ CellRun run_columns(Kinematics kinematics, int columns, double time_step)
 CellRun run_large_wall(double time_step)
 {
     constexpr double length = 0.6, height = 0.3, thickness = 0.4;  // m
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.6));
-    hold(model, add_box(model, "base", {-2, -1, -1}, {18, 2, 0}));
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.6));
+    scenes::hold(model, scenes::add_box(model, "base", {-2, -1, -1}, {18, 2, 0}));
     for (int course = 0; course < 40; ++course) {
         double left = 0;
         for (int i = 0; i < 25; ++i) {
             const bool half = i == (course % 2 == 0 ? 24 : 0);
             const double right = left + (half ? 0.5 : 1) * length;
-            add_box(model, fmt::format("course {} block {}", course + 1, i + 1), {left, 0, course * height},
-                    {right, thickness, (course + 1) * height});
+            scenes::add_box(model, fmt::format("course {} block {}", course + 1, i + 1),
+                            {left, 0, course * height}, {right, thickness, (course + 1) * height});
             left = right;
         }
     }
     CellRun cell;
-    run_at_rest(model, time_step, 20 * time_step, papers_gravity, cell);
+    run_at_rest(model, time_step, 20 * time_step, scenes::papers_gravity, cell);
     return cell;
 }
 
@@ -72,8 +71,8 @@ class Numbers
 CellRun run_heap(int bodies, double time_step, double duration)
 {
     constexpr double pit = 3, spacing = 1;  // m, half its width; between the bodies at the start
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.6));
-    hold(model, add_box(model, "ground", {-12, -12, -1}, {12, 12, 0}));
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.6));
+    scenes::hold(model, scenes::add_box(model, "ground", {-12, -12, -1}, {12, 12, 0}));
     Numbers numbers;
     const int across = static_cast<int>(2 * pit / spacing);
     for (int i = 0; i < bodies; ++i) {
@@ -85,7 +84,7 @@ CellRun run_heap(int bodies, double time_step, double duration)
         const Vector3d axis(numbers.next(), numbers.next(), numbers.next());
         const Eigen::AngleAxisd turn(std::numbers::pi * numbers.next(),
                                      (axis + 0.1 * Vector3d::UnitX()).normalized());
-        ConvexPolyhedron body = i % 3 == 0 ? octahedron({0, 0, 0}, 1.4 * half) : make_box(-half, half);
+        ConvexPolyhedron body = i % 3 == 0 ? scenes::octahedron({0, 0, 0}, 1.4 * half) : make_box(-half, half);
         std::vector<Vector3d> corners;
         for (const Vector3d& corner : body.vertices) corners.push_back(centre + turn * corner);
         model.blocks.push_back(make_block(fmt::format("body {}", i + 1), 0, 0,
@@ -93,7 +92,7 @@ CellRun run_heap(int bodies, double time_step, double duration)
     }
     State state = initial_state(model);
     CellRun cell;
-    run_audited(model, motion_stage(duration, time_step), 0, state, cell);
+    run_audited(model, scenes::motion_stage(duration, time_step), 0, state, cell);
     return cell;
 }
 
@@ -144,4 +143,4 @@ StabilityScene heap_scene()
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -8,7 +8,7 @@
 
 #include "app/words/figures_in_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
@@ -50,14 +50,14 @@ Rgb color_of(const CellResult& result)
     return timeout_color;
 }
 
-const std::vector<TileKey> keys{{"tolerance / 1000", far_within},
-                                {"at the tolerance", at_tolerance},
-                                {"refused before step one", refused_color},
-                                {"stopped with a diagnosis", stopped_color},
-                                {"beyond it, with a warning", warned_color},
-                                {"wrong: beyond it, no warning", wrong_color},
-                                {"crash", crash_color},
-                                {"beyond its time budget", timeout_color}};
+const std::vector<plots::TileKey> keys{{"tolerance / 1000", far_within},
+                                       {"at the tolerance", at_tolerance},
+                                       {"refused before step one", refused_color},
+                                       {"stopped with a diagnosis", stopped_color},
+                                       {"beyond it, with a warning", warned_color},
+                                       {"wrong: beyond it, no warning", wrong_color},
+                                       {"crash", crash_color},
+                                       {"beyond its time budget", timeout_color}};
 
 std::string summary_of(const std::vector<const CellResult*>& results)
 {
@@ -80,19 +80,19 @@ std::vector<const CellResult*> results_of(const StabilityScene& scene, const std
     return found;
 }
 
-Figure heat_map(const StabilityScene& scene, const std::vector<const CellResult*>& results)
+plots::Figure heat_map(const StabilityScene& scene, const std::vector<const CellResult*>& results)
 {
     std::set<double> stiffnesses, steps;
     for (const CellResult* result : results) {
         stiffnesses.insert(result->cell.parameters.at(0).value);
         steps.insert(result->cell.time_step);
     }
-    TileMap map;
+    plots::TileMap map;
     map.x_title = "time step";
     map.y_title = "contact stiffness, N/m per contact point";
     map.keys = keys;
     for (const double k : stiffnesses) map.rows.push_back(fmt::format("{:.0e}", k));
-    for (const double h : steps) map.columns.push_back(step_in_words(h));
+    for (const double h : steps) map.columns.push_back(words::step_in_words(h));
     map.width = static_cast<int>(steps.size());
     map.tiles.resize(stiffnesses.size() * steps.size());
     for (const CellResult* result : results) {
@@ -105,11 +105,11 @@ Figure heat_map(const StabilityScene& scene, const std::vector<const CellResult*
         map.tiles[static_cast<std::size_t>(row * map.width + column)] = {result_in_words(*result), cost,
                                                                          color_of(*result)};
     }
-    Figure figure;
+    plots::Figure figure;
     figure.name = scene.name;
     figure.title = scene.title;
     figure.subtitle = summary_of(results) + fmt::format("; tolerance {}; in each square: error, CPU time, cuts",
-                                                        error_in_words(results.front()->cell.tolerance));
+                                                        words::error_in_words(results.front()->cell.tolerance));
     figure.maps = {map};
     return figure;
 }
@@ -128,17 +128,17 @@ std::string particulars(const StabilityCell& cell, const StabilityScene& scene)
     return text;
 }
 
-Tile tile_of(const CellResult& result, const StabilityScene& scene)
+plots::Tile tile_of(const CellResult& result, const StabilityScene& scene)
 {
     const double h = result.cell.time_step;
     return {particulars(result.cell, scene),
-            (h > 0 ? step_in_words(h) : "static") + ": " + result_in_words(result), color_of(result)};
+            (h > 0 ? words::step_in_words(h) : "static") + ": " + result_in_words(result), color_of(result)};
 }
 
 /// Rows of a scene, from the top down; in a square what is particular to it, and its error.
-Figure table_map(const std::vector<const StabilityScene*>& scenes, const std::vector<CellResult>& results)
+plots::Figure table_map(const std::vector<const StabilityScene*>& scenes, const std::vector<CellResult>& results)
 {
-    TileMap map;
+    plots::TileMap map;
     map.keys = keys;
     map.width = squares_in_a_row;
     std::vector<const CellResult*> all;
@@ -148,10 +148,10 @@ Figure table_map(const std::vector<const StabilityScene*>& scenes, const std::ve
         for (std::size_t row = (own.size() - 1) / squares_in_a_row + 1; row-- > 0;) {  // from the foot up
             map.rows.push_back(row == 0 ? (*scene)->title : "");
             for (std::size_t i = row * squares_in_a_row; i < (row + 1) * squares_in_a_row; ++i)
-                map.tiles.push_back(i < own.size() ? tile_of(*own[i], **scene) : Tile{});
+                map.tiles.push_back(i < own.size() ? tile_of(*own[i], **scene) : plots::Tile{});
         }
     }
-    Figure figure;
+    plots::Figure figure;
     figure.name = "extremes";
     figure.title = "Extreme scenes";
     figure.subtitle = summary_of(all) + "; in each square: parameters, time step and error";
@@ -164,13 +164,14 @@ Figure table_map(const std::vector<const StabilityScene*>& scenes, const std::ve
 std::string result_in_words(const CellResult& result)
 {
     if (has_error(result.outcome) && !std::isfinite(result.run.error)) return "no answer";
-    return has_error(result.outcome) ? error_in_words(result.run.error) : std::string(name_of(result.outcome));
+    return has_error(result.outcome) ? words::error_in_words(result.run.error)
+                                     : std::string(name_of(result.outcome));
 }
 
-std::vector<Figure> stability_figures(const std::vector<StabilityScene>& scenes,
-                                      const std::vector<CellResult>& results)
+std::vector<plots::Figure> stability_figures(const std::vector<StabilityScene>& scenes,
+                                             const std::vector<CellResult>& results)
 {
-    std::vector<Figure> figures;
+    std::vector<plots::Figure> figures;
     std::vector<const StabilityScene*> others;
     for (const StabilityScene& scene : scenes) {
         const std::vector<const CellResult*> own = results_of(scene, results);
@@ -184,4 +185,4 @@ std::vector<Figure> stability_figures(const std::vector<StabilityScene>& scenes,
     return figures;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -10,7 +10,7 @@
 #include "app/studies/scenes/scene_blocks.h"
 #include "app/studies/stability/engine.h"
 
-namespace voussoir::stability
+namespace voussoir::app::studies::stability
 {
 
 using Eigen::Vector3d;
@@ -20,10 +20,10 @@ namespace
 
 constexpr double reach = 20;  // m, of the base on each side
 
-reference::SpringBlock spring_block(const OneBlock& scene)
+references::SpringBlock spring_block(const OneBlock& scene)
 {
     constexpr double points_an_edge = 2;
-    reference::SpringBlock block;
+    references::SpringBlock block;
     block.half_width = scene.length / 2;
     block.half_height = scene.height / 2;
     block.mass = scene.density * scene.length * scene.width * scene.height;
@@ -31,7 +31,7 @@ reference::SpringBlock spring_block(const OneBlock& scene)
     block.normal_stiffness = points_an_edge * scene.stiffness;
     block.shear_stiffness = JointMaterial{}.shear_to_normal_stiffness * block.normal_stiffness;
     block.friction = scene.friction;
-    block.gravity = papers_gravity;
+    block.gravity = scenes::papers_gravity;
     block.amplitude = scene.amplitude;
     block.period = scene.period;
     block.pulse_end = scene.pulse_end;
@@ -45,7 +45,7 @@ ConvexPolyhedron shape_of(const OneBlock& scene)
     const ConvexPolyhedron box =
         make_box({-scene.length, -scene.width / 2, 0}, {0, scene.width / 2, scene.height});
     const bool leans = scene.start_lean != 0;
-    const Vector3d edge(scene.length / 2, 0, leans ? -reference::start_sink(spring_block(scene)) : 0);
+    const Vector3d edge(scene.length / 2, 0, leans ? -references::start_sink(spring_block(scene)) : 0);
     const Eigen::AngleAxisd turn(scene.start_lean, Vector3d::UnitY());
     std::vector<Vector3d> corners;
     for (const Vector3d& corner : box.vertices) corners.push_back(edge + turn * corner);
@@ -54,14 +54,15 @@ ConvexPolyhedron shape_of(const OneBlock& scene)
 
 Model model_of(const OneBlock& scene)
 {
-    Model model = make_model(scene.kinematics, stone(scene.density, scene.young),
-                             dry_joint(scene.friction, scene.stiffness));
-    hold(model, add_box(model, "base", {-reach, -2 * scene.width, -2}, {reach, 2 * scene.width, 0}));
+    Model model = make_model(scene.kinematics, scenes::stone(scene.density, scene.young),
+                             scenes::dry_joint(scene.friction, scene.stiffness));
+    scenes::hold(model,
+                 scenes::add_box(model, "base", {-reach, -2 * scene.width, -2}, {reach, 2 * scene.width, 0}));
     model.blocks.push_back(make_block("block", 0, 0, {shape_of(scene)}));
     return model;
 }
 
-reference::SpringBlockPoint point_of(const Model& model, const State& state)
+references::SpringBlockPoint point_of(const Model& model, const State& state)
 {
     const Pose block = pose_of(model.kinematics, state, 1);
     const double base = pose_of(model.kinematics, state, 0).centroid.x();
@@ -75,7 +76,8 @@ double first_swing(const OneBlock& scene)
     constexpr double share_of_return = 0.05;                    // of the largest lean
     std::vector<double> times;
     for (int i = 1; i <= static_cast<int>(longest / sample); ++i) times.push_back(i * sample);
-    const std::vector<reference::SpringBlockPoint> points = block_on_springs(spring_block(scene), times);
+    const std::vector<references::SpringBlockPoint> points =
+        references::block_on_springs(spring_block(scene), times);
     double largest = std::abs(scene.start_lean);
     for (std::size_t i = 0; i < times.size(); ++i) {
         const double lean = std::abs(points[i].lean);
@@ -106,7 +108,7 @@ CellRun run_swing(OneBlock scene, double time_step)
     scene.duration = first_swing(scene);
     CellRun cell;
     const OneBlockHistory history = run_one_block(scene, time_step, cell);
-    const auto [worst, largest] = distance_of(history, &reference::SpringBlockPoint::lean);
+    const auto [worst, largest] = distance_of(history, &references::SpringBlockPoint::lean);
     cell.error = worst / largest;
     cell.note += fmt::format("; largest lean {:.3g} rad in {:.3g} s", largest, scene.duration);
     return cell;
@@ -128,7 +130,7 @@ CellRun run_sliding(const OneBlock& scene, double time_step)
 {
     CellRun cell;
     const OneBlockHistory history = run_one_block(scene, time_step, cell);
-    const auto [worst, largest] = distance_of(history, &reference::SpringBlockPoint::x);
+    const auto [worst, largest] = distance_of(history, &references::SpringBlockPoint::x);
     cell.error = worst / largest;
     return cell;
 }
@@ -139,9 +141,9 @@ namespace
 /// What the springs say of a run that gave up.
 std::string sink_in_words(const OneBlock& scene)
 {
-    const reference::SpringBlock block = spring_block(scene);
+    const references::SpringBlock block = spring_block(scene);
     const double standing = block.mass * block.gravity / (2 * block.normal_stiffness);
-    const double sink = scene.start_lean != 0 ? reference::start_sink(block) : standing;
+    const double sink = scene.start_lean != 0 ? references::start_sink(block) : standing;
     const double least = std::min({scene.length, scene.width, scene.height});
     return fmt::format("by the reference it settles {:.3g} m, {:.3g} % of its least width, under its weight alone",
                        sink, 100 * sink / least);
@@ -155,8 +157,8 @@ OneBlockHistory run_one_block(const OneBlock& scene, double time_step, CellRun& 
     State state = initial_state(model);
     OneBlockHistory history;
     cell.note = sink_in_words(scene);
-    if (scene.start_lean == 0 && !run_counted(model, {rest_stage()}, state, {}, cell)) return history;
-    Stage motion = motion_stage(scene.duration, time_step);
+    if (scene.start_lean == 0 && !run_counted(model, {scenes::rest_stage()}, state, {}, cell)) return history;
+    Stage motion = scenes::motion_stage(scene.duration, time_step);
     motion.control.integrator = scene.integrator;
     if (scene.amplitude > 0) {
         const GroundMotion pulse =
@@ -169,15 +171,15 @@ OneBlockHistory run_one_block(const OneBlock& scene, double time_step, CellRun& 
     double loss = 0;
     RunObserver observer;
     observer.step = [&](const State& now, const StepReport&, const RunReport& report) {
-        const reference::SpringBlockPoint point = point_of(model, now);
+        const references::SpringBlockPoint point = point_of(model, now);
         history.times.push_back(now.stage_time);
         history.engine.push_back({point.x - start, point.lean + scene.start_lean});
         loss = report.energy.algorithmic;
     };
     if (!run_counted(model, {motion}, state, observer, cell)) return history;
-    history.exact = block_on_springs(spring_block(scene), history.times);
+    history.exact = references::block_on_springs(spring_block(scene), history.times);
     cell.note = fmt::format("loss of the integrator {:.3g} J", loss);
     return history;
 }
 
-}  // namespace voussoir::stability
+}  // namespace voussoir::app::studies::stability

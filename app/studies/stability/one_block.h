@@ -10,7 +10,7 @@
 #include "libdda/model/model.h"
 #include "libdda/model/step_control.h"
 
-namespace voussoir::stability
+namespace voussoir::app::studies::stability
 {
 
 /// The engine's scene: a box on a wide held base whose ground acceleration is one sine pulse along x.
@@ -29,9 +29,9 @@ struct OneBlock {
 
 /// What the engine and the reference found at the end of every accepted step.
 struct OneBlockHistory {
-    std::vector<double> times;                        // s
-    std::vector<reference::SpringBlockPoint> engine;  // x relative to the base
-    std::vector<reference::SpringBlockPoint> exact;   // empty when the run gave up
+    std::vector<double> times;                         // s
+    std::vector<references::SpringBlockPoint> engine;  // x relative to the base
+    std::vector<references::SpringBlockPoint> exact;   // empty when the run gave up
 };
 
 /// Runs the engine, from rest, and counts into `cell`; then the reference at the same times.
@@ -47,4 +47,4 @@ CellRun run_swing(OneBlock scene, double time_step);
 /// Error: largest distance from the reference in x / largest displacement of the reference.
 CellRun run_sliding(const OneBlock& scene, double time_step);
 
-}  // namespace voussoir::stability
+}  // namespace voussoir::app::studies::stability

@@ -9,7 +9,7 @@
 #include "app/studies/stability/sound_range.h"
 #include "app/words/figures_in_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
@@ -48,14 +48,14 @@ std::string table_of(const StabilityScene& scene, const std::vector<CellResult>&
         for (const CellParameter& parameter : result.cell.parameters)
             parameters += (parameters.empty() ? "" : ", ") + parameter.name + " " + in_words(parameter);
         const bool failed = is_failure(result.outcome);
-        text +=
-            fmt::format("| {} | {} | {}{}{} | {} | {} | {} | {} | {} | {:.3g} | {} | {:.2g} m |\n", parameters,
-                        result.cell.time_step > 0 ? step_in_words(result.cell.time_step) : "static",
-                        failed ? "**" : "", name_of(result.outcome), failed ? "**" : "", result_in_words(result),
-                        error_in_words(result.cell.tolerance), result.run.steps, result.run.step_cuts,
-                        result.run.iterations, result.run.cpu_time,
-                        std::isnan(result.run.energy_residual) ? "" : error_in_words(result.run.energy_residual),
-                        result.run.max_penetration);
+        text += fmt::format(
+            "| {} | {} | {}{}{} | {} | {} | {} | {} | {} | {:.3g} | {} | {:.2g} m |\n", parameters,
+            result.cell.time_step > 0 ? words::step_in_words(result.cell.time_step) : "static", failed ? "**" : "",
+            name_of(result.outcome), failed ? "**" : "", result_in_words(result),
+            words::error_in_words(result.cell.tolerance), result.run.steps, result.run.step_cuts,
+            result.run.iterations, result.run.cpu_time,
+            std::isnan(result.run.energy_residual) ? "" : words::error_in_words(result.run.energy_residual),
+            result.run.max_penetration);
     }
     return text;
 }
@@ -83,7 +83,8 @@ std::string section_of(const StabilityScene& scene, const std::vector<CellResult
                                    scene.text, scene.quantity, own->cell.reference);
     if (pictured) text += fmt::format("\n![{}](stability/{}.png)\n", scene.title, scene.name);
     const std::string range = sound_range_in_words(scene, results);
-    if (!range.empty()) text += fmt::format("\nWithin {}, {}.\n", error_in_words(own->cell.tolerance), range);
+    if (!range.empty())
+        text += fmt::format("\nWithin {}, {}.\n", words::error_in_words(own->cell.tolerance), range);
     return text + table_of(scene, results) + words_of(scene, results);
 }
 
@@ -112,4 +113,4 @@ std::string stability_page(const std::vector<StabilityScene>& scenes, const std:
     return text;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -6,7 +6,7 @@
 
 #include "app/studies/stability/runner.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 
 /// @param command how the page was made, written at its head
@@ -14,4 +14,4 @@ namespace voussoir
 std::string stability_page(const std::vector<StabilityScene>& scenes, const std::vector<CellResult>& results,
                            const std::string& command, const std::vector<std::string>& pictures);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

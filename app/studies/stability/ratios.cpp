@@ -12,12 +12,11 @@
 #include "app/studies/stability/one_block.h"
 #include "app/studies/stability/run_down.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
 
-using namespace stability;
 using Eigen::Vector3d;
 
 constexpr double rigid = std::numeric_limits<double>::infinity();  // a modulus, Pa
@@ -32,8 +31,8 @@ double settlement(double young, double density)
 {
     double sum = 0;
     for (int i = 0; i < cubes; ++i) {
-        const double above = (cubes - 1 - i) * density * papers_gravity * cube,
-                     own = density * papers_gravity * cube;
+        const double above = (cubes - 1 - i) * density * scenes::papers_gravity * cube,
+                     own = density * scenes::papers_gravity * cube;
         const double p = above + own / 2;
         double a = 1;
         for (int n = 0; n < 50; ++n) a -= (a * (a * a - 1) / 2 + p / young) / ((3 * a * a - 1) / 2);
@@ -45,14 +44,14 @@ double settlement(double young, double density)
 
 CellRun run_column(double young)
 {
-    Model model = make_model(Kinematics::spatial_deformable, {"stone", 2000, young, 0.0}, dry_joint(0.7));
-    hold(model, add_box(model, "base", {-1, -1, -1}, {1, 1, 0}));
+    Model model = make_model(Kinematics::spatial_deformable, {"stone", 2000, young, 0.0}, scenes::dry_joint(0.7));
+    scenes::hold(model, scenes::add_box(model, "base", {-1, -1, -1}, {1, 1, 0}));
     for (int i = 0; i < cubes; ++i)
-        add_box(model, fmt::format("cube {}", i + 1), {-cube / 2, -cube / 2, i * cube},
-                {cube / 2, cube / 2, (i + 1) * cube});
+        scenes::add_box(model, fmt::format("cube {}", i + 1), {-cube / 2, -cube / 2, i * cube},
+                        {cube / 2, cube / 2, (i + 1) * cube});
     State state = initial_state(model);
     CellRun cell;
-    if (!run_counted(model, {rest_stage()}, state, {}, cell)) return cell;
+    if (!run_counted(model, {scenes::rest_stage()}, state, {}, cell)) return cell;
     const double moved = (cubes - 0.5) * cube - pose_of(model.kinematics, state, cubes).centroid.z();
     const double exact = settlement(young, 2000);
     cell.error = std::abs(moved - exact) / exact;
@@ -62,64 +61,64 @@ CellRun run_column(double young)
 /// A cube of 0.3 m on another.
 CellRun run_density(double upper, double lower, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(lower), dry_joint(0.6));
-    model.materials.push_back(stone(upper));
-    hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
-    add_box(model, "lower", {-0.15, -0.15, 0}, {0.15, 0.15, 0.3});
-    add_box(model, "upper", {-0.15, -0.15, 0.3}, {0.15, 0.15, 0.6});
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(lower), scenes::dry_joint(0.6));
+    model.materials.push_back(scenes::stone(upper));
+    scenes::hold(model, scenes::add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+    scenes::add_box(model, "lower", {-0.15, -0.15, 0}, {0.15, 0.15, 0.3});
+    scenes::add_box(model, "upper", {-0.15, -0.15, 0.3}, {0.15, 0.15, 0.6});
     model.blocks.back().material = 1;
     CellRun cell;
-    run_at_rest(model, time_step, 1, papers_gravity, cell);
+    run_at_rest(model, time_step, 1, scenes::papers_gravity, cell);
     return cell;
 }
 
 /// A cube of `size` in the middle of one of 1 m.
 CellRun run_small_on_large(double size, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.6));
-    hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
-    add_box(model, "large", {-0.5, -0.5, 0}, {0.5, 0.5, 1});
-    add_box(model, "small", {-size / 2, -size / 2, 1}, {size / 2, size / 2, 1 + size});
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.6));
+    scenes::hold(model, scenes::add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+    scenes::add_box(model, "large", {-0.5, -0.5, 0}, {0.5, 0.5, 1});
+    scenes::add_box(model, "small", {-size / 2, -size / 2, 1}, {size / 2, size / 2, 1 + size});
     CellRun cell;
-    run_at_rest(model, time_step, 1, papers_gravity, cell);
+    run_at_rest(model, time_step, 1, scenes::papers_gravity, cell);
     return cell;
 }
 
 /// A cube of 1 m on four cubes of `size` near its corners.
 CellRun run_large_on_small(double size, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.6));
-    hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.6));
+    scenes::hold(model, scenes::add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
     const Vector3d half(size / 2, size / 2, 0), up(0, 0, size);
     for (const double x : {-0.4, 0.4})
         for (const double y : {-0.4, 0.4})
-            add_box(model, fmt::format("pad {} {}", x, y), Vector3d(x, y, 0) - half,
-                    Vector3d(x, y, 0) + half + up);
-    add_box(model, "large", {-0.5, -0.5, size}, {0.5, 0.5, 1 + size});
+            scenes::add_box(model, fmt::format("pad {} {}", x, y), Vector3d(x, y, 0) - half,
+                            Vector3d(x, y, 0) + half + up);
+    scenes::add_box(model, "large", {-0.5, -0.5, size}, {0.5, 0.5, 1 + size});
     CellRun cell;
-    run_at_rest(model, time_step, 1, papers_gravity, cell);
+    run_at_rest(model, time_step, 1, scenes::papers_gravity, cell);
     return cell;
 }
 
 /// A pillar as high as 1 m x slenderness / 10.
 CellRun run_slender(double slenderness, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.6));
-    hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
-    add_box(model, "pillar", {-0.05, -0.05, 0}, {0.05, 0.05, 0.1 * slenderness});
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.6));
+    scenes::hold(model, scenes::add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+    scenes::add_box(model, "pillar", {-0.05, -0.05, 0}, {0.05, 0.05, 0.1 * slenderness});
     CellRun cell;
-    run_at_rest(model, time_step, 1, papers_gravity, cell);
+    run_at_rest(model, time_step, 1, scenes::papers_gravity, cell);
     return cell;
 }
 
 /// A slab of 1 x 1 m slides down 30 degrees with friction coefficient 0.2, in the frame of the incline.
 CellRun run_flat(double flatness, double time_step)
 {
-    Model model = make_model(Kinematics::spatial_rigid, stone(), dry_joint(0.2));
-    hold(model, add_box(model, "base", {-2, -2, -1}, {20, 2, 0}));
-    add_box(model, "slab", {-0.5, -0.5, 0}, {0.5, 0.5, 1 / flatness});
+    Model model = make_model(Kinematics::spatial_rigid, scenes::stone(), scenes::dry_joint(0.2));
+    scenes::hold(model, scenes::add_box(model, "base", {-2, -2, -1}, {20, 2, 0}));
+    scenes::add_box(model, "slab", {-0.5, -0.5, 0}, {0.5, 0.5, 1 / flatness});
     CellRun cell;
-    run_down(model, 30, 0.2, papers_gravity, time_step, cell);
+    run_down(model, 30, 0.2, scenes::papers_gravity, time_step, cell);
     return cell;
 }
 
@@ -228,4 +227,4 @@ StabilityScene shape_scene()
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -6,10 +6,8 @@
 #include "app/studies/stability/families.h"
 #include "app/studies/stability/one_block.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
-
-using namespace stability;
 
 namespace
 {
@@ -91,4 +89,4 @@ StabilityScene uplift_scene()
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -6,7 +6,7 @@
 
 #include "app/studies/stability/engine.h"
 
-namespace voussoir::stability
+namespace voussoir::app::studies::stability
 {
 
 using Eigen::Vector3d;
@@ -16,7 +16,7 @@ void run_down(const Model& model, double angle, double friction, double g, doubl
     constexpr double mobilised = 1 - 1e-5;  // a static stage has no answer at the limit itself
     constexpr double duration = 1;          // s
     const double dip = angle * std::numbers::pi / 180;
-    Stage rest = rest_stage(), motion = motion_stage(duration, time_step);
+    Stage rest = scenes::rest_stage(), motion = scenes::motion_stage(duration, time_step);
     motion.gravity = g * Vector3d(std::sin(dip), 0, -std::cos(dip));
     rest.gravity = motion.gravity;
     rest.gravity.x() = std::min(rest.gravity.x(), mobilised * friction * -rest.gravity.z());
@@ -31,4 +31,4 @@ void run_down(const Model& model, double angle, double friction, double g, doubl
     cell.error = (moved - Vector3d(exact, 0, 0)).norm() / (exact > 0 ? exact : size_of(model, 1));
 }
 
-}  // namespace voussoir::stability
+}  // namespace voussoir::app::studies::stability

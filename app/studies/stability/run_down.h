@@ -4,7 +4,7 @@
 #include "app/studies/stability/cell.h"
 #include "libdda/model/model.h"
 
-namespace voussoir::stability
+namespace voussoir::app::studies::stability
 {
 
 /// Block 1 of the scene slides for 1 s along x down a plane that dips by `angle` [degrees], which lies in the x-y
@@ -14,4 +14,4 @@ namespace voussoir::stability
 /// @param friction coefficient
 void run_down(const Model& model, double angle, double friction, double g, double time_step, CellRun& cell);
 
-}  // namespace voussoir::stability
+}  // namespace voussoir::app::studies::stability

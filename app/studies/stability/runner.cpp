@@ -12,7 +12,7 @@
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 
 namespace
@@ -85,7 +85,9 @@ std::string why(const StabilityCell& cell, CellOutcome outcome, const CellRun& r
     if (outcome == CellOutcome::passed) return "";
     const std::string said = run.warning.empty() ? "" : "; it warned: " + run.warning;
     if (!std::isfinite(run.error)) return "it ended without an answer: " + run.note + said;
-    return fmt::format("error {} is beyond {}", error_in_words(run.error), error_in_words(cell.tolerance)) + said;
+    return fmt::format("error {} is beyond {}", words::error_in_words(run.error),
+                       words::error_in_words(cell.tolerance)) +
+           said;
 }
 
 }  // namespace
@@ -93,9 +95,9 @@ std::string why(const StabilityCell& cell, CellOutcome outcome, const CellRun& r
 CellResult run_apart(const StabilityCell& cell, const CellLimits& limits)
 {
     constexpr std::size_t max_output = std::size_t{1} << 20;  // bytes
-    const ChildAnswer answer =
-        ask_child(helper_folder() / "voussoir-cell", to_json(CellRequest{cell.name, cell.budget, limits.memory}),
-                  limits.waiting * cell.budget, max_output);
+    const importers::process::ChildAnswer answer = importers::process::ask_child(
+        importers::process::helper_folder() / "voussoir-cell",
+        to_json(CellRequest{cell.name, cell.budget, limits.memory}), limits.waiting * cell.budget, max_output);
     CellResult result;
     result.cell = cell;
     if (!answer.failure.empty()) {
@@ -135,4 +137,4 @@ std::vector<CellResult> run_cells(const std::vector<StabilityCell>& cells, int j
     return results;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

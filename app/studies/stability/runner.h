@@ -8,7 +8,7 @@
 
 #include "app/studies/stability/cell.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 
 enum class CellOutcome {
@@ -55,4 +55,4 @@ CellResult run_apart(const StabilityCell& cell, const CellLimits& limits);
 std::vector<CellResult> run_cells(const std::vector<StabilityCell>& cells, int jobs,
                                   const std::function<void(const CellResult&)>& done);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -6,9 +6,8 @@
 #include "app/studies/stability/families.h"
 #include "app/studies/stability/one_block.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
-using namespace stability;
 
 StabilityScene sliding_scene()
 {
@@ -32,4 +31,4 @@ StabilityScene sliding_scene()
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

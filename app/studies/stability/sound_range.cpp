@@ -9,7 +9,7 @@
 
 #include "app/words/figures_in_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 
 namespace
@@ -96,8 +96,9 @@ std::string sound_range_in_words(const StabilityScene& scene, const std::vector<
     const std::optional<SoundRange> range = sound_range(scene, results);
     if (!range) return scene.name + " holds nowhere";
     return fmt::format("{} works from {:.0e} to {:.0e} N/m and from {} to {} ({:.2g} and {:.2g} decades)",
-                       scene.name, range->softest, range->stiffest, step_in_words(range->shortest),
-                       step_in_words(range->longest), range->decades_of_stiffness(), range->decades_of_step());
+                       scene.name, range->softest, range->stiffest, words::step_in_words(range->shortest),
+                       words::step_in_words(range->longest), range->decades_of_stiffness(),
+                       range->decades_of_step());
 }
 
 bool holds_too_little(const StabilityScene& scene, const std::vector<CellResult>& results)
@@ -107,4 +108,4 @@ bool holds_too_little(const StabilityScene& scene, const std::vector<CellResult>
     return !range || !range->is_enough();
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -7,7 +7,7 @@
 
 #include "app/studies/stability/runner.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 
 /// What every map must reach: masonry needs it.
@@ -34,4 +34,4 @@ std::string sound_range_in_words(const StabilityScene& scene, const std::vector<
 /// Whether all cells of a map were run and it holds over less than it must.
 bool holds_too_little(const StabilityScene& scene, const std::vector<CellResult>& results);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -12,12 +12,10 @@
 #include "app/studies/stability/engine.h"
 #include "app/studies/stability/families.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
-
-using namespace stability;
 
 constexpr int courses = 10, blocks_a_course = 5;
 constexpr double length = 0.6, height = 0.3, thickness = 0.4;  // m, of a block
@@ -27,21 +25,21 @@ constexpr double refinement = 10;                              // of the time st
 /// Running bond, five blocks a course, every second course begins with half a block; on a base it slides on.
 Model wall_of_50(double stiffness)
 {
-    Model model = make_model(Kinematics::planar_rigid, stone(), dry_joint(0.7, stiffness));
+    Model model = make_model(Kinematics::planar_rigid, scenes::stone(), scenes::dry_joint(0.7, stiffness));
     model.thickness = thickness;
-    model.joints.push_back(dry_joint(0.2, stiffness));
+    model.joints.push_back(scenes::dry_joint(0.2, stiffness));
     model.joints.back().name = "damp course";
     model.groups = {"wall", "ground"};
     model.joint_of_groups = {0, 1, 1, 1};
-    hold(model, add_box(model, "ground", {-5, 0, -1}, {8, thickness, 0}));
+    scenes::hold(model, scenes::add_box(model, "ground", {-5, 0, -1}, {8, thickness, 0}));
     model.blocks[0].group = 1;
     for (int course = 0; course < courses; ++course) {
         double left = 0;
         for (int i = 0; i < blocks_a_course; ++i) {
             const bool half = i == (course % 2 == 0 ? blocks_a_course - 1 : 0);
             const double right = left + (half ? 0.5 : 1) * length, foot = course * height;
-            add_box(model, fmt::format("course {} block {}", course + 1, i + 1), {left, 0, foot},
-                    {right, thickness, foot + height});
+            scenes::add_box(model, fmt::format("course {} block {}", course + 1, i + 1), {left, 0, foot},
+                            {right, thickness, foot + height});
             left = right;
         }
     }
@@ -78,7 +76,7 @@ WallMotion shake(const Model& model, const State& rest, double time_step, CellRu
 {
     const auto pulse =
         std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(amplitude, 1 / period, 0, period));
-    Stage motion = motion_stage(duration, time_step);
+    Stage motion = scenes::motion_stage(duration, time_step);
     motion.motions.push_back({0, 0, pulse});
     State state = rest;
     state.stage = 0;
@@ -107,7 +105,7 @@ CellRun run_wall(double stiffness, double time_step)
     const Model model = wall_of_50(stiffness);
     CellRun cell;
     State rest = initial_state(model);
-    if (!run_counted(model, {rest_stage()}, rest, {}, cell)) return cell;
+    if (!run_counted(model, {scenes::rest_stage()}, rest, {}, cell)) return cell;
     const WallMotion ours = shake(model, rest, time_step, &cell);
     if (!cell.diagnosis.empty()) return cell;
     const WallMotion fine = shake(model, rest, time_step / refinement, nullptr);
@@ -150,4 +148,4 @@ StabilityScene wall_scene()
     return scene;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

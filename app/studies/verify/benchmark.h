@@ -12,7 +12,7 @@
 #include "libdda/model/kinematics.h"
 #include "libdda/model/step_control.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// What one run gave.
@@ -23,7 +23,7 @@ struct VerifyResult {
     double cpu_time = 0;                  // s, process clock
     std::int64_t steps = 0, step_cuts = 0, iterations = 0;
     std::vector<double> answer;  // compared with the same scene in other unknowns, all on one scale; or empty
-    Diagram picture;             // of what was compared; without curves there is none
+    plots::Diagram picture;      // of what was compared; without curves there is none
     std::string failure;         // why there is no error: the run gave up; empty when it did not
     std::string note;            // what else the run showed, one line
 };
@@ -36,16 +36,16 @@ struct Benchmark {
     std::string quantity;     // largest distance from the closed form / largest displacement
     std::string choices;      // what the paper leaves out, what we took, and how the run shows it does not matter
     std::string paper_error;  // as printed: "below 1 % after 0.2 s"; empty when the paper gives none
-    std::optional<double> paper_level;  // the number in it, for the line in the diagram
-    SceneSetting setting;               // the default one, on which `tolerance` is held
-    double tolerance = 0;               // of `error`
-    std::vector<Kinematics> also = {};  // other unknowns for the same scene: they must pass too, and agree
-    std::vector<SceneSetting> sweep;    // of the work-precision diagram; at least 4 time steps x methods
-    std::function<VerifyResult(const SceneSetting&)> run;
+    std::optional<double> paper_level;        // the number in it, for the line in the diagram
+    scenes::SceneSetting setting;             // the default one, on which `tolerance` is held
+    double tolerance = 0;                     // of `error`
+    std::vector<Kinematics> also = {};        // other unknowns for the same scene: they must pass too, and agree
+    std::vector<scenes::SceneSetting> sweep;  // of the work-precision diagram; at least 4 time steps x methods
+    std::function<VerifyResult(const scenes::SceneSetting&)> run;
 };
 
 /// All benchmarks, in the order of the papers. Each family is a function of its own in a file of its own.
 /// @param seed of the benchmarks that draw their points (the mode chart)
 std::vector<Benchmark> all_benchmarks(std::uint64_t seed);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -3,7 +3,7 @@
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/settings.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
@@ -31,4 +31,4 @@ std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
     return all;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -13,7 +13,7 @@
 #include "app/studies/verify/run_scene.h"
 #include "importers/patterns/arch_bridge.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 namespace
@@ -24,7 +24,7 @@ constexpr double spring = 4.5e9;                                 // N/m per cont
 constexpr double kept_with_damping = 0.94;                       // of the velocity, each step: "6 % reduction"
 
 /// A stone is a prism across the bridge: a planar scene takes its outline.
-Block block_of(const PolygonSurface& stone, const Model& model)
+Block block_of(const importers::mesh::PolygonSurface& stone, const Model& model)
 {
     const ConvexPolyhedron shape = make_convex_polyhedron(stone.vertices, stone.faces, stone.name);
     if (!is_planar(model.kinematics)) return make_block(stone.name, 0, 0, {shape});
@@ -32,9 +32,9 @@ Block block_of(const PolygonSurface& stone, const Model& model)
     return make_planar_block(stone.name, 0, 0, {outline_of(shape, depth, stone.name)}, model.thickness);
 }
 
-StagedScene bridge_scene(const SceneSetting& setting, double velocity_kept)
+scenes::StagedScene bridge_scene(const scenes::SceneSetting& setting, double velocity_kept)
 {
-    ArchBridge bridge;
+    importers::patterns::ArchBridge bridge;
     bridge.rise = printed_rise;
     JointMaterial joint;
     joint.name = "dry";
@@ -43,16 +43,16 @@ StagedScene bridge_scene(const SceneSetting& setting, double velocity_kept)
     const double points = is_planar(setting.kinematics) ? 2 : 4;
     joint.stiffness = {ContactStiffness::Kind::per_point,
                        setting.stiffness_factor.value_or(1) * 2 * spring * bridge.width / points};
-    StagedScene scene;
-    scene.model = make_scene_model(setting, {"granite", 2400, 4.5e9, 0.25}, joint, bridge.width);
-    for (const PolygonSurface& stone : arch_bridge(bridge))
+    scenes::StagedScene scene;
+    scene.model = scenes::make_scene_model(setting, {"granite", 2400, 4.5e9, 0.25}, joint, bridge.width);
+    for (const importers::mesh::PolygonSurface& stone : importers::patterns::arch_bridge(bridge))
         scene.model.blocks.push_back(block_of(stone, scene.model));
     const int last = static_cast<int>(scene.model.blocks.size()) - 1;
-    hold(scene.model, 0);
-    hold(scene.model, last);
-    Stage weight = dynamic_stage(setting, 0.02), shaking = dynamic_stage(setting, 0.4);
-    const auto sine =
-        std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(0.5 * papers_gravity, 2.5, 0, 10));
+    scenes::hold(scene.model, 0);
+    scenes::hold(scene.model, last);
+    Stage weight = scenes::dynamic_stage(setting, 0.02), shaking = scenes::dynamic_stage(setting, 0.4);
+    const auto sine = std::make_shared<const GroundMotion>(
+        GroundMotion::sine_acceleration(0.5 * scenes::papers_gravity, 2.5, 0, 10));
     shaking.motions = {{0, 0, sine}, {1, 0, sine}};
     // As published at its step; at other steps the same rate, not the same factor.
     constexpr double printed_step = 2e-3;
@@ -103,9 +103,9 @@ void read_end(const Model& model, const State& state, Answer& answer)
     answer.abutment = moved(abutments[1]).x();
 }
 
-Answer shake(const SceneSetting& setting, double velocity_kept, VerifyResult& result)
+Answer shake(const scenes::SceneSetting& setting, double velocity_kept, VerifyResult& result)
 {
-    const StagedScene scene = bridge_scene(setting, velocity_kept);
+    const scenes::StagedScene scene = bridge_scene(setting, velocity_kept);
     State state = initial_state(scene.model);
     Answer answer;
     answer.histories.resize(std::size(watched));
@@ -121,9 +121,9 @@ Answer shake(const SceneSetting& setting, double velocity_kept, VerifyResult& re
 }
 
 /// Half of the watched stones, the bridge being nearly symmetric: springing, quarter, crown.
-Diagram picture_of(const Answer& undamped, const Answer& damped)
+plots::Diagram picture_of(const Answer& undamped, const Answer& damped)
 {
-    Diagram picture = linear_diagram("time [s]", "horizontal stress [MPa]", {});
+    plots::Diagram picture = linear_diagram("time [s]", "horizontal stress [MPa]", {});
     for (const auto& [answer, words] : {std::pair{&undamped, "no damping"}, std::pair{&damped, "6 % damping"}})
         for (const int i : {0, 1, 3}) {
             std::vector<double> megapascals = answer->histories[i];
@@ -160,7 +160,7 @@ std::string in_words(const Answer& answer, const char* what)
     return text + fmt::format("; voussoirs 46 and 47 {}", beside(answer.histories[2], answer.histories[3]));
 }
 
-VerifyResult run_bridge(const SceneSetting& setting)
+VerifyResult run_bridge(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     const Answer undamped = shake(setting, 1, result);
@@ -201,4 +201,4 @@ std::vector<Benchmark> bridge_benchmarks()
     return {row};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

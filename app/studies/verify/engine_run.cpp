@@ -9,14 +9,14 @@
 #include "app/words/diagnosis_words.h"
 #include "libdda/run/run.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
 
 constexpr double static_step = 0.1;  // s; static stages take large ones
 
-Stage stage_of(const SlidingScene& scene, const SceneSetting& setting, StageType type)
+Stage stage_of(const scenes::SlidingScene& scene, const scenes::SceneSetting& setting, StageType type)
 {
     const bool at_rest = type == StageType::static_equilibrium;
     Stage stage;
@@ -43,10 +43,11 @@ void run_stage(const Model& model, const Stage& stage, State& state, const RunOb
     result.step_cuts += report.step_cuts;
     result.iterations += report.open_close_iterations;
     result.simulated_time += report.simulated_time;
-    if (report.outcome != Outcome::completed) result.failure = message_of(report, model, {stage});
+    if (report.outcome != Outcome::completed) result.failure = words::message_of(report, model, {stage});
 }
 
-void watch(const SlidingScene& scene, const Eigen::Vector3d& start, RunObserver& observer, History& history)
+void watch(const scenes::SlidingScene& scene, const Eigen::Vector3d& start, RunObserver& observer,
+           History& history)
 {
     observer.step = [&scene, start, &history](const State& now, const StepReport&, const RunReport&) {
         history.times.push_back(now.stage_time);
@@ -57,7 +58,7 @@ void watch(const SlidingScene& scene, const Eigen::Vector3d& start, RunObserver&
 
 }  // namespace
 
-EngineRun run_engine(const SlidingScene& scene, const SceneSetting& setting)
+EngineRun run_engine(const scenes::SlidingScene& scene, const scenes::SceneSetting& setting)
 {
     EngineRun run_out;
     const std::clock_t start = std::clock();
@@ -67,7 +68,7 @@ EngineRun run_engine(const SlidingScene& scene, const SceneSetting& setting)
     if (run_out.result.failure.empty()) {
         state.stage = 0;
         begin_stage(model, 0, state);
-        set_velocity(model, state, scene.block, scene.start_velocity);
+        scenes::set_velocity(model, state, scene.block, scene.start_velocity);
         RunObserver observer;
         watch(scene, pose_of(model.kinematics, state, scene.block).centroid, observer, run_out.history);
         run_stage(model, stage_of(scene, setting, StageType::dynamic), state, observer, run_out.result);
@@ -93,9 +94,9 @@ std::vector<double> answer_of(const History& history)
     return {end.begin(), end.end()};
 }
 
-Diagram picture_of(const History& ours, const History& reference)
+plots::Diagram picture_of(const History& ours, const History& reference)
 {
-    Diagram picture = linear_diagram("time [s]", "displacement [m]", {});
+    plots::Diagram picture = linear_diagram("time [s]", "displacement [m]", {});
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> engine, exact;
         double largest = 0;
@@ -139,4 +140,4 @@ void add_run(VerifyResult& total, const VerifyResult& one)
     total.note += total.note.empty() ? one.note : "; " + one.note;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

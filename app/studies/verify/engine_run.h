@@ -7,7 +7,7 @@
 #include "app/studies/scenes/sliding_scenes.h"
 #include "app/studies/verify/benchmark.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// Where a block was: displacement and velocity of its centroid since the motion began.
@@ -23,7 +23,7 @@ struct EngineRun {
 };
 
 /// Brings the scene to rest under its weight, then moves it. CPU time covers both stages.
-EngineRun run_engine(const SlidingScene& scene, const SceneSetting& setting);
+EngineRun run_engine(const scenes::SlidingScene& scene, const scenes::SceneSetting& setting);
 
 /// max |u - u_ref| / max |u_ref| over all times; both histories at the same times.
 double worst_error(const History& ours, const History& reference);
@@ -32,7 +32,7 @@ double worst_error(const History& ours, const History& reference);
 std::vector<double> answer_of(const History& history);
 
 /// Displacement against time, the reference beside it, along each axis on which it moves.
-Diagram picture_of(const History& ours, const History& reference);
+plots::Diagram picture_of(const History& ours, const History& reference);
 
 /// The papers' measure: the largest |(|u_ref| - |u|) / |u_ref|| from `from` [s] on.
 double worst_relative(const History& ours, const History& reference, double from);
@@ -41,4 +41,4 @@ double worst_relative(const History& ours, const History& reference, double from
 /// stays.
 void add_run(VerifyResult& total, const VerifyResult& one);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

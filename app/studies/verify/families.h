@@ -7,7 +7,7 @@
 
 #include "app/studies/verify/benchmark.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 std::vector<Benchmark> incline_benchmarks();        // gravity, start velocity, sine
@@ -42,4 +42,4 @@ std::vector<Benchmark> bridge_benchmarks();
 /// A mass under a constant force with damping per step and per second. Source: [YagodaBiranHatzor2017], 4.2.2.
 std::vector<Benchmark> kinetic_damping_benchmarks();
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

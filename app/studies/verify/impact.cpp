@@ -9,10 +9,10 @@
 #include "app/studies/verify/references/rebound.h"
 #include "app/studies/verify/settings.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
-StagedScene li_scene(const SceneSetting& setting, const LiBlock& block, double duration)
+scenes::StagedScene li_scene(const scenes::SceneSetting& setting, const LiBlock& block, double duration)
 {
     const BlockMaterial material{"block", block.density, block.young, li_poisson};
     JointMaterial joint;
@@ -20,19 +20,19 @@ StagedScene li_scene(const SceneSetting& setting, const LiBlock& block, double d
     // Planar, each of the two corners stands for two.
     const double springs_per_corner = is_planar(setting.kinematics) ? 2 : 1;
     joint.stiffness = {ContactStiffness::Kind::per_point, springs_per_corner * block.corner_spring};
-    StagedScene scene;
-    scene.model = make_scene_model(setting, material, joint, li_side);
+    scenes::StagedScene scene;
+    scene.model = scenes::make_scene_model(setting, material, joint, li_side);
     const double half = 0.5 * li_side;
     // Held, the plate is rigid: "the elastic modulus of the flat plate is very large".
-    hold(scene.model, add_box(scene.model, "plate", {-5, -half, -1}, {5, half, 0}));
-    add_box(scene.model, "block", {-half, -half, block.height}, {half, half, block.height + li_side});
-    scene.stages = {dynamic_stage(setting, duration)};
+    scenes::hold(scene.model, scenes::add_box(scene.model, "plate", {-5, -half, -1}, {5, half, 0}));
+    scenes::add_box(scene.model, "block", {-half, -half, block.height}, {half, half, block.height + li_side});
+    scene.stages = {scenes::dynamic_stage(setting, duration)};
     return scene;
 }
 
-Bounces drop(const SceneSetting& setting, const LiBlock& block, int count, VerifyResult& result)
+Bounces drop(const scenes::SceneSetting& setting, const LiBlock& block, int count, VerifyResult& result)
 {
-    const StagedScene scene = li_scene(setting, block, 20);
+    const scenes::StagedScene scene = li_scene(setting, block, 20);
     State state = initial_state(scene.model);
     const double rest = 0.5 * li_side;
     Bounces bounces;
@@ -44,7 +44,7 @@ Bounces drop(const SceneSetting& setting, const LiBlock& block, int count, Verif
         const double rate = velocity_of(scene.model.kinematics, now, 1).z();
         // In flight the speed at the end of the step tells how far above z the apex was.
         if (rise > 0 && rate <= 0 && step.closed_points == 0)
-            bounces.heights.push_back(z + rate * rate / (2 * papers_gravity));
+            bounces.heights.push_back(z + rate * rate / (2 * scenes::papers_gravity));
         if (bounces.heights.size() == 1) {
             bounces.corner_depth = std::max(bounces.corner_depth, step.max_penetration);
             bounces.centroid_depth = std::max(bounces.centroid_depth, -z);
@@ -62,14 +62,14 @@ namespace
 {
 
 /// A cube set down with its springs unloaded, watched until the integrator has taken its motion away.
-VerifyResult run_open_close(const SceneSetting& setting)
+VerifyResult run_open_close(const scenes::SceneSetting& setting)
 {
     const LiBlock block{2000, 3e12, 3e8, 0};
     const double omega = std::sqrt(4 * block.corner_spring / (block.density * std::pow(li_side, 3)));
     const double settled = 25 / (own_damping(setting, omega) * omega);  // s: exp(-25) of the motion is left
-    const StagedScene scene = li_scene(setting, block, settled);
-    const double expected = reference::settled_penetration(
-        {li_side, block.density, block.young, li_poisson, 4 * block.corner_spring, 0, papers_gravity});
+    const scenes::StagedScene scene = li_scene(setting, block, settled);
+    const double expected = references::settled_penetration(
+        {li_side, block.density, block.young, li_poisson, 4 * block.corner_spring, 0, scenes::papers_gravity});
     VerifyResult result;
     State state = initial_state(scene.model);
     double deepest = 0, last = 0;
@@ -110,4 +110,4 @@ std::vector<Benchmark> impact_benchmarks()
     return benchmarks;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -5,7 +5,7 @@
 
 #include "app/studies/verify/run_scene.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// A cube of 2 m above a held plate, poisson 0.15, frictionless. Source: [Li2017], "Block rebound model".
@@ -19,7 +19,7 @@ constexpr double li_side = 2;        // m
 constexpr double li_poisson = 0.15;  // -
 
 /// @param duration [s] of the dynamic stage; there is no static one
-StagedScene li_scene(const SceneSetting& setting, const LiBlock& block, double duration);
+scenes::StagedScene li_scene(const scenes::SceneSetting& setting, const LiBlock& block, double duration);
 
 /// What a dropped block does.
 struct Bounces {
@@ -30,9 +30,9 @@ struct Bounces {
 };
 
 /// Drops the block and watches `count` bounces; adds the cost to `result`, and a failure when one is missing.
-Bounces drop(const SceneSetting& setting, const LiBlock& block, int count, VerifyResult& result);
+Bounces drop(const scenes::SceneSetting& setting, const LiBlock& block, int count, VerifyResult& result);
 
 /// The tables and trends of the paper as benchmarks, and the exact rebound beside them.
 std::vector<Benchmark> rebound_rows();
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -7,7 +7,7 @@
 #include "app/studies/verify/references/newmark_rebound.h"
 #include "app/studies/verify/references/rebound.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 namespace
@@ -31,7 +31,7 @@ void compare(const std::vector<Printed>& values, VerifyResult& result)
     }
 }
 
-VerifyResult run_table_2(const SceneSetting& setting)
+VerifyResult run_table_2(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     const Bounces bounces = drop(setting, {2000, 3e8, 3e8, 3}, 5, result);
@@ -51,7 +51,7 @@ struct DensityRow {
 };
 constexpr DensityRow table_3[] = {{2000, 0.0305, 0.352}, {5000, 0.0501, 0.267}, {8000, 0.0642, 0.235}};
 
-VerifyResult run_table_3_loss(const SceneSetting& setting)
+VerifyResult run_table_3_loss(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     std::vector<Printed> values;
@@ -67,7 +67,7 @@ VerifyResult run_table_3_loss(const SceneSetting& setting)
 /// The printed d/H are the depth of the centroid in metres, H = 1 m. With H = 2 m, the side and the "minimum
 /// length in the block system", a corner depth of 0.0305 H would store 2.2 MJ in the springs of a block that
 /// brings 0.48 MJ.
-VerifyResult run_table_3_depth(const SceneSetting& setting)
+VerifyResult run_table_3_depth(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     std::vector<Printed> values;
@@ -87,7 +87,7 @@ VerifyResult run_table_3_depth(const SceneSetting& setting)
 }
 
 /// Loss of the first bounce [-].
-double loss_at(SceneSetting setting, double time_step, const LiBlock& block, VerifyResult& result)
+double loss_at(scenes::SceneSetting setting, double time_step, const LiBlock& block, VerifyResult& result)
 {
     setting.time_step = time_step;
     const Bounces bounces = drop(setting, block, 1, result);
@@ -109,7 +109,7 @@ void judge_rising(const std::string& what, const std::vector<double>& losses, in
 
 /// The loss rises with time step (figure 9) and spring (figure 10), and falls with density (table 3). The values
 /// of figure 10 are in a picture that is not available; its modulus E0 = 3e7 Pa is in the text.
-VerifyResult run_trends(const SceneSetting& setting)
+VerifyResult run_trends(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     int broken = 0, all = 0;
@@ -137,7 +137,7 @@ VerifyResult run_trends(const SceneSetting& setting)
 /// Figure 10 says that the loss rises with the modulus. The paper's own scheme does that for stiff springs only:
 /// below, a soft block keeps a part of the drop as vibration, and a stiff one does not enter. Compared with that
 /// scheme.
-VerifyResult run_modulus(const SceneSetting& setting)
+VerifyResult run_modulus(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     std::string note;
@@ -146,8 +146,8 @@ VerifyResult run_modulus(const SceneSetting& setting)
         int broken = 0, all = 0;
         for (const double young : {3e7, 3e8, 3e9, 3e10}) {
             losses.push_back(loss_at(setting, setting.time_step, {2000, young, spring, 3}, result));
-            const double scheme = reference::newmark_loss(
-                {li_side, 2000, young, li_poisson, 4 * spring, 3, papers_gravity}, setting.time_step);
+            const double scheme = references::newmark_loss(
+                {li_side, 2000, young, li_poisson, 4 * spring, 3, scenes::papers_gravity}, setting.time_step);
             result.error = std::max(result.error, std::abs(losses.back() - scheme));
         }
         judge_rising(fmt::format("p {:.0e}, E 3e7, 3e8, 3e9, 3e10", spring), losses, broken, all, note);
@@ -157,11 +157,12 @@ VerifyResult run_modulus(const SceneSetting& setting)
     return result;
 }
 
-VerifyResult run_exact(const SceneSetting& setting)
+VerifyResult run_exact(const scenes::SceneSetting& setting)
 {
     const LiBlock block{2000, 3e8, 3e8, 3};
-    const reference::Rebound exact = reference::first_rebound(
-        {li_side, block.density, block.young, li_poisson, 4 * block.corner_spring, block.height, papers_gravity});
+    const references::Rebound exact =
+        references::first_rebound({li_side, block.density, block.young, li_poisson, 4 * block.corner_spring,
+                                   block.height, scenes::papers_gravity});
     VerifyResult result;
     const Bounces bounces = drop(setting, block, 1, result);
     if (!result.failure.empty()) return result;
@@ -228,4 +229,4 @@ std::vector<Benchmark> rebound_rows()
     return rows;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -7,7 +7,7 @@
 #include "app/studies/verify/references/kinetic_damping.h"
 #include "app/studies/verify/run_scene.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 namespace
@@ -18,13 +18,13 @@ constexpr double factor = 0.97;                              // "kinetic damping
 constexpr double acceleration = 1, duration = 5;  // m/s2, s: not printed; the sum is linear in the first
 
 /// A free block of 1 m and its weight.
-double fall(SceneSetting setting, double time_step, const Damping& damping, VerifyResult& result)
+double fall(scenes::SceneSetting setting, double time_step, const Damping& damping, VerifyResult& result)
 {
     setting.time_step = time_step;
-    StagedScene scene;
-    scene.model = make_scene_model(setting, {"mass", 1000, 1e9, 0.2}, {}, 1);
-    add_box(scene.model, "mass", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
-    scene.stages = {dynamic_stage(setting, duration, {acceleration, 0, 0})};
+    scenes::StagedScene scene;
+    scene.model = scenes::make_scene_model(setting, {"mass", 1000, 1e9, 0.2}, {}, 1);
+    scenes::add_box(scene.model, "mass", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+    scene.stages = {scenes::dynamic_stage(setting, duration, {acceleration, 0, 0})};
     scene.stages[0].damping = damping;
     State state = initial_state(scene.model);
     run_scene(scene, state, {}, result);
@@ -33,7 +33,7 @@ double fall(SceneSetting setting, double time_step, const Damping& damping, Veri
     return moved;
 }
 
-VerifyResult run_factor(const SceneSetting& setting)
+VerifyResult run_factor(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     result.note = "displacement / undamped displacement:";
@@ -41,7 +41,7 @@ VerifyResult run_factor(const SceneSetting& setting)
     for (const double h : time_steps) {
         const double moved = fall(setting, h, {.factor_per_step = factor}, result);
         const double exact =
-            reference::displacement_with_factor(acceleration, factor, h, std::lround(duration / h));
+            references::displacement_with_factor(acceleration, factor, h, std::lround(duration / h));
         result.error = std::max(result.error, std::abs(moved / exact - 1));
         result.note += fmt::format(" {:.4g} at {:g} s,", moved / undamped, h);
     }
@@ -53,11 +53,11 @@ VerifyResult run_factor(const SceneSetting& setting)
 }
 
 /// The rate that equals the factor at the largest step: the answer must stay where it was there.
-VerifyResult run_rate(const SceneSetting& setting)
+VerifyResult run_rate(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     const double rate = -std::log(factor) / time_steps[0];
-    const double exact = reference::displacement_with_rate(acceleration, rate, duration);
+    const double exact = references::displacement_with_rate(acceleration, rate, duration);
     result.note = fmt::format("rate {:.4f} /s; displacement / exact:", rate);
     for (const double h : time_steps) {
         const double moved = fall(setting, h, {.rate = rate}, result);
@@ -95,4 +95,4 @@ std::vector<Benchmark> kinetic_damping_benchmarks()
     return rows;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -10,11 +10,11 @@
 #include "app/studies/verify/run_scene.h"
 #include "app/studies/verify/settings.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 using Eigen::Vector3d;
-using reference::Mode;
+using references::Mode;
 
 namespace
 {
@@ -32,13 +32,13 @@ constexpr double smallest = 10 * 1e-5;  // of force / mass
 /// The load per mass as the plane sees it: x down the slope, z out of it.
 Vector3d gravity_on(const ChartCase& point)
 {
-    return papers_gravity * Vector3d(std::sin(point.alpha), 0, -std::cos(point.alpha));
+    return scenes::papers_gravity * Vector3d(std::sin(point.alpha), 0, -std::cos(point.alpha));
 }
 
 Vector3d push_on(const ChartCase& point)
 {
     const double beta = point.chart.psi - point.alpha;
-    return papers_gravity * std::tan(beta) * Vector3d(std::cos(point.alpha), 0, std::sin(point.alpha));
+    return scenes::papers_gravity * std::tan(beta) * Vector3d(std::cos(point.alpha), 0, std::sin(point.alpha));
 }
 
 BodyAcceleration body_load(int component, std::vector<double> samples, double time_step)
@@ -49,21 +49,23 @@ BodyAcceleration body_load(int component, std::vector<double> samples, double ti
 
 /// A hand holds the block against the slope and lets go within `ramp`, gently, for a sudden load on elastic
 /// contacts overshoots twofold.
-StagedScene chart_scene(const SceneSetting& setting, const ChartCase& point)
+scenes::StagedScene chart_scene(const scenes::SceneSetting& setting, const ChartCase& point)
 {
     JointMaterial joint;
     joint.name = "joint";
     joint.friction_angle = point.chart.phi;
     const double width = 2 * half_diagonal * std::sin(point.chart.delta);
     const double height = 2 * half_diagonal * std::cos(point.chart.delta);
-    joint.stiffness = stiffness_by_rule(setting, height / young);
-    StagedScene scene;
-    scene.model = make_scene_model(setting, {"rock", density, young, 0.2}, joint, thickness);
-    hold(scene.model, add_box(scene.model, "slope", {-90, -0.5 * thickness, -15}, {90, 0.5 * thickness, 0}));
-    add_box(scene.model, "block", {-0.5 * width, -0.5 * thickness, 0}, {0.5 * width, 0.5 * thickness, height});
+    joint.stiffness = scenes::stiffness_by_rule(setting, height / young);
+    scenes::StagedScene scene;
+    scene.model = scenes::make_scene_model(setting, {"rock", density, young, 0.2}, joint, thickness);
+    scenes::hold(scene.model,
+                 scenes::add_box(scene.model, "slope", {-90, -0.5 * thickness, -15}, {90, 0.5 * thickness, 0}));
+    scenes::add_box(scene.model, "block", {-0.5 * width, -0.5 * thickness, 0},
+                    {0.5 * width, 0.5 * thickness, height});
 
     const Vector3d weight = gravity_on(point), push = push_on(point);
-    Stage held = static_stage(setting, weight), freed = dynamic_stage(setting, watched, weight);
+    Stage held = scenes::static_stage(setting, weight), freed = scenes::dynamic_stage(setting, watched, weight);
     const double forever = 1e3;  // s
     held.body_accelerations = {body_load(0, {-weight.x(), -weight.x()}, forever),
                                body_load(2, {push.z(), push.z()}, forever)};
@@ -94,9 +96,9 @@ Motion motion_of(const Model& model, const State& state, const ChartCase& point)
 }
 
 /// Mean accelerations from the end of the ramp on, in units of force / mass.
-Motion first_motion(const SceneSetting& setting, const ChartCase& point, VerifyResult& result)
+Motion first_motion(const scenes::SceneSetting& setting, const ChartCase& point, VerifyResult& result)
 {
-    const StagedScene scene = chart_scene(setting, point);
+    const scenes::StagedScene scene = chart_scene(setting, point);
     State state = initial_state(scene.model);
     Motion early, late;
     double early_time = 0;
@@ -135,18 +137,18 @@ void add(double seen, double expected, Spread& spread)
     spread.largest_difference = std::max(spread.largest_difference, std::abs(seen - expected));
 }
 
-VerifyResult run_chart(const SceneSetting& setting, ChartKind kind, int count, std::uint64_t seed)
+VerifyResult run_chart(const scenes::SceneSetting& setting, ChartKind kind, int count, std::uint64_t seed)
 {
     VerifyResult result;
     int wrong = 0;
     std::string where;
     Spread spread;
     for (const ChartCase& point : chart_points(kind, count, seed)) {
-        const Mode expected = reference::mode_of(point.chart);
+        const Mode expected = references::mode_of(point.chart);
         const Motion seen = first_motion(setting, point, result);
         if (!result.failure.empty()) return result;
         double slip = 0, turn = 0;
-        reference::first_accelerations(point.chart, expected, slip, turn);
+        references::first_accelerations(point.chart, expected, slip, turn);
         result.answer.insert(result.answer.end(), {seen.slip, seen.turn});
         add(seen.slip, slip, spread);
         add(seen.turn, turn, spread);
@@ -155,7 +157,7 @@ VerifyResult run_chart(const SceneSetting& setting, ChartKind kind, int count, s
         where += fmt::format(
             "; psi {:.2f} delta {:.2f} phi {:.2f}: {} instead of {} ({:.1e}, {:.1e} for {:.1e}, {:.1e})",
             point.chart.psi / degrees, point.chart.delta / degrees, point.chart.phi / degrees,
-            name_of(mode_from(seen)), name_of(expected), seen.slip, seen.turn, slip, turn);
+            references::name_of(mode_from(seen)), references::name_of(expected), seen.slip, seen.turn, slip, turn);
     }
     result.error = static_cast<double>(wrong) / count;
     result.paper_measure = wrong;
@@ -177,7 +179,7 @@ Benchmark row(const std::string& name, const std::string& title, const std::stri
     benchmark.paper_error = paper_error;
     benchmark.setting.time_step = 1e-3;
     benchmark.sweep = sweep_of(benchmark.setting, {2e-3, 1e-3, 5e-4, 2e-4});
-    benchmark.run = [=](const SceneSetting& setting) { return run_chart(setting, kind, count, seed); };
+    benchmark.run = [=](const scenes::SceneSetting& setting) { return run_chart(setting, kind, count, seed); };
     return benchmark;
 }
 
@@ -201,4 +203,4 @@ std::vector<Benchmark> mode_chart_benchmarks(std::uint64_t seed)
     return charts;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <random>
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 namespace
@@ -46,8 +46,8 @@ std::vector<ChartCase> chart_points(ChartKind kind, int count, std::uint64_t see
     int wanted_near = (count + 1) / 2, wanted_far = count - wanted_near;
     while (wanted_near + wanted_far > 0) {
         const ChartCase point = draw(kind, random);
-        if (within_of_a_boundary(point.chart, too_near)) continue;
-        int& wanted = within_of_a_boundary(point.chart, near) ? wanted_near : wanted_far;
+        if (references::within_of_a_boundary(point.chart, too_near)) continue;
+        int& wanted = references::within_of_a_boundary(point.chart, near) ? wanted_near : wanted_far;
         if (wanted == 0) continue;
         --wanted;
         points.push_back(point);
@@ -55,4 +55,4 @@ std::vector<ChartCase> chart_points(ChartKind kind, int count, std::uint64_t see
     return points;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -6,12 +6,12 @@
 
 #include "app/studies/verify/references/mode_chart.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// A block on a slope under gravity and a horizontal force m g tan beta.
 struct ChartCase {
-    reference::ChartPoint chart;
+    references::ChartPoint chart;
     double alpha = 0;  // rad, slope; beta = psi - alpha
 };
 
@@ -24,4 +24,4 @@ enum class ChartKind {
 /// `within_of_a_boundary`. "Mostly" is four of five; the others have alpha (phi) anywhere in 10 to 45 degrees.
 std::vector<ChartCase> chart_points(ChartKind kind, int count, std::uint64_t seed);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -8,14 +8,14 @@
 #include "app/studies/verify/table.h"
 #include "app/words/figures_in_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
 
 std::string ours(const VerifyResult& result)
 {
-    return result.failure.empty() ? error_in_words(result.error) : "failed";
+    return result.failure.empty() ? words::error_in_words(result.error) : "failed";
 }
 
 std::string main_table(const std::vector<VerifyOutcome>& outcomes)
@@ -27,8 +27,8 @@ std::string main_table(const std::vector<VerifyOutcome>& outcomes)
         const Benchmark& benchmark = outcome.benchmark;
         text += fmt::format("| [{0}](#{0}) | {1} | {2} | {3} | {4} | {5:.3g} | {6} |\n", benchmark.name,
                             benchmark.paper_error.empty() ? "none given" : benchmark.paper_error,
-                            ours(outcome.row.result), error_in_words(benchmark.tolerance),
-                            step_in_words(outcome.row.setting.time_step), cpu_share(outcome.row.result),
+                            ours(outcome.row.result), words::error_in_words(benchmark.tolerance),
+                            words::step_in_words(outcome.row.setting.time_step), cpu_share(outcome.row.result),
                             outcome.pass ? "yes" : "**no**");
     }
     return text;
@@ -70,7 +70,7 @@ std::string sweep_table(const VerifyOutcome& outcome)
                                           : "default";
         const std::string failure = result.failure.empty() ? "" : ": " + result.failure;
         text += fmt::format("| {} | {} | {} | {}{} | {:.3g} | {} | {} | {} |\n", method_name(row.setting),
-                            step_in_words(row.setting.time_step), stiffness, ours(result), failure,
+                            words::step_in_words(row.setting.time_step), stiffness, ours(result), failure,
                             result.cpu_time, result.steps, result.iterations, result.step_cuts);
     }
     if (!outcome.orders.empty()) text += "\nObserved order of convergence: ";
@@ -91,10 +91,10 @@ std::string section(const VerifyOutcome& outcome, const std::vector<std::string>
     std::string text = fmt::format("\n## {}\n\n{}. Source: {}. Error: {}.\n", benchmark.name, benchmark.title,
                                    benchmark.source, benchmark.quantity);
     if (!benchmark.choices.empty()) text += "\n" + benchmark.choices + "\n";
-    text += fmt::format("\nAt {} ({}): {}", step_in_words(outcome.row.setting.time_step),
+    text += fmt::format("\nAt {} ({}): {}", words::step_in_words(outcome.row.setting.time_step),
                         method_name(outcome.row.setting), ours(result));
     if (result.paper_measure)
-        text += fmt::format(", by the paper's own measure {}", error_in_words(*result.paper_measure));
+        text += fmt::format(", by the paper's own measure {}", words::error_in_words(*result.paper_measure));
     text += fmt::format("; {} steps, {} cut, {} iterations.\n", result.steps, result.step_cuts, result.iterations);
     if (!result.failure.empty()) text += "\nFailed: " + result.failure + "\n";
     if (!result.note.empty()) text += "\n" + result.note + "\n";
@@ -129,4 +129,4 @@ std::string verification_page(const std::vector<VerifyOutcome>& outcomes, const 
     return text;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

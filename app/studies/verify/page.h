@@ -6,7 +6,7 @@
 
 #include "app/studies/verify/runner.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// @param command how the page was made, written at its head
@@ -14,4 +14,4 @@ namespace voussoir
 std::string verification_page(const std::vector<VerifyOutcome>& outcomes, const std::string& command,
                               const std::vector<std::string>& plots);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

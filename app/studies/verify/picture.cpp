@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
-Curve curve_of(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
-               bool is_reference)
+plots::Curve curve_of(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
+                      bool is_reference)
 {
     constexpr std::size_t max_points = 800;  // more than the picture has room for
     if (y.size() <= max_points) return {name, x, y, is_reference};
-    Curve curve{name, {}, {}, is_reference};
+    plots::Curve curve{name, {}, {}, is_reference};
     const std::size_t bin = 1 + 2 * y.size() / max_points;
     for (std::size_t first = 0; first < y.size(); first += bin) {
         const auto begin = y.begin() + static_cast<std::ptrdiff_t>(first);
@@ -27,9 +27,10 @@ Curve curve_of(const std::string& name, const std::vector<double>& x, const std:
     return curve;
 }
 
-Diagram linear_diagram(const std::string& x_title, const std::string& y_title, std::vector<Curve> curves)
+plots::Diagram linear_diagram(const std::string& x_title, const std::string& y_title,
+                              std::vector<plots::Curve> curves)
 {
     return {x_title, y_title, std::move(curves), {}, false, false, false};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -8,33 +8,33 @@
 #include "app/studies/verify/settings.h"
 #include "app/words/figures_in_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
 
 /// One curve a method, of the rows that ran. @param abscissa picks x of a row
 template <typename Abscissa>
-std::vector<Curve> curves_of(const std::vector<VerifyRow>& rows, bool of_stiffness, Abscissa abscissa)
+std::vector<plots::Curve> curves_of(const std::vector<VerifyRow>& rows, bool of_stiffness, Abscissa abscissa)
 {
-    std::vector<Curve> curves;
+    std::vector<plots::Curve> curves;
     for (const VerifyRow& row : rows) {
         const bool drawable = row.result.failure.empty() && row.result.error > 0;
         if (!drawable || row.setting.stiffness_factor.has_value() != of_stiffness) continue;
         const std::string name = method_name(row.setting);
-        auto curve =
-            std::find_if(curves.begin(), curves.end(), [&](const Curve& each) { return each.name == name; });
-        if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{name, {}, {}});
+        auto curve = std::find_if(curves.begin(), curves.end(),
+                                  [&](const plots::Curve& each) { return each.name == name; });
+        if (curve == curves.end()) curve = curves.insert(curves.end(), plots::Curve{name, {}, {}});
         curve->x.push_back(abscissa(row));
         curve->y.push_back(row.result.error);
     }
     return curves;
 }
 
-std::string in_words(const SceneSetting& setting)
+std::string in_words(const scenes::SceneSetting& setting)
 {
     const std::optional<double>& factor = setting.stiffness_factor;
-    return fmt::format("{} at {}{}", method_name(setting), step_in_words(setting.time_step),
+    return fmt::format("{} at {}{}", method_name(setting), words::step_in_words(setting.time_step),
                        factor ? fmt::format(", stiffness x {:g}", *factor) : std::string());
 }
 
@@ -53,15 +53,15 @@ std::vector<std::string> notes_on(const std::vector<VerifyRow>& rows)
 
 }  // namespace
 
-Figure work_precision(const VerifyOutcome& outcome)
+plots::Figure work_precision(const VerifyOutcome& outcome)
 {
     const Benchmark& benchmark = outcome.benchmark;
     const std::vector<VerifyRow>& rows = outcome.rows;
-    std::vector<Level> levels;
+    std::vector<plots::Level> levels;
     if (benchmark.tolerance > 0) levels.push_back({"tolerance", benchmark.tolerance, true});
     if (benchmark.paper_level) levels.push_back({"the paper's error", *benchmark.paper_level, false});
-    Figure figure{benchmark.name, benchmark.title, benchmark.source, {}, false, notes_on(rows)};
-    const auto add = [&](const std::string& x_title, std::vector<Curve> curves) {
+    plots::Figure figure{benchmark.name, benchmark.title, benchmark.source, {}, false, notes_on(rows)};
+    const auto add = [&](const std::string& x_title, std::vector<plots::Curve> curves) {
         if (!curves.empty()) figure.diagrams.push_back({x_title, "error [-]", std::move(curves), levels});
     };
     add("time step [s]", curves_of(rows, false, [](const VerifyRow& row) { return row.setting.time_step; }));
@@ -71,18 +71,18 @@ Figure work_precision(const VerifyOutcome& outcome)
     return figure;
 }
 
-Figure picture(const VerifyOutcome& outcome)
+plots::Figure picture(const VerifyOutcome& outcome)
 {
     const Benchmark& benchmark = outcome.benchmark;
     const VerifyRow& row = outcome.row;
-    Figure figure{benchmark.name + "-run",
-                  benchmark.title,
-                  method_name(row.setting) + ", " + step_in_words(row.setting.time_step),
-                  {},
-                  false,
-                  {}};
+    plots::Figure figure{benchmark.name + "-run",
+                         benchmark.title,
+                         method_name(row.setting) + ", " + words::step_in_words(row.setting.time_step),
+                         {},
+                         false,
+                         {}};
     if (!row.result.picture.curves.empty()) figure.diagrams.push_back(row.result.picture);
     return figure;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -11,7 +11,7 @@
 #include "app/studies/verify/references/rocking.h"
 #include "app/studies/verify/run_scene.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 namespace
@@ -28,24 +28,24 @@ struct Choices {
 };
 constexpr double contact_damping = 0.5;  // xi of the documented rule for rocking
 
-reference::RockingBlock rigid_block(double amplitude)
+references::RockingBlock rigid_block(double amplitude)
 {
-    return {half_width, half_height, papers_gravity, amplitude, frequency, false};
+    return {half_width, half_height, scenes::papers_gravity, amplitude, frequency, false};
 }
 
 /// Angular frequency of the block on all its contact springs [rad/s].
-double contact_frequency(const SceneSetting& setting, const Choices& choices)
+double contact_frequency(const scenes::SceneSetting& setting, const Choices& choices)
 {
     const double depth = 2 * half_height;
-    const double stiffness =
-        setting.stiffness_factor.value_or(1) * default_stiffness(setting.kinematics, depth / choices.young);
+    const double stiffness = setting.stiffness_factor.value_or(1) *
+                             scenes::default_stiffness(setting.kinematics, depth / choices.young);
     return std::sqrt(stiffness / (choices.density * depth));  // per area of the base, both
 }
 
 /// eta = 2 max(0, xi - own damping of the integrator) / omega, by the documented rule (docs/method.md): omega is
 /// that of the edge that lands. It has half of the springs and, the block turning about the other edge, the mass
 /// (4/3 m R^2) / (2 b)^2: sqrt(3/2) b / R of the frequency of the block on all its springs.
-double dashpot_by_rule(const SceneSetting& setting, const Choices& choices)
+double dashpot_by_rule(const scenes::SceneSetting& setting, const Choices& choices)
 {
     const double share = std::sqrt(1.5) * half_width / std::hypot(half_width, half_height);
     const double omega = share * contact_frequency(setting, choices);
@@ -53,21 +53,22 @@ double dashpot_by_rule(const SceneSetting& setting, const Choices& choices)
 }
 
 /// A block 1 m thick on a base that shakes along x.
-StagedScene rocking_scene(const SceneSetting& setting, const Choices& choices, double amplitude, double duration)
+scenes::StagedScene rocking_scene(const scenes::SceneSetting& setting, const Choices& choices, double amplitude,
+                                  double duration)
 {
     JointMaterial joint;
     joint.name = "rough";
     joint.friction_angle = choices.friction * std::numbers::pi / 180;
-    joint.stiffness = stiffness_by_rule(setting, 2 * half_height / choices.young);
+    joint.stiffness = scenes::stiffness_by_rule(setting, 2 * half_height / choices.young);
     joint.dashpot = dashpot_by_rule(setting, choices);
-    StagedScene scene;
-    scene.model = make_scene_model(setting, {"stone", choices.density, choices.young, 0.2}, joint, 1);
-    hold(scene.model, add_box(scene.model, "base", {-3, -0.5, -1}, {3, 0.5, 0}));
-    add_box(scene.model, "block", {-half_width, -0.5, 0}, {half_width, 0.5, 2 * half_height});
-    Stage shaking = dynamic_stage(setting, duration);
+    scenes::StagedScene scene;
+    scene.model = scenes::make_scene_model(setting, {"stone", choices.density, choices.young, 0.2}, joint, 1);
+    scenes::hold(scene.model, scenes::add_box(scene.model, "base", {-3, -0.5, -1}, {3, 0.5, 0}));
+    scenes::add_box(scene.model, "block", {-half_width, -0.5, 0}, {half_width, 0.5, 2 * half_height});
+    Stage shaking = scenes::dynamic_stage(setting, duration);
     const GroundMotion pulse = GroundMotion::sine_acceleration(amplitude, frequency, 0, 0.5 / frequency);
     shaking.motions = {{0, 0, std::make_shared<const GroundMotion>(pulse)}};
-    scene.stages = {static_stage(setting), shaking};
+    scene.stages = {scenes::static_stage(setting), shaking};
     return scene;
 }
 
@@ -76,10 +77,10 @@ struct Record {
     std::vector<double> times, angles;
 };
 
-Record watch(const SceneSetting& setting, const Choices& choices, double amplitude, double duration,
+Record watch(const scenes::SceneSetting& setting, const Choices& choices, double amplitude, double duration,
              VerifyResult& result, const std::function<bool(double time, double lean)>& stop)
 {
-    const StagedScene scene = rocking_scene(setting, choices, amplitude, duration);
+    const scenes::StagedScene scene = rocking_scene(setting, choices, amplitude, duration);
     State state = initial_state(scene.model);
     Record record;
     bool done = false;
@@ -101,7 +102,7 @@ Record watch(const SceneSetting& setting, const Choices& choices, double amplitu
 }
 
 /// Whether the engine's block falls: before its first return to the upright after the pulse, or never.
-bool falls(const SceneSetting& setting, double amplitude, VerifyResult& result)
+bool falls(const scenes::SceneSetting& setting, double amplitude, VerifyResult& result)
 {
     const double far = std::numbers::pi / 4;
     const Record record = watch(setting, {}, amplitude, 10, result, [&](double time, double lean) {
@@ -110,11 +111,11 @@ bool falls(const SceneSetting& setting, double amplitude, VerifyResult& result)
     return std::abs(record.angles.back()) > far;
 }
 
-VerifyResult run_threshold(const SceneSetting& setting)
+VerifyResult run_threshold(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
-    const double exact = reference::overturning_threshold(rigid_block(0));
-    reference::RockingBlock slender = rigid_block(0);
+    const double exact = references::overturning_threshold(rigid_block(0));
+    references::RockingBlock slender = rigid_block(0);
     slender.linear = true;
     double stands = 0.9 * exact, over = 1.1 * exact;
     if (falls(setting, stands, result) || !falls(setting, over, result)) {
@@ -131,7 +132,7 @@ VerifyResult run_threshold(const SceneSetting& setting)
     result.paper_measure = threshold;
     result.note =
         fmt::format("engine {:.4f} m/s2; full equation {:.4f}; linearised {:.4f} (printed: 5.43 to 5.44)",
-                    threshold, exact, reference::overturning_threshold(slender));
+                    threshold, exact, references::overturning_threshold(slender));
     return result;
 }
 
@@ -146,7 +147,7 @@ double difference(const Record& record, const std::vector<double>& exact, double
     return worst / peak;
 }
 
-Diagram picture_of(const Record& record, const std::vector<double>& exact)
+plots::Diagram picture_of(const Record& record, const std::vector<double>& exact)
 {
     return linear_diagram(
         "time [s]", "rotation [rad]",
@@ -154,23 +155,23 @@ Diagram picture_of(const Record& record, const std::vector<double>& exact)
 }
 
 /// Error up to the first impact of the reference.
-double before_impact(const SceneSetting& setting, const Choices& choices, VerifyResult& result)
+double before_impact(const scenes::SceneSetting& setting, const Choices& choices, VerifyResult& result)
 {
-    const reference::RockingBlock block = rigid_block(printed_amplitude);
-    const double impact = *reference::first_impact(block);
+    const references::RockingBlock block = rigid_block(printed_amplitude);
+    const double impact = *references::first_impact(block);
     const Record record = watch(setting, choices, printed_amplitude, impact, result, {});
     result.answer.push_back(*std::max_element(record.angles.begin(), record.angles.end(),
                                               [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    const std::vector<double> exact = reference::rocking_angles(block, record.times);
+    const std::vector<double> exact = references::rocking_angles(block, record.times);
     if (result.picture.curves.empty()) result.picture = picture_of(record, exact);
     return difference(record, exact, impact);
 }
 
-VerifyResult run_before_impact(const SceneSetting& setting)
+VerifyResult run_before_impact(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     result.error = before_impact(setting, {}, result);
-    const double impact = *reference::first_impact(rigid_block(printed_amplitude));
+    const double impact = *references::first_impact(rigid_block(printed_amplitude));
     Choices soft;
     soft.young = 1e10;
     const double compliant = before_impact(setting, soft, result);
@@ -180,7 +181,7 @@ VerifyResult run_before_impact(const SceneSetting& setting)
 }
 
 /// The same with other values of what is not printed.
-VerifyResult run_choices(const SceneSetting& setting)
+VerifyResult run_choices(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     struct Other {
@@ -217,31 +218,31 @@ std::vector<double> apexes(const Record& record)
 }
 
 /// Error over 5 s; says in the note which restitution the impacts had.
-double history(const SceneSetting& setting, const Choices& choices, VerifyResult& result)
+double history(const scenes::SceneSetting& setting, const Choices& choices, VerifyResult& result)
 {
-    const reference::RockingBlock block = rigid_block(printed_amplitude);
+    const references::RockingBlock block = rigid_block(printed_amplitude);
     const Record record = watch(setting, choices, printed_amplitude, 5, result, {});
     std::string realised;
     const std::vector<double> swings = apexes(record);
     for (std::size_t i = 1; i < swings.size() && i < 5; ++i)
-        realised += fmt::format(" {:.3f}", reference::restitution_between(block, swings[i - 1], swings[i]));
+        realised += fmt::format(" {:.3f}", references::restitution_between(block, swings[i - 1], swings[i]));
     result.answer.insert(result.answer.end(), swings.begin(), swings.end());
     result.note += fmt::format(
         "restitution of the first impacts{} (Housner {:.3f}), h omega {:.2f}, relaxation time {:.1e} s", realised,
-        reference::housner_restitution(block), contact_frequency(setting, choices) * setting.time_step,
+        references::housner_restitution(block), contact_frequency(setting, choices) * setting.time_step,
         dashpot_by_rule(setting, choices));
-    const std::vector<double> exact = reference::rocking_angles(block, record.times);
+    const std::vector<double> exact = references::rocking_angles(block, record.times);
     if (result.picture.curves.empty()) result.picture = picture_of(record, exact);
     return difference(record, exact, 5);
 }
 
-VerifyResult run_history(const SceneSetting& setting)
+VerifyResult run_history(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     Choices choices;
     result.error = history(setting, choices, result);
     // On softer contacts and with a finer step the integrator damps little and the dashpot does all.
-    SceneSetting fine = setting;
+    scenes::SceneSetting fine = setting;
     fine.time_step = 1e-4;
     choices.young = 1e10;
     result.note += "; at 1e10 Pa and 0.1 ms: ";
@@ -251,7 +252,7 @@ VerifyResult run_history(const SceneSetting& setting)
 }
 
 Benchmark row(const std::string& name, const std::string& title, double time_step, double tolerance,
-              std::function<VerifyResult(const SceneSetting&)> run)
+              std::function<VerifyResult(const scenes::SceneSetting&)> run)
 {
     Benchmark benchmark;
     benchmark.name = name;
@@ -293,4 +294,4 @@ std::vector<Benchmark> rocking_benchmarks()
     return rows;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

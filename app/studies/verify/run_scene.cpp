@@ -5,12 +5,13 @@
 
 #include "app/words/diagnosis_words.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 using Eigen::Vector3d;
 
-RunReport run_scene(const StagedScene& scene, State& state, const RunObserver& observer, VerifyResult& result)
+RunReport run_scene(const scenes::StagedScene& scene, State& state, const RunObserver& observer,
+                    VerifyResult& result)
 {
     const std::clock_t start = std::clock();
     RunReport report = run(scene.model, scene.stages, state, observer);
@@ -19,7 +20,7 @@ RunReport run_scene(const StagedScene& scene, State& state, const RunObserver& o
     result.steps += report.steps;
     result.step_cuts += report.step_cuts;
     result.iterations += report.open_close_iterations;
-    if (report.outcome == Outcome::gave_up) result.failure = message_of(report, scene.model, scene.stages);
+    if (report.outcome == Outcome::gave_up) result.failure = words::message_of(report, scene.model, scene.stages);
     return report;
 }
 
@@ -29,15 +30,15 @@ double lean_of(const Model& model, const State& state, int block)
     return std::atan2(map(0, 2), map(2, 2));
 }
 
-double own_damping(const SceneSetting& setting, double omega)
+double own_damping(const scenes::SceneSetting& setting, double omega)
 {
     const double share = setting.integrator == Integrator::newmark ? 1 : StepControl{}.dissipation;
     return share * omega * setting.time_step / 4;
 }
 
-std::vector<SceneSetting> sweep_of(SceneSetting base, const std::vector<double>& time_steps)
+std::vector<scenes::SceneSetting> sweep_of(scenes::SceneSetting base, const std::vector<double>& time_steps)
 {
-    std::vector<SceneSetting> sweep;
+    std::vector<scenes::SceneSetting> sweep;
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying})
         for (const double h : time_steps) {
             base.integrator = integrator;
@@ -47,4 +48,4 @@ std::vector<SceneSetting> sweep_of(SceneSetting base, const std::vector<double>&
     return sweep;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -12,19 +12,20 @@
 #include "libdda/model/state.h"
 #include "libdda/run/run.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// Runs a scene from rest and adds its cost to `result`; says there when the run gave up.
-RunReport run_scene(const StagedScene& scene, State& state, const RunObserver& observer, VerifyResult& result);
+RunReport run_scene(const scenes::StagedScene& scene, State& state, const RunObserver& observer,
+                    VerifyResult& result);
 
 /// The lean of a block towards +x: angle of its z axis from the vertical in the plane x, z [rad].
 double lean_of(const Model& model, const State& state, int block);
 
 /// The share of critical damping that the integrator itself gives to a mode: omega h / 4, or `dissipation` of it.
-double own_damping(const SceneSetting& setting, double omega);
+double own_damping(const scenes::SceneSetting& setting, double omega);
 
 /// `base` at these time steps, with both integrators.
-std::vector<SceneSetting> sweep_of(SceneSetting base, const std::vector<double>& time_steps);
+std::vector<scenes::SceneSetting> sweep_of(scenes::SceneSetting base, const std::vector<double>& time_steps);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

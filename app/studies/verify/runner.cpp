@@ -7,7 +7,7 @@
 
 #include "app/studies/verify/settings.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
@@ -19,7 +19,7 @@ constexpr double least_agreement = 1e-5;
 constexpr double no_order_below = 1e-5;
 
 /// Whatever goes wrong becomes a row that says so.
-VerifyResult run_once(const Benchmark& benchmark, const SceneSetting& setting)
+VerifyResult run_once(const Benchmark& benchmark, const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     try {
@@ -31,7 +31,7 @@ VerifyResult run_once(const Benchmark& benchmark, const SceneSetting& setting)
     return result;
 }
 
-VerifyResult median_of_three(const Benchmark& benchmark, const SceneSetting& setting)
+VerifyResult median_of_three(const Benchmark& benchmark, const scenes::SceneSetting& setting)
 {
     VerifyResult result = run_once(benchmark, setting);
     if (!result.failure.empty()) return result;
@@ -72,7 +72,7 @@ std::optional<double> distance_from_first(const VerifyRow& row, const VerifyOutc
 void run_companions(const Benchmark& benchmark, VerifyOutcome& outcome)
 {
     for (const Kinematics kinematics : benchmark.also) {
-        SceneSetting setting = benchmark.setting;
+        scenes::SceneSetting setting = benchmark.setting;
         setting.kinematics = kinematics;
         VerifyRow row{setting, run_once(benchmark, setting)};
         const std::optional<double> distance = distance_from_first(row, outcome);
@@ -144,7 +144,7 @@ VerifyOutcome run_benchmark(const Benchmark& benchmark, bool sweep)
         outcome.rows = {outcome.row};
         return outcome;
     }
-    for (const SceneSetting& setting : benchmark.sweep)
+    for (const scenes::SceneSetting& setting : benchmark.sweep)
         outcome.rows.push_back({setting, median_of_three(benchmark, setting)});
     outcome.orders = observed_orders(outcome.rows);
     return outcome;
@@ -155,4 +155,4 @@ double cpu_share(const VerifyResult& result)
     return result.simulated_time > 0 ? result.cpu_time / result.simulated_time : 0;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -7,12 +7,12 @@
 
 #include "app/studies/verify/benchmark.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// One setting and what it gave; a run that gave up is a row with its `failure`.
 struct VerifyRow {
-    SceneSetting setting;
+    scenes::SceneSetting setting;
     VerifyResult result;
 };
 
@@ -45,4 +45,4 @@ VerifyOutcome run_benchmark(const Benchmark& benchmark, bool sweep);
 /// CPU seconds per simulated second.
 double cpu_share(const VerifyResult& result);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

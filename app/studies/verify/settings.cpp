@@ -1,6 +1,6 @@
 #include "app/studies/verify/settings.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 namespace
@@ -13,7 +13,7 @@ Kinematics planar_form(Kinematics spatial)
 
 }  // namespace
 
-std::string method_name(const SceneSetting& setting)
+std::string method_name(const scenes::SceneSetting& setting)
 {
     std::string name(name_of(setting.kinematics));
     name += setting.integrator == Integrator::newmark ? ", Newmark" : ", energy decaying";
@@ -21,15 +21,15 @@ std::string method_name(const SceneSetting& setting)
     return name;
 }
 
-std::vector<SceneSetting> standard_sweep(const std::vector<double>& time_steps,
-                                         const std::vector<double>& stiffness_factors)
+std::vector<scenes::SceneSetting> standard_sweep(const std::vector<double>& time_steps,
+                                                 const std::vector<double>& stiffness_factors)
 {
-    SceneSetting rigid, deformable, decaying, published;
+    scenes::SceneSetting rigid, deformable, decaying, published;
     deformable.kinematics = Kinematics::spatial_deformable;
     decaying.integrator = Integrator::energy_decaying;
     published.open_close = OpenClose::published;
-    std::vector<SceneSetting> sweep;
-    for (const SceneSetting& method : {rigid, deformable, decaying, published})
+    std::vector<scenes::SceneSetting> sweep;
+    for (const scenes::SceneSetting& method : {rigid, deformable, decaying, published})
         for (const double step : time_steps) {
             sweep.push_back(method);
             sweep.back().time_step = step;
@@ -56,7 +56,7 @@ void make_planar(Benchmark& benchmark, bool other_blocks)
         benchmark.also.insert(benchmark.also.end(),
                               {Kinematics::planar_deformable, Kinematics::spatial_deformable});
     benchmark.setting.kinematics = planar_form(benchmark.setting.kinematics);
-    for (SceneSetting& setting : benchmark.sweep) setting.kinematics = planar_form(setting.kinematics);
+    for (scenes::SceneSetting& setting : benchmark.sweep) setting.kinematics = planar_form(setting.kinematics);
 }
 
 std::vector<Benchmark> made_planar(std::vector<Benchmark> benchmarks, bool other_blocks)
@@ -71,4 +71,4 @@ std::vector<Benchmark> with_planar(std::vector<Benchmark> benchmarks)
     return benchmarks;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

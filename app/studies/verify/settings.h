@@ -6,17 +6,17 @@
 
 #include "app/studies/verify/benchmark.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// "spatial rigid, Newmark", with ", published iteration" where it is Shi's.
-std::string method_name(const SceneSetting& setting);
+std::string method_name(const scenes::SceneSetting& setting);
 
 /// Time steps x methods (rigid and deformable, both integrators, the published iteration), then the contact
 /// stiffnesses at the default time step.
 /// @param time_steps [s]; @param stiffness_factors times the documented default
-std::vector<SceneSetting> standard_sweep(const std::vector<double>& time_steps,
-                                         const std::vector<double>& stiffness_factors = {});
+std::vector<scenes::SceneSetting> standard_sweep(const std::vector<double>& time_steps,
+                                                 const std::vector<double>& stiffness_factors = {});
 
 /// Makes a planar benchmark of one whose scene lies in the x-z plane, its sweep too. Beside it stand the
 /// one-block-thick spatial scene and, with `other_blocks`, both with deformable blocks instead of rigid ones or
@@ -31,4 +31,4 @@ std::vector<Benchmark> with_planar(std::vector<Benchmark> benchmarks);
 /// Time steps of the sliding benchmarks [s].
 inline const std::vector<double> sliding_steps{1e-2, 5e-3, 2.5e-3, 1e-3, 5e-4, 2.5e-4};
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -1,6 +1,6 @@
 #include "app/studies/verify/sliding.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
@@ -16,9 +16,10 @@ VerifyResult judge(EngineRun run, const History& reference, double paper_from)
 
 }  // namespace
 
-History reference_history(const SlidingProblem& problem, const std::vector<double>& times, const ClosedForm& base)
+History reference_history(const references::SlidingProblem& problem, const std::vector<double>& times,
+                          const ClosedForm& base)
 {
-    const std::vector<SlidingPoint> points = slide(problem, times);
+    const std::vector<references::SlidingPoint> points = references::slide(problem, times);
     History reference;
     reference.times = times;
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -29,8 +30,8 @@ History reference_history(const SlidingProblem& problem, const std::vector<doubl
     return reference;
 }
 
-VerifyResult compare_sliding(const SlidingScene& scene, const SceneSetting& setting, double paper_from,
-                             const ClosedForm& closed_form)
+VerifyResult compare_sliding(const scenes::SlidingScene& scene, const scenes::SceneSetting& setting,
+                             double paper_from, const ClosedForm& closed_form)
 {
     EngineRun run = run_engine(scene, setting);
     History reference;
@@ -38,12 +39,12 @@ VerifyResult compare_sliding(const SlidingScene& scene, const SceneSetting& sett
     return judge(std::move(run), reference, paper_from);
 }
 
-VerifyResult compare_sliding(const SlidingScene& scene, const SceneSetting& setting, double paper_from,
-                             const SlidingProblem& problem, const ClosedForm& base)
+VerifyResult compare_sliding(const scenes::SlidingScene& scene, const scenes::SceneSetting& setting,
+                             double paper_from, const references::SlidingProblem& problem, const ClosedForm& base)
 {
     EngineRun run = run_engine(scene, setting);
     const History reference = reference_history(problem, run.history.times, base);
     return judge(std::move(run), reference, paper_from);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

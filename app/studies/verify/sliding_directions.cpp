@@ -7,7 +7,7 @@
 #include "app/studies/verify/settings.h"
 #include "app/studies/verify/sliding.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
@@ -23,28 +23,31 @@ struct TwoDirections {
 };
 
 /// The vector analysis of [BakunMazor2009]: resultant of the loads in the plane against friction along the slip.
-SlidingProblem vector_analysis(const TwoDirections& scene)
+references::SlidingProblem vector_analysis(const TwoDirections& scene)
 {
-    const double angle = scene.angle * degree;
-    SlidingProblem problem;
+    const double angle = scene.angle * scenes::degree;
+    references::SlidingProblem problem;
     problem.driving = [=](double t) {
-        const double down = papers_gravity * std::sin(angle) + scene.dip(t) * std::cos(angle);
+        const double down = scenes::papers_gravity * std::sin(angle) + scene.dip(t) * std::cos(angle);
         return Eigen::Vector2d(down, scene.strike(t));
     };
-    problem.pressing = [=](double t) { return papers_gravity * std::cos(angle) - scene.dip(t) * std::sin(angle); };
-    problem.friction = std::tan(scene.friction * degree);
+    problem.pressing = [=](double t) {
+        return scenes::papers_gravity * std::cos(angle) - scene.dip(t) * std::sin(angle);
+    };
+    problem.friction = std::tan(scene.friction * scenes::degree);
     return problem;
 }
 
-VerifyResult shake(const SceneSetting& setting, const TwoDirections& loads)
+VerifyResult shake(const scenes::SceneSetting& setting, const TwoDirections& loads)
 {
-    SlidingScene scene = block_on_base(
-        setting, {.friction = loads.friction * degree, .travel_from = {-5, -15}, .travel_to = {25, 15}});
-    scene.gravity = inclined_gravity(loads.angle * degree);
+    scenes::SlidingScene scene = scenes::block_on_base(
+        setting, {.friction = loads.friction * scenes::degree, .travel_from = {-5, -15}, .travel_to = {25, 15}});
+    scene.gravity = scenes::inclined_gravity(loads.angle * scenes::degree);
     scene.duration = 6;
-    add_horizontal(scene, GroundMotion::sine_acceleration(loads.dip.amplitude, loads.dip.frequency, 0, 1e6),
-                   loads.angle * degree);
-    add_sine(scene, 1, loads.strike.amplitude, loads.strike.frequency);
+    scenes::add_horizontal(scene,
+                           GroundMotion::sine_acceleration(loads.dip.amplitude, loads.dip.frequency, 0, 1e6),
+                           loads.angle * scenes::degree);
+    scenes::add_sine(scene, 1, loads.strike.amplitude, loads.strike.frequency);
     VerifyResult result = compare_sliding(scene, setting, scene.duration, vector_analysis(loads));
     result.note = fmt::format("{:g}/{:g} deg, dip {:g} m/s2 at {:g} Hz, strike {:g} m/s2 at {:g} Hz: {:.1e}",
                               loads.angle, loads.friction, loads.dip.amplitude, loads.dip.frequency,
@@ -52,7 +55,7 @@ VerifyResult shake(const SceneSetting& setting, const TwoDirections& loads)
     return result;
 }
 
-VerifyResult shake_two(const SceneSetting& setting)
+VerifyResult shake_two(const scenes::SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, shake(setting, {20, 30, {2.5, 1}, {1.5, 0.5}}));
@@ -82,4 +85,4 @@ std::vector<Benchmark> two_direction_benchmarks()
              .run = shake_two}};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

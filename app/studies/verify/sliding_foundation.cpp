@@ -8,7 +8,7 @@
 #include "app/studies/verify/settings.h"
 #include "app/studies/verify/sliding.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
@@ -28,33 +28,33 @@ const Motion two_directions{{{0.3, 2}, {0.2, 4}, {}}};
 const Motion three_directions{{{0.1, 2}, {0.1, 4}, {0.1, 1}}};  // equation 9
 
 /// E L = 3.3e10 N/m and E A = 1e11 N follow from the stiffness ratios the paper prints: 3 x 3 m, 11 GPa.
-SlidingScene scene_of(const SceneSetting& setting, const Motion& motion)
+scenes::SlidingScene scene_of(const scenes::SceneSetting& setting, const Motion& motion)
 {
-    SlidingScene scene = block_on_base(setting, {.size = {3, 3, 0.3},
-                                                 .material = {"stone", 2500, 1.1e10, 0.2},
-                                                 .friction = std::atan(friction),
-                                                 .travel_from = {-10, -10},
-                                                 .travel_to = {10, 10}});
+    scenes::SlidingScene scene = scenes::block_on_base(setting, {.size = {3, 3, 0.3},
+                                                                 .material = {"stone", 2500, 1.1e10, 0.2},
+                                                                 .friction = std::atan(friction),
+                                                                 .travel_from = {-10, -10},
+                                                                 .travel_to = {10, 10}});
     scene.duration = 5;
     for (int axis = 0; axis < 3; ++axis)
         if (motion[axis].amplitude > 0)
-            add_cosine_motion(scene, axis, motion[axis].amplitude, motion[axis].frequency);
+            scenes::add_cosine_motion(scene, axis, motion[axis].amplitude, motion[axis].frequency);
     return scene;
 }
 
 /// Equation 8: seen from the base, the block is driven by minus its acceleration.
-SlidingProblem equation_8(const Motion& motion)
+references::SlidingProblem equation_8(const Motion& motion)
 {
-    SlidingProblem problem;
+    references::SlidingProblem problem;
     problem.driving = [=](double t) {
         return Eigen::Vector2d(-motion[0].acceleration(t), -motion[1].acceleration(t));
     };
-    problem.pressing = [=](double t) { return papers_gravity + motion[2].acceleration(t); };
+    problem.pressing = [=](double t) { return scenes::papers_gravity + motion[2].acceleration(t); };
     problem.friction = friction;
     return problem;
 }
 
-VerifyResult shake(const SceneSetting& setting, const Motion& motion)
+VerifyResult shake(const scenes::SceneSetting& setting, const Motion& motion)
 {
     const auto base = [&](double t) {
         return Eigen::Vector3d(motion[0].displacement(t), motion[1].displacement(t), motion[2].displacement(t));
@@ -65,7 +65,7 @@ VerifyResult shake(const SceneSetting& setting, const Motion& motion)
 /// The stiffnesses of figure 15 and two more, in N/m per contact point, as factors of the default.
 std::vector<double> stiffnesses_of_figure_15()
 {
-    const double default_one = stiffness_per_point(scene_of({}, three_directions));
+    const double default_one = scenes::stiffness_per_point(scene_of({}, three_directions));
     std::vector<double> factors;
     for (const double stiffness : {1e6, 1e7, 1e8, 1e9, 1e10, 1e11}) factors.push_back(stiffness / default_one);
     return factors;
@@ -94,7 +94,7 @@ void add_both(std::vector<Benchmark>& list, const Words& words, const Motion& mo
         .setting = {},
         .tolerance = words.tolerance,
         .sweep = standard_sweep({5e-3, 2.5e-3, 1e-3, 5e-4, 2.5e-4, 1e-4}, factors),
-        .run = [motion](const SceneSetting& setting) { return shake(setting, motion); }};
+        .run = [motion](const scenes::SceneSetting& setting) { return shake(setting, motion); }};
     list.push_back(benchmark);
     benchmark.name += "-fine";
     benchmark.title += ", at 0.1 ms";
@@ -131,4 +131,4 @@ std::vector<Benchmark> foundation_benchmarks()
     return list;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -10,30 +10,31 @@
 #include "app/studies/verify/settings.h"
 #include "app/studies/verify/sliding.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
 
 /// From rest or with a velocity down the dip, under gravity alone.
-VerifyResult slide_down(const SceneSetting& setting, double angle, double friction, double velocity,
+VerifyResult slide_down(const scenes::SceneSetting& setting, double angle, double friction, double velocity,
                         double duration, double paper_from)
 {
-    const SlidingScene scene = [&] {
-        SlidingScene made = block_on_base(setting, {.friction = friction * degree});
-        made.gravity = inclined_gravity(angle * degree);
-        made.rest_gravity = held_gravity(angle * degree, std::tan(friction * degree));
+    const scenes::SlidingScene scene = [&] {
+        scenes::SlidingScene made = scenes::block_on_base(setting, {.friction = friction * scenes::degree});
+        made.gravity = scenes::inclined_gravity(angle * scenes::degree);
+        made.rest_gravity = scenes::held_gravity(angle * scenes::degree, std::tan(friction * scenes::degree));
         made.start_velocity.x() = velocity;
         made.duration = duration;
         return made;
     }();
     return compare_sliding(scene, setting, paper_from, [&](double t) {
-        const double s = incline_displacement(papers_gravity, angle * degree, friction * degree, velocity, t);
+        const double s = references::incline_displacement(scenes::papers_gravity, angle * scenes::degree,
+                                                          friction * scenes::degree, velocity, t);
         return Eigen::Vector3d(s, 0, 0);
     });
 }
 
-VerifyResult gravity_2d(const SceneSetting& setting)
+VerifyResult gravity_2d(const scenes::SceneSetting& setting)
 {
     VerifyResult total;
     for (const double friction : {5, 10, 15, 20, 25}) {
@@ -50,27 +51,30 @@ struct ShakenIncline {
     double duration;              // s
 };
 
-VerifyResult shaken(const SceneSetting& setting, const ShakenIncline& incline, double paper_from)
+VerifyResult shaken(const scenes::SceneSetting& setting, const ShakenIncline& incline, double paper_from)
 {
-    const double angle = incline.angle * degree, omega = 2 * std::numbers::pi * incline.frequency;
-    SlidingScene scene = block_on_base(setting, {.friction = incline.friction * degree});
-    scene.gravity = inclined_gravity(angle);
+    const double angle = incline.angle * scenes::degree, omega = 2 * std::numbers::pi * incline.frequency;
+    scenes::SlidingScene scene = scenes::block_on_base(setting, {.friction = incline.friction * scenes::degree});
+    scene.gravity = scenes::inclined_gravity(angle);
     scene.duration = incline.duration;
-    add_horizontal(scene, GroundMotion::sine_acceleration(incline.amplitude, incline.frequency, 0, 1e6), angle);
-    SlidingProblem problem;
+    scenes::add_horizontal(scene, GroundMotion::sine_acceleration(incline.amplitude, incline.frequency, 0, 1e6),
+                           angle);
+    references::SlidingProblem problem;
     const auto push = [=](double t) { return incline.amplitude * std::sin(omega * t); };
     problem.driving = [=](double t) {
-        return Eigen::Vector2d(papers_gravity * std::sin(angle) + push(t) * std::cos(angle), 0);
+        return Eigen::Vector2d(scenes::papers_gravity * std::sin(angle) + push(t) * std::cos(angle), 0);
     };
-    problem.pressing = [=](double t) { return papers_gravity * std::cos(angle) - push(t) * std::sin(angle); };
-    problem.friction = std::tan(incline.friction * degree);
+    problem.pressing = [=](double t) {
+        return scenes::papers_gravity * std::cos(angle) - push(t) * std::sin(angle);
+    };
+    problem.friction = std::tan(incline.friction * scenes::degree);
     VerifyResult result = compare_sliding(scene, setting, paper_from, problem);
     result.note = fmt::format("{:g}/{:g} deg, {:g} m/s2 at {:g} Hz: {:.1e}", incline.angle, incline.friction,
                               incline.amplitude, incline.frequency, result.error);
     return result;
 }
 
-VerifyResult sine_2d(const SceneSetting& setting)
+VerifyResult sine_2d(const scenes::SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, shaken(setting, {20, 30, 2, 1, 6}, 2));
@@ -110,7 +114,7 @@ Benchmark gravity_benchmark_3d()
             .setting = {},
             .tolerance = 1e-5,
             .sweep = standard_sweep(sliding_steps, stiffness_factors),
-            .run = [](const SceneSetting& setting) { return slide_down(setting, 45, 20, 0, 1, 0.2); }};
+            .run = [](const scenes::SceneSetting& setting) { return slide_down(setting, 45, 20, 0, 1, 0.2); }};
 }
 
 Benchmark velocity_benchmark()
@@ -127,7 +131,7 @@ Benchmark velocity_benchmark()
             .setting = {},
             .tolerance = 1e-5,
             .sweep = standard_sweep(sliding_steps, stiffness_factors),
-            .run = [](const SceneSetting& setting) { return slide_down(setting, 45, 20, 1, 1, 0.5); }};
+            .run = [](const scenes::SceneSetting& setting) { return slide_down(setting, 45, 20, 1, 1, 0.5); }};
 }
 
 Benchmark sine_benchmark_3d()
@@ -142,7 +146,7 @@ Benchmark sine_benchmark_3d()
             .setting = {},
             .tolerance = 2e-3,
             .sweep = standard_sweep(sliding_steps, stiffness_factors),
-            .run = [](const SceneSetting& setting) {
+            .run = [](const scenes::SceneSetting& setting) {
                 return shaken(setting, {45, 50, 2, 1, 5}, 1);
             }};
 }
@@ -174,4 +178,4 @@ std::vector<Benchmark> incline_benchmarks()
     return {planar[0], spatial[0], spatial[1], planar[1], spatial[2]};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

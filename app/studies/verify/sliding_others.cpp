@@ -7,39 +7,41 @@
 #include "app/studies/verify/settings.h"
 #include "app/studies/verify/sliding.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
 
-constexpr double angle = 30 * degree;
+constexpr double angle = 30 * scenes::degree;
 
-VerifyResult slide_down(const SceneSetting& setting, const SlidingBlock& block, double duration, double paper_from)
+VerifyResult slide_down(const scenes::SceneSetting& setting, const scenes::SlidingBlock& block, double duration,
+                        double paper_from)
 {
-    SlidingScene scene = block_on_base(setting, block);
-    scene.gravity = inclined_gravity(angle);
-    scene.rest_gravity = held_gravity(angle, std::tan(block.friction));
+    scenes::SlidingScene scene = scenes::block_on_base(setting, block);
+    scene.gravity = scenes::inclined_gravity(angle);
+    scene.rest_gravity = scenes::held_gravity(angle, std::tan(block.friction));
     scene.duration = duration;
     return compare_sliding(scene, setting, paper_from, [&](double t) {
-        return Eigen::Vector3d(incline_displacement(papers_gravity, angle, block.friction, 0, t), 0, 0);
+        return Eigen::Vector3d(
+            references::incline_displacement(scenes::papers_gravity, angle, block.friction, 0, t), 0, 0);
     });
 }
 
-SlidingBlock block_of_li()
+scenes::SlidingBlock block_of_li()
 {
-    return {.size = {1, 1, 0.5}, .material = {"rock", 2000, 3e8, 0.3}, .friction = 15 * degree};
+    return {.size = {1, 1, 0.5}, .material = {"rock", 2000, 3e8, 0.3}, .friction = 15 * scenes::degree};
 }
 
-VerifyResult khan(const SceneSetting& setting, const ContactStiffness& stiffness, double shear_to_normal)
+VerifyResult khan(const scenes::SceneSetting& setting, const ContactStiffness& stiffness, double shear_to_normal)
 {
     VerifyResult total;
     for (const double friction : {0.0, 10.0, 20.0, 25.0, 29.9}) {
-        const SlidingBlock block{.size = {2, 1, 1},
-                                 .material = {"rock", 2700, 1e10, 0.25},
-                                 .friction = friction * degree,
-                                 .stiffness = stiffness,
-                                 .shear_to_normal_stiffness = shear_to_normal,
-                                 .travel_to = {70, 5}};
+        const scenes::SlidingBlock block{.size = {2, 1, 1},
+                                         .material = {"rock", 2700, 1e10, 0.25},
+                                         .friction = friction * scenes::degree,
+                                         .stiffness = stiffness,
+                                         .shear_to_normal_stiffness = shear_to_normal,
+                                         .travel_to = {70, 5}};
         VerifyResult one = slide_down(setting, block, 5, 0.5);
         one.note = fmt::format("friction {:g} deg: {:.1e}", friction, one.error);
         add_run(total, one);
@@ -65,7 +67,7 @@ Benchmark benchmark_of_li()
         .setting = {},
         .tolerance = 1e-5,
         .sweep = standard_sweep(sliding_steps, stiffness_factors),
-        .run = [](const SceneSetting& setting) { return slide_down(setting, block_of_li(), 2, 0.2); }};
+        .run = [](const scenes::SceneSetting& setting) { return slide_down(setting, block_of_li(), 2, 0.2); }};
 }
 
 Benchmark benchmark_of_khan()
@@ -83,7 +85,7 @@ Benchmark benchmark_of_khan()
         .setting = {},
         .tolerance = 1e-5,
         .sweep = standard_sweep(sliding_steps, stiffness_factors),
-        .run = [](const SceneSetting& setting) { return khan(setting, {}, 0.5); }};
+        .run = [](const scenes::SceneSetting& setting) { return khan(setting, {}, 0.5); }};
 }
 
 Benchmark benchmark_of_khan_soft()
@@ -96,7 +98,7 @@ Benchmark benchmark_of_khan_soft()
         "mobilised, so that the elastic slip of the joint (0.3 mm) has already occurred.";
     benchmark.paper_error = "below 1 % (soft contact)";
     benchmark.paper_level = 0.01;
-    benchmark.run = [](const SceneSetting& setting) {
+    benchmark.run = [](const scenes::SceneSetting& setting) {
         return khan(setting, {ContactStiffness::Kind::per_area, 50e6}, 1);
     };
     return benchmark;
@@ -113,4 +115,4 @@ std::vector<Benchmark> other_incline_benchmarks()
     return benchmarks;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -8,41 +8,41 @@
 #include "app/studies/verify/settings.h"
 #include "app/studies/verify/sliding.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
 
-constexpr double angle = 15 * degree;
+constexpr double angle = 15 * scenes::degree;
 using Terms = std::vector<Eigen::Vector2d>;  // amplitude [m/s2], angular frequency [rad/s]
 
 /// Table 2: 0.1 g at the first frequency, 0.05 g at half of it, 0.025 g at a quarter.
 Terms set_of(double first)
 {
-    const double g = papers_gravity, omega = first * std::numbers::pi;
+    const double g = scenes::papers_gravity, omega = first * std::numbers::pi;
     return {{0.1 * g, omega}, {0.05 * g, omega / 2}, {0.025 * g, omega / 4}};
 }
 
-VerifyResult shake(const SceneSetting& setting, double first, double duration)
+VerifyResult shake(const scenes::SceneSetting& setting, double first, double duration)
 {
-    SlidingScene scene =
-        block_on_base(setting, {.material = {"rock", 2700, 5e9, 0.25}, .friction = angle, .travel_to = {50, 5}});
-    scene.gravity = inclined_gravity(angle);
-    scene.rest_gravity = held_gravity(angle, std::tan(angle));
+    scenes::SlidingScene scene = scenes::block_on_base(
+        setting, {.material = {"rock", 2700, 5e9, 0.25}, .friction = angle, .travel_to = {50, 5}});
+    scene.gravity = scenes::inclined_gravity(angle);
+    scene.rest_gravity = scenes::held_gravity(angle, std::tan(angle));
     scene.duration = duration;
     const Terms terms = set_of(first);
     for (const Eigen::Vector2d& term : terms)
-        add_horizontal(scene, GroundMotion::sine_acceleration(term[0], term[1] / (2 * std::numbers::pi), 0, 1e6),
-                       angle);
+        scenes::add_horizontal(
+            scene, GroundMotion::sine_acceleration(term[0], term[1] / (2 * std::numbers::pi), 0, 1e6), angle);
     // Friction as steep as the plane leaves a / cos along it: (cos + sin tan) a.
     VerifyResult result = compare_sliding(scene, setting, duration, [&](double t) {
-        return Eigen::Vector3d(sum_of_sines_displacement(terms, t) / std::cos(angle), 0, 0);
+        return Eigen::Vector3d(references::sum_of_sines_displacement(terms, t) / std::cos(angle), 0, 0);
     });
     result.note = fmt::format("set from {:g} pi, {:g} s: {:.1e}", first, duration, result.error);
     return result;
 }
 
-VerifyResult shake_all(const SceneSetting& setting)
+VerifyResult shake_all(const scenes::SceneSetting& setting)
 {
     VerifyResult total;
     for (const double first : {8, 10, 15}) add_run(total, shake(setting, first, 5));
@@ -73,4 +73,4 @@ std::vector<Benchmark> three_sines_benchmarks()
          .run = shake_all}};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

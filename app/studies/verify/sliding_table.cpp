@@ -11,12 +11,12 @@
 #include "app/studies/verify/settings.h"
 #include "app/studies/verify/sliding.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
 
-constexpr double angle = 11.37 * degree, ramp = 1.5, duration = 5;  // rad, s, s
+constexpr double angle = 11.37 * scenes::degree, ramp = 1.5, duration = 5;  // rad, s, s
 
 struct TableTest {
     double frequency, acceleration;  // Hz, g
@@ -37,7 +37,8 @@ constexpr std::array<TableTest, 8> tests{{{2.66, 0.28, 0.05367},
 double table_acceleration(const TableTest& test, double t)
 {
     const double envelope = std::clamp(std::min(t, duration - t) / ramp, 0.0, 1.0);
-    return envelope * test.acceleration * papers_gravity * std::sin(2 * std::numbers::pi * test.frequency * t);
+    return envelope * test.acceleration * scenes::papers_gravity *
+           std::sin(2 * std::numbers::pi * test.frequency * t);
 }
 
 GroundMotion sampled(const TableTest& test)
@@ -60,13 +61,13 @@ struct Interface {
 /// Through the first two, twenty percent a decade gives 12.7 degrees at 0.21 cm/s and 19.0 degrees at 25.4 cm/s.
 Interface rate_dependent_interface()
 {
-    constexpr double speed = 0.0254, angle = 16 * degree, per_decade = 0.2;  // m/s, rad
+    constexpr double speed = 0.0254, angle = 16 * scenes::degree, per_decade = 0.2;  // m/s, rad
     Interface interface {
-        12.7 * degree, {}
+        12.7 * scenes::degree, {}
     };
     const double rise_per_decade = per_decade * std::tan(angle);
     const double slowest = std::log10(speed) - (std::tan(angle) - std::tan(interface.at_rest)) / rise_per_decade;
-    const double fastest = std::log10(speed) + (std::tan(19 * degree) - std::tan(angle)) / rise_per_decade;
+    const double fastest = std::log10(speed) + (std::tan(19 * scenes::degree) - std::tan(angle)) / rise_per_decade;
     constexpr int points = 16;
     for (int i = 0; i <= points; ++i) {
         const double decade = slowest + i * (fastest - slowest) / points;
@@ -92,15 +93,15 @@ std::function<double(double)> friction_of(const Interface& interface)
     };
 }
 
-SlidingProblem newmark_block(const TableTest& test, const Interface& interface)
+references::SlidingProblem newmark_block(const TableTest& test, const Interface& interface)
 {
-    SlidingProblem problem;
+    references::SlidingProblem problem;
     problem.driving = [=](double t) {
         const double push = table_acceleration(test, t);
-        return Eigen::Vector2d(papers_gravity * std::sin(angle) + push * std::cos(angle), 0);
+        return Eigen::Vector2d(scenes::papers_gravity * std::sin(angle) + push * std::cos(angle), 0);
     };
     problem.pressing = [=](double t) {
-        return papers_gravity * std::cos(angle) - table_acceleration(test, t) * std::sin(angle);
+        return scenes::papers_gravity * std::cos(angle) - table_acceleration(test, t) * std::sin(angle);
     };
     problem.friction = std::tan(interface.at_rest);
     problem.friction_at = friction_of(interface);
@@ -108,17 +109,18 @@ SlidingProblem newmark_block(const TableTest& test, const Interface& interface)
 }
 
 /// In the table's frame: the block carries m a. @param end displacement at the end [m]
-VerifyResult shake(const SceneSetting& setting, const TableTest& test, const Interface& interface, double& end)
+VerifyResult shake(const scenes::SceneSetting& setting, const TableTest& test, const Interface& interface,
+                   double& end)
 {
-    SlidingScene scene = block_on_base(setting, {.size = {0.0508, 0.0508, 0.0254},
-                                                 .material = {"steel", 24400, 2e11, 0.3},
-                                                 .friction = interface.at_rest,
-                                                 .travel_from = {-0.2, -0.2},
-                                                 .travel_to = {0.5, 0.2}});
+    scenes::SlidingScene scene = scenes::block_on_base(setting, {.size = {0.0508, 0.0508, 0.0254},
+                                                                 .material = {"steel", 24400, 2e11, 0.3},
+                                                                 .friction = interface.at_rest,
+                                                                 .travel_from = {-0.2, -0.2},
+                                                                 .travel_to = {0.5, 0.2}});
     scene.model.joints[0].friction_at_speed = interface.at_speed;
-    scene.gravity = inclined_gravity(angle);
+    scene.gravity = scenes::inclined_gravity(angle);
     scene.duration = duration;
-    add_horizontal(scene, sampled(test), angle);
+    scenes::add_horizontal(scene, sampled(test), angle);
     EngineRun run = run_engine(scene, setting);
     const History reference = reference_history(newmark_block(test, interface), run.history.times);
     run.result.answer = answer_of(run.history);
@@ -129,7 +131,7 @@ VerifyResult shake(const SceneSetting& setting, const TableTest& test, const Int
     return run.result;
 }
 
-VerifyResult shake_rate_dependent(const SceneSetting& setting)
+VerifyResult shake_rate_dependent(const scenes::SceneSetting& setting)
 {
     const Interface interface = rate_dependent_interface();
     VerifyResult total;
@@ -143,13 +145,13 @@ VerifyResult shake_rate_dependent(const SceneSetting& setting)
     return total;
 }
 
-VerifyResult shake_all(const SceneSetting& setting)
+VerifyResult shake_all(const scenes::SceneSetting& setting)
 {
     VerifyResult total;
     for (const TableTest& test : tests) {
         double with_16 = 0, with_17 = 0;
-        add_run(total, shake(setting, test, {16 * degree, {}}, with_16));
-        VerifyResult upper = shake(setting, test, {17 * degree, {}}, with_17);
+        add_run(total, shake(setting, test, {16 * scenes::degree, {}}, with_16));
+        VerifyResult upper = shake(setting, test, {17 * scenes::degree, {}}, with_17);
         upper.note = fmt::format("{:g} Hz: measured {:.2f} cm, computed {:.2f} (16 deg), {:.2f} (17 deg)",
                                  test.frequency, 100 * test.measured, 100 * with_16, 100 * with_17);
         add_run(total, upper);
@@ -193,4 +195,4 @@ std::vector<Benchmark> shaking_table_benchmarks()
     return {constant, rate_dependent};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -9,13 +9,13 @@
 #include "app/studies/verify/settings.h"
 #include "app/studies/verify/sliding.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
 
-constexpr double friction = 18 * degree, frequency = 0.25, duration = 8;  // rad, Hz, s
-constexpr double amplitude = 0.5 * papers_gravity;                        // m/s2
+constexpr double friction = 18 * scenes::degree, frequency = 0.25, duration = 8;  // rad, Hz, s
+constexpr double amplitude = 0.5 * scenes::papers_gravity;                        // m/s2
 
 GroundMotion ground(double phase)
 {
@@ -35,7 +35,8 @@ struct BaseMotion {
 };
 
 /// Velocity, and acceleration as its change over each step, against those of the reference.
-std::string other_quantities(const History& ours, const std::vector<SlidingPoint>& slid, const BaseMotion& base)
+std::string other_quantities(const History& ours, const std::vector<references::SlidingPoint>& slid,
+                             const BaseMotion& base)
 {
     double v_worst = 0, v_largest = 0, a_squares = 0, a_largest = 0, before = 0, before_ours = 0, t_before = 0;
     for (std::size_t i = 0; i < ours.times.size(); ++i) {
@@ -52,22 +53,22 @@ std::string other_quantities(const History& ours, const std::vector<SlidingPoint
                        v_worst / v_largest, std::sqrt(a_squares) / a_largest);
 }
 
-VerifyResult shake(const SceneSetting& setting, double phase)
+VerifyResult shake(const scenes::SceneSetting& setting, double phase)
 {
-    SlidingScene scene = block_on_base(setting, {.size = {1, 1, 0.5},
-                                                 .material = {"stone", 2500, 1e10, 0.25},
-                                                 .friction = friction,
-                                                 .travel_from = {-40, -5},
-                                                 .travel_to = {40, 5}});
+    scenes::SlidingScene scene = scenes::block_on_base(setting, {.size = {1, 1, 0.5},
+                                                                 .material = {"stone", 2500, 1e10, 0.25},
+                                                                 .friction = friction,
+                                                                 .travel_from = {-40, -5},
+                                                                 .travel_to = {40, 5}});
     scene.duration = duration;
     scene.motions.push_back({0, 0, std::make_shared<const GroundMotion>(ground(phase))});
     const BaseMotion base{phase};
-    SlidingProblem problem;
+    references::SlidingProblem problem;
     problem.driving = [=](double t) { return Eigen::Vector2d(-base.acceleration(t), 0); };
-    problem.pressing = [](double) { return papers_gravity; };
+    problem.pressing = [](double) { return scenes::papers_gravity; };
     problem.friction = std::tan(friction);
     EngineRun run = run_engine(scene, setting);
-    const std::vector<SlidingPoint> slid = slide(problem, run.history.times);
+    const std::vector<references::SlidingPoint> slid = references::slide(problem, run.history.times);
     const History reference = reference_history(
         problem, run.history.times, [&](double t) { return Eigen::Vector3d(base.displacement(t), 0, 0); });
     run.result.answer = answer_of(run.history);
@@ -78,7 +79,7 @@ VerifyResult shake(const SceneSetting& setting, double phase)
     return run.result;
 }
 
-VerifyResult shake_both(const SceneSetting& setting)
+VerifyResult shake_both(const scenes::SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, shake(setting, 0));
@@ -109,4 +110,4 @@ std::vector<Benchmark> two_blocks_benchmarks()
          .run = shake_both}};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

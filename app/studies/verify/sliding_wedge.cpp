@@ -7,12 +7,12 @@
 #include "app/studies/verify/settings.h"
 #include "app/studies/verify/sliding.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
 
-constexpr double plunge = 30 * degree, friction = 20 * degree;
+constexpr double plunge = 30 * scenes::degree, friction = 20 * scenes::degree;
 
 struct Wedge {
     double left, right;  // degrees, how the planes dip across the line of intersection
@@ -23,46 +23,51 @@ std::string words(const Wedge& wedge, double error)
     return fmt::format("planes at {:g} and {:g} deg: {:.1e}", wedge.left, wedge.right, error);
 }
 
-SlidingScene scene_of(const SceneSetting& setting, const Wedge& wedge)
+scenes::SlidingScene scene_of(const scenes::SceneSetting& setting, const Wedge& wedge)
 {
-    SlidingScene scene = wedge_in_trough(setting, wedge.left * degree, wedge.right * degree, friction);
-    scene.gravity = inclined_gravity(plunge);
-    scene.rest_gravity = held_gravity(plunge, wedge_friction(wedge.left * degree, wedge.right * degree, friction));
+    scenes::SlidingScene scene =
+        scenes::wedge_in_trough(setting, wedge.left * scenes::degree, wedge.right * scenes::degree, friction);
+    scene.gravity = scenes::inclined_gravity(plunge);
+    scene.rest_gravity = scenes::held_gravity(
+        plunge, references::wedge_friction(wedge.left * scenes::degree, wedge.right * scenes::degree, friction));
     return scene;
 }
 
-VerifyResult let_slide(const SceneSetting& setting, const Wedge& wedge)
+VerifyResult let_slide(const scenes::SceneSetting& setting, const Wedge& wedge)
 {
-    SlidingScene scene = scene_of(setting, wedge);
+    scenes::SlidingScene scene = scene_of(setting, wedge);
     scene.duration = 1;
-    const double equivalent = std::atan(wedge_friction(wedge.left * degree, wedge.right * degree, friction));
+    const double equivalent =
+        std::atan(references::wedge_friction(wedge.left * scenes::degree, wedge.right * scenes::degree, friction));
     VerifyResult result = compare_sliding(scene, setting, 0.1, [&](double t) {
-        return Eigen::Vector3d(incline_displacement(papers_gravity, plunge, equivalent, 0, t), 0, 0);
+        return Eigen::Vector3d(references::incline_displacement(scenes::papers_gravity, plunge, equivalent, 0, t),
+                               0, 0);
     });
     result.note = words(wedge, result.error);
     return result;
 }
 
 /// The sine acts along the line of intersection.
-VerifyResult shake(const SceneSetting& setting, const Wedge& wedge)
+VerifyResult shake(const scenes::SceneSetting& setting, const Wedge& wedge)
 {
     constexpr double amplitude = 2, frequency = 1;  // m/s2, Hz
-    SlidingScene scene = scene_of(setting, wedge);
+    scenes::SlidingScene scene = scene_of(setting, wedge);
     scene.duration = 4;
-    add_sine(scene, 0, amplitude, frequency);
-    SlidingProblem problem;
+    scenes::add_sine(scene, 0, amplitude, frequency);
+    references::SlidingProblem problem;
     problem.driving = [](double t) {
         const double sine = amplitude * std::sin(2 * std::numbers::pi * frequency * t);
-        return Eigen::Vector2d(papers_gravity * std::sin(plunge) + sine, 0);
+        return Eigen::Vector2d(scenes::papers_gravity * std::sin(plunge) + sine, 0);
     };
-    problem.pressing = [](double) { return papers_gravity * std::cos(plunge); };
-    problem.friction = wedge_friction(wedge.left * degree, wedge.right * degree, friction);
+    problem.pressing = [](double) { return scenes::papers_gravity * std::cos(plunge); };
+    problem.friction =
+        references::wedge_friction(wedge.left * scenes::degree, wedge.right * scenes::degree, friction);
     VerifyResult result = compare_sliding(scene, setting, 1, problem);
     result.note = words(wedge, result.error);
     return result;
 }
 
-VerifyResult slide_all(const SceneSetting& setting)
+VerifyResult slide_all(const scenes::SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, let_slide(setting, {45, 45}));
@@ -70,7 +75,7 @@ VerifyResult slide_all(const SceneSetting& setting)
     return total;
 }
 
-VerifyResult shake_all(const SceneSetting& setting)
+VerifyResult shake_all(const scenes::SceneSetting& setting)
 {
     VerifyResult total;
     add_run(total, shake(setting, {45, 45}));
@@ -115,4 +120,4 @@ std::vector<Benchmark> wedge_benchmarks()
     return {gravity, sine};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -6,7 +6,7 @@
 
 #include "app/studies/verify/runner.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// The line above the table.
@@ -19,4 +19,4 @@ std::string table_line(const VerifyOutcome& outcome);
 /// The rows of a sweep and the observed orders of convergence; empty without a sweep.
 std::string sweep_lines(const VerifyOutcome& outcome);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -10,7 +10,7 @@
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/run_scene.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 namespace
@@ -19,27 +19,29 @@ namespace
 constexpr int courses = 100;  // printed, as height = 10 x width
 constexpr double width = 2;   // m, not printed
 constexpr double course_height = 10 * width / courses;
-constexpr double density = 2400, young = 1e10;                  // not printed
-constexpr double friction = 30;                                 // degrees, printed
-constexpr double peak = 0.5 * papers_gravity, frequency = 2.5;  // printed
-constexpr double duration = 4;                                  // s, ten cycles, not printed
+constexpr double density = 2400, young = 1e10;                          // not printed
+constexpr double friction = 30;                                         // degrees, printed
+constexpr double peak = 0.5 * scenes::papers_gravity, frequency = 2.5;  // printed
+constexpr double duration = 4;                                          // s, ten cycles, not printed
 
-StagedScene tower_scene(const SceneSetting& setting)
+scenes::StagedScene tower_scene(const scenes::SceneSetting& setting)
 {
     JointMaterial joint;
     joint.name = "dry";
     joint.friction_angle = friction * std::numbers::pi / 180;
-    joint.stiffness = stiffness_by_rule(setting, 2 * course_height / young);
-    StagedScene scene;
-    scene.model = make_scene_model(setting, {"masonry", density, young, 0.2}, joint, width);
-    hold(scene.model, add_box(scene.model, "base", {-2 * width, -width, -1}, {2 * width, width, 0}));
+    joint.stiffness = scenes::stiffness_by_rule(setting, 2 * course_height / young);
+    scenes::StagedScene scene;
+    scene.model = scenes::make_scene_model(setting, {"masonry", density, young, 0.2}, joint, width);
+    scenes::hold(scene.model,
+                 scenes::add_box(scene.model, "base", {-2 * width, -width, -1}, {2 * width, width, 0}));
     for (int i = 0; i < courses; ++i)
-        add_box(scene.model, fmt::format("course {}", i + 1), {-0.5 * width, -0.5 * width, i * course_height},
-                {0.5 * width, 0.5 * width, (i + 1) * course_height});
-    Stage shaking = dynamic_stage(setting, duration);
+        scenes::add_box(scene.model, fmt::format("course {}", i + 1),
+                        {-0.5 * width, -0.5 * width, i * course_height},
+                        {0.5 * width, 0.5 * width, (i + 1) * course_height});
+    Stage shaking = scenes::dynamic_stage(setting, duration);
     const GroundMotion sine = GroundMotion::sine_acceleration(peak, frequency, 0, duration);
     shaking.motions = {{0, 0, std::make_shared<const GroundMotion>(sine)}};
-    scene.stages = {static_stage(setting), shaking};
+    scene.stages = {scenes::static_stage(setting), shaking};
     return scene;
 }
 
@@ -122,10 +124,10 @@ Remains remains_of(const Model& model, const State& state)
     return remains;
 }
 
-VerifyResult run_tower(const SceneSetting& setting)
+VerifyResult run_tower(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
-    const StagedScene scene = tower_scene(setting);
+    const scenes::StagedScene scene = tower_scene(setting);
     State state = initial_state(scene.model);
     SlipPaths paths;
     RunObserver observer;
@@ -176,4 +178,4 @@ std::vector<Benchmark> tower_benchmarks()
     return {row};
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -4,7 +4,7 @@
 
 #include "app/studies/verify/settings.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
@@ -80,4 +80,4 @@ std::string verify_json(const std::vector<VerifyOutcome>& outcomes)
     return list.dump(2);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -6,7 +6,7 @@
 
 #include "app/studies/verify/runner.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// A list of {benchmark, source, quantity, rows: [{method, time_step_s, error, cpu_time_s, steps, iterations}],
@@ -14,4 +14,4 @@ namespace voussoir
 /// orders. An error that does not exist is null.
 std::string verify_json(const std::vector<VerifyOutcome>& outcomes);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

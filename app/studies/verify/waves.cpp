@@ -11,7 +11,7 @@
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/references/shear_wave.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 constexpr double shear_to_normal = 0.5;  // the documented default
@@ -22,42 +22,42 @@ double young_of(const Column& column, const Layer& layer)
     return 2 * (1 + column.poisson) * column.density * layer.speed * layer.speed;
 }
 
-StagedScene column_scene(const SceneSetting& setting, const Column& column, const GroundMotion& base,
-                         double duration)
+scenes::StagedScene column_scene(const scenes::SceneSetting& setting, const Column& column,
+                                 const GroundMotion& base, double duration)
 {
-    StagedScene scene;
+    scenes::StagedScene scene;
     Model& model = scene.model;
     JointMaterial bond;
     bond.name = "bond";
     bond.friction_angle = 0.5;
     bond.cohesion = bond.tensile_strength = unbreakable;
     bond.shear_to_normal_stiffness = shear_to_normal;
-    model = make_scene_model(setting, {"base", column.density, 1e10, column.poisson}, bond, 1);
+    model = scenes::make_scene_model(setting, {"base", column.density, 1e10, column.poisson}, bond, 1);
     const double half = 0.5 * column.width;
-    hold(model, add_box(model, "base", {-half, -0.5, -1}, {half, 0.5, 0}));
+    scenes::hold(model, scenes::add_box(model, "base", {-half, -0.5, -1}, {half, 0.5, 0}));
     double z = 0;
     for (const Layer& layer : column.layers) {
         model.materials.push_back({"layer", column.density, young_of(column, layer), column.poisson});
         const double depth = layer.thickness / layer.blocks;
         for (int i = 0; i < layer.blocks; ++i, z += depth) {
-            const int block = add_box(model, "layer", {-half, -0.5, z}, {half, 0.5, z + depth});
+            const int block = scenes::add_box(model, "layer", {-half, -0.5, z}, {half, 0.5, z + depth});
             model.blocks[block].material = static_cast<int>(model.materials.size()) - 1;
         }
     }
     if (setting.stiffness_factor) {  // one stiffness for all joints, of the first layer's
         const Layer& first = column.layers.front();
         const double depth = first.thickness / first.blocks;
-        model.joints[0].stiffness = stiffness_by_rule(setting, 2 * depth / young_of(column, first));
+        model.joints[0].stiffness = scenes::stiffness_by_rule(setting, 2 * depth / young_of(column, first));
     }
-    Stage shaking = dynamic_stage(setting, duration, Eigen::Vector3d::Zero());
+    Stage shaking = scenes::dynamic_stage(setting, duration, Eigen::Vector3d::Zero());
     shaking.motions = {{0, 0, std::make_shared<const GroundMotion>(base)}};
     scene.stages = {shaking};
     return scene;
 }
 
-std::vector<reference::SiteLayer> site_of(const SceneSetting& setting, const Column& column)
+std::vector<references::SiteLayer> site_of(const scenes::SceneSetting& setting, const Column& column)
 {
-    std::vector<reference::SiteLayer> site;
+    std::vector<references::SiteLayer> site;
     const Layer& first = column.layers.front();
     const double first_compliance = 2 * first.thickness / first.blocks / young_of(column, first);
     double below = 0;  // L / E of the block below; the base is held
@@ -67,8 +67,8 @@ std::vector<reference::SiteLayer> site_of(const SceneSetting& setting, const Col
         for (int i = 0; i < layer.blocks; ++i) {
             const double normal =
                 setting.stiffness_factor
-                    ? *setting.stiffness_factor * default_stiffness(setting.kinematics, first_compliance)
-                    : default_stiffness(setting.kinematics, below + compliance);
+                    ? *setting.stiffness_factor * scenes::default_stiffness(setting.kinematics, first_compliance)
+                    : scenes::default_stiffness(setting.kinematics, below + compliance);
             site.push_back(
                 {depth, column.density, column.density * layer.speed * layer.speed, shear_to_normal * normal});
             below = compliance;
@@ -113,22 +113,22 @@ struct WaveRecord {
     double jointed_speed = 0;  // m/s
 };
 
-WaveRecord climb(const SceneSetting& setting, const WaveChoice& wave, VerifyResult& result)
+WaveRecord climb(const scenes::SceneSetting& setting, const WaveChoice& wave, VerifyResult& result)
 {
     Column column{{{stack_height, wave.speed, wave.layers}}, 2500, 0.2, wave.width};
     const double depth = stack_height / wave.layers;
-    const reference::SiteLayer block = site_of(setting, column).back();
+    const references::SiteLayer block = site_of(setting, column).back();
     WaveRecord record;
     record.jointed_speed = std::sqrt(
-        reference::jointed_shear_modulus(block.shear_modulus, block.joint_stiffness, depth) / block.density);
+        references::jointed_shear_modulus(block.shear_modulus, block.joint_stiffness, depth) / block.density);
     const double c = record.jointed_speed;
     record.exact = [c, wave](double t) {
         const auto base = [&](double time) { return one_cycle(wave, time); };
-        return reference::shear_wave(base, c, stack_height, point_height, t);
+        return references::shear_wave(base, c, stack_height, point_height, t);
     };
     const double reflection = (2 * stack_height - point_height) / c;
     const double duration = std::floor(reflection / setting.time_step) * setting.time_step;
-    const StagedScene scene = column_scene(setting, column, one_cycle_motion(wave), duration);
+    const scenes::StagedScene scene = column_scene(setting, column, one_cycle_motion(wave), duration);
     State state = initial_state(scene.model);
     const int watched = 1 + static_cast<int>(point_height / depth);  // the block whose centroid is the point
     record.trace = {0};
@@ -154,7 +154,7 @@ Extremes extremes_of(const WaveRecord& record, double amplitude)
     return {*most / amplitude - 1, -*least / amplitude - 1};
 }
 
-VerifyResult run_amplitude(const SceneSetting& setting)
+VerifyResult run_amplitude(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     const WaveChoice wave;
@@ -182,7 +182,7 @@ VerifyResult run_amplitude(const SceneSetting& setting)
 }
 
 /// The same with other values of what is not printed; a slower wave with a longer step.
-VerifyResult run_choices(const SceneSetting& setting)
+VerifyResult run_choices(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     struct Other {
@@ -193,7 +193,7 @@ VerifyResult run_choices(const SceneSetting& setting)
                                      Other{"150 layers", {.layers = 150}}, Other{"half as wide", {.width = 2500}},
                                      Other{"500 m/s and 12.5 Hz, 4 x the step", {.speed = 500, .frequency = 12.5}},
                                      Other{"40 Hz", {.frequency = 40}}}) {
-        SceneSetting scaled = setting;
+        scenes::SceneSetting scaled = setting;
         scaled.time_step *= 2000 / wave.speed;
         const double error = extremes_of(climb(scaled, wave, result), wave.amplitude).worst();
         result.error = std::max(result.error, error);
@@ -202,12 +202,12 @@ VerifyResult run_choices(const SceneSetting& setting)
     return result;
 }
 
-VerifyResult run_arrival(const SceneSetting& setting)
+VerifyResult run_arrival(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     const WaveChoice wave;
     const WaveRecord record = climb(setting, wave, result);
-    const double lag = reference::lag_of(record.trace, record.exact, setting.time_step);
+    const double lag = references::lag_of(record.trace, record.exact, setting.time_step);
     result.error = std::abs(lag) / setting.time_step;
     result.note = fmt::format("{:+.3e} s after {:.4e} s at {:.0f} m/s, joints included ({:.0f} m/s without)", lag,
                               point_height / record.jointed_speed, record.jointed_speed, wave.speed);
@@ -250,4 +250,4 @@ std::vector<Benchmark> wave_benchmarks()
     return rows;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

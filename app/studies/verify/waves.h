@@ -7,7 +7,7 @@
 #include "app/studies/verify/references/layered_site.h"
 #include "app/studies/verify/run_scene.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 /// A layer of one or more blocks.
@@ -26,11 +26,11 @@ struct Column {
     double width = 0;    // m; a stack that is wide against its height shears and does not bend
 };
 
-StagedScene column_scene(const SceneSetting& setting, const Column& column, const GroundMotion& base,
-                         double duration);
+scenes::StagedScene column_scene(const scenes::SceneSetting& setting, const Column& column,
+                                 const GroundMotion& base, double duration);
 
 /// The same blocks and joints for the exact solutions: one entry per block.
-std::vector<reference::SiteLayer> site_of(const SceneSetting& setting, const Column& column);
+std::vector<references::SiteLayer> site_of(const scenes::SceneSetting& setting, const Column& column);
 
 /// Young's modulus of a layer [Pa].
 double young_of(const Column& column, const Layer& layer);
@@ -38,4 +38,4 @@ double young_of(const Column& column, const Layer& layer);
 /// The response of 15 layers against the exact solution.
 std::vector<Benchmark> site_rows();
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -7,7 +7,7 @@
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/waves.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 namespace
@@ -35,21 +35,21 @@ Column stack(bool homogeneous)
 }
 
 /// Resonances: peaks that amplify more than twofold. What the end of the record leaves ripples about one.
-std::vector<reference::Peak> resonances(const std::vector<double>& values)
+std::vector<references::Peak> resonances(const std::vector<double>& values)
 {
-    std::vector<reference::Peak> peaks = reference::peaks_of(values, interval, interval);
-    std::erase_if(peaks, [](const reference::Peak& peak) { return peak.value < 2; });
+    std::vector<references::Peak> peaks = references::peaks_of(values, interval, interval);
+    std::erase_if(peaks, [](const references::Peak& peak) { return peak.value < 2; });
     return peaks;
 }
 
 /// |surface / base| at multiples of `interval`.
-std::vector<double> spectral_ratio(const SceneSetting& setting, const Column& column, VerifyResult& result)
+std::vector<double> spectral_ratio(const scenes::SceneSetting& setting, const Column& column, VerifyResult& result)
 {
     std::vector<double> samples;
     for (int i = 0; i <= 1200; ++i) samples.push_back(pulse(i * 1e-4));
     const GroundMotion motion = GroundMotion::from_displacement(samples, 1e-4, "pulse");
     const double duration = 6e-3 / setting.time_step;  // s; the first mode has died to some 1e-5 of itself
-    const StagedScene scene = column_scene(setting, column, motion, duration);
+    const scenes::StagedScene scene = column_scene(setting, column, motion, duration);
     State state = initial_state(scene.model);
     const int top = static_cast<int>(scene.model.blocks.size()) - 1;
     const Eigen::Vector3d surface(0, 0, 0.5 * column.layers.back().thickness / column.layers.back().blocks);
@@ -64,25 +64,25 @@ std::vector<double> spectral_ratio(const SceneSetting& setting, const Column& co
     if (result.step_cuts > 0) result.failure = "steps were cut: the record is not evenly sampled";
     std::vector<double> ratio;
     for (double f = interval; f <= highest; f += interval)
-        ratio.push_back(std::abs(reference::fourier(up, setting.time_step, f)) /
-                        std::abs(reference::fourier(down, setting.time_step, f)));
+        ratio.push_back(std::abs(references::fourier(up, setting.time_step, f)) /
+                        std::abs(references::fourier(down, setting.time_step, f)));
     return ratio;
 }
 
-std::vector<double> exact_ratio(const SceneSetting& setting, const Column& column, bool joints)
+std::vector<double> exact_ratio(const scenes::SceneSetting& setting, const Column& column, bool joints)
 {
-    std::vector<reference::SiteLayer> site = site_of(setting, column);
+    std::vector<references::SiteLayer> site = site_of(setting, column);
     if (!joints)
-        for (reference::SiteLayer& layer : site) layer.joint_stiffness = INFINITY;
+        for (references::SiteLayer& layer : site) layer.joint_stiffness = INFINITY;
     const double relaxation = 2 * own_damping(setting, 1);
     std::vector<double> values;
     for (double f = interval; f <= highest; f += interval)
-        values.push_back(std::abs(reference::amplification(site, f, relaxation)));
+        values.push_back(std::abs(references::amplification(site, f, relaxation)));
     return values;
 }
 
-Diagram picture_of(const std::vector<double>& exact, const std::vector<double>& intact,
-                   const std::vector<double>& ours)
+plots::Diagram picture_of(const std::vector<double>& exact, const std::vector<double>& intact,
+                          const std::vector<double>& ours)
 {
     std::vector<double> frequencies;
     for (double f = interval; f <= highest; f += interval) frequencies.push_back(f);
@@ -93,7 +93,7 @@ Diagram picture_of(const std::vector<double>& exact, const std::vector<double>& 
 
 enum class Measure { value, frequency };
 
-VerifyResult run_site(const SceneSetting& setting, bool homogeneous, Measure measure)
+VerifyResult run_site(const scenes::SceneSetting& setting, bool homogeneous, Measure measure)
 {
     VerifyResult result;
     const Column column = stack(homogeneous);
@@ -101,8 +101,8 @@ VerifyResult run_site(const SceneSetting& setting, bool homogeneous, Measure mea
     const std::vector<double> intact_values = exact_ratio(setting, column, false);
     const std::vector<double> our_values = spectral_ratio(setting, column, result);
     result.picture = picture_of(exact_values, intact_values, our_values);
-    const std::vector<reference::Peak> exact = resonances(exact_values), intact = resonances(intact_values);
-    const std::vector<reference::Peak> ours = resonances(our_values);
+    const std::vector<references::Peak> exact = resonances(exact_values), intact = resonances(intact_values);
+    const std::vector<references::Peak> ours = resonances(our_values);
     if (ours.size() != exact.size()) {
         result.failure = fmt::format("{} peaks below 25 Hz, the reference has {}", ours.size(), exact.size());
         return result;
@@ -117,7 +117,7 @@ VerifyResult run_site(const SceneSetting& setting, bool homogeneous, Measure mea
                                    exact[i].value, exact[i].frequency);
     }
     result.note += " without the joints' compliance";
-    for (const reference::Peak& peak : intact)
+    for (const references::Peak& peak : intact)
         result.note += fmt::format(" {:.2f} at {:.3f} Hz", peak.value, peak.frequency);
     return result;
 }
@@ -144,10 +144,10 @@ std::vector<Benchmark> site_rows()
                 row.sweep.push_back(row.setting);
                 row.sweep.back().time_step = h;
             }
-            row.run = [=](const SceneSetting& setting) { return run_site(setting, homogeneous, measure); };
+            row.run = [=](const scenes::SceneSetting& setting) { return run_site(setting, homogeneous, measure); };
             rows.push_back(row);
         }
     return rows;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -9,7 +9,7 @@
 
 #include "tests/app/test_files.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -189,4 +189,4 @@ TEST(Certificate, OfACaseWithARefusedStone)
 #endif
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

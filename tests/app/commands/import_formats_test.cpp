@@ -10,7 +10,7 @@
 
 #include "tests/importers/mesh/assimp_files.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -23,18 +23,18 @@ const double wedge_angle = 3.14159265358979323846 / 9;
 const double wedge_volume = 0.5 * (2.5 * 2.5 - 2 * 2) * std::sin(wedge_angle) * 0.4;
 
 /// @param metres the unit in which they are written
-std::vector<PlacedSurface> stones_in(double metres)
+std::vector<importers::PlacedSurface> stones_in(double metres)
 {
-    PlacedSurface block{
-        box({0, 0, 0}, {1.2, 0.6, 0.4}),
+    importers::PlacedSurface block{
+        importers::box({0, 0, 0}, {1.2, 0.6, 0.4}),
         Eigen::Translation3d(3, -2, 5) * Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized())};
     block.surface.name = "clé block";
     const Eigen::Rotation2Dd turn(wedge_angle);
     const Eigen::Vector2d inner(2, 0), outer(2.5, 0);
-    PlacedSurface wedge{prism({inner, outer, turn * outer, turn * inner}, 0, 0.4)};
+    importers::PlacedSurface wedge{importers::prism({inner, outer, turn * outer, turn * inner}, 0, 0.4)};
     wedge.surface.name = "wedge";
-    std::vector<PlacedSurface> stones{block, wedge};
-    for (PlacedSurface& stone : stones) {
+    std::vector<importers::PlacedSurface> stones{block, wedge};
+    for (importers::PlacedSurface& stone : stones) {
         for (Eigen::Vector3d& x : stone.surface.vertices) x /= metres;
         stone.placement.translation() /= metres;
     }
@@ -68,13 +68,13 @@ struct Format {
 
 std::vector<Format> formats()
 {
-    return {{"cm.fbx", to_fbx(stones_in(0.01), 1)},
-            {"m.fbx", to_fbx(stones_in(1), 100)},
-            {"a.x3d", to_x3d(stones_in(1))},
-            {"a.lwo", to_lwo(stones_in(1))},
-            {"half_metres.ogex", to_ogex(stones_in(0.5), 0.5)},
-            {"a.3ds", to_3ds(stones_in(1)), false},
-            {"inch.amf", to_amf(stones_in(1), "inch", 0.0254)}};
+    return {{"cm.fbx", importers::to_fbx(stones_in(0.01), 1)},
+            {"m.fbx", importers::to_fbx(stones_in(1), 100)},
+            {"a.x3d", importers::to_x3d(stones_in(1))},
+            {"a.lwo", importers::to_lwo(stones_in(1))},
+            {"half_metres.ogex", importers::to_ogex(stones_in(0.5), 0.5)},
+            {"a.3ds", importers::to_3ds(stones_in(1)), false},
+            {"inch.amf", importers::to_amf(stones_in(1), "inch", 0.0254)}};
 }
 
 void expect_stone(const json& stone, double volume, const Eigen::Vector3d& centroid)
@@ -128,13 +128,15 @@ TEST(ImportFormats, TheContentTellsWhatAFileIsNotItsName)
 TEST(ImportFormats, ARoundingThatMattersIsRefusedAndOneThatDoesNotIsStated)
 {
     const TemporaryFolder folder;
-    std::vector<PlacedSurface> stones = stones_in(1);
+    std::vector<importers::PlacedSurface> stones = stones_in(1);
     std::string out, error;
-    ASSERT_EQ(import(folder, folder.write("near.x3d", to_x3d(stones)).string() + " --json -", out, error), 0);
+    ASSERT_EQ(
+        import(folder, folder.write("near.x3d", importers::to_x3d(stones)).string() + " --json -", out, error), 0);
     EXPECT_NE(json::parse(out)[0]["repairs"][0].get<std::string>().find("rounded by up to 7"), std::string::npos)
         << out;
-    for (PlacedSurface& stone : stones) stone.placement.pretranslate(Eigen::Vector3d(500000, 4600000, 0));
-    EXPECT_EQ(import(folder, folder.write("far.x3d", to_x3d(stones)).string(), out, error), 2);
+    for (importers::PlacedSurface& stone : stones)
+        stone.placement.pretranslate(Eigen::Vector3d(500000, 4600000, 0));
+    EXPECT_EQ(import(folder, folder.write("far.x3d", importers::to_x3d(stones)).string(), out, error), 2);
     EXPECT_NE(error.find("rounds its coordinates by up to 0.6"), std::string::npos) << error;
     EXPECT_NE(error.find("move the stones nearer to the origin"), std::string::npos) << error;
 }
@@ -155,9 +157,9 @@ TEST(ImportFormats, ThatAreCutOffAreRefusedInWordsOrRead)
 TEST(ImportFormats, AssimpReadsWhatWeReadOurselvesWhenAsked)
 {
     const TemporaryFolder folder;
-    const PolygonSurface cube = unit_cube();
+    const importers::mesh::PolygonSurface cube = importers::unit_cube();
     std::string out, error;
-    const std::string file = folder.write("a.obj", to_obj({cube}, {})).string();
+    const std::string file = folder.write("a.obj", importers::mesh::to_obj({cube}, {})).string();
     ASSERT_EQ(import(folder, file + " --reader assimp --json -", out, error), 0) << error;
     EXPECT_NE(out.find("32-bit"), std::string::npos);
     ASSERT_EQ(import(folder, file + " --json -", out, error), 0) << error;
@@ -190,4 +192,4 @@ TEST(ImportFormats, AreListedWithTheirReaders)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -15,7 +15,7 @@
 #include "tests/app/program_start.h"
 #include "tests/app/test_files.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -332,4 +332,4 @@ TEST(Program, ImportCertifiesEachFileByItself)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

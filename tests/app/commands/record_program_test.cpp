@@ -9,7 +9,7 @@
 #include "tests/app/program_start.h"
 #include "tests/app/test_files.h"
 
-namespace voussoir
+namespace voussoir::app::commands
 {
 namespace
 {
@@ -150,4 +150,4 @@ TEST(Record, MainShockAtLAquila)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::commands

@@ -40,7 +40,7 @@ void watch(const ContactSetIn<D>& contacts, std::size_t& bonds, Course& course)
     bonds = intact;
 }
 
-Course course_of(const Scene& scene)
+Course course_of(const app::golden::Scene& scene)
 {
     Course course;
     std::size_t bonds = 0;
@@ -60,10 +60,10 @@ Course course_of(const Scene& scene)
     return course;
 }
 
-class EveryScene : public ::testing::TestWithParam<NamedScene>
+class EveryScene : public ::testing::TestWithParam<app::golden::NamedScene>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Golden, EveryScene, ::testing::ValuesIn(scenes()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Golden, EveryScene, ::testing::ValuesIn(app::golden::scenes()), [](const auto& info) {
     std::string name = info.param.name;
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == ' ' || c == ','; }, '_');
@@ -72,9 +72,9 @@ INSTANTIATE_TEST_SUITE_P(Golden, EveryScene, ::testing::ValuesIn(scenes()), [](c
 
 TEST_P(EveryScene, ComesToItsEndWithContactsAndWorkDone)
 {
-    Scene scene = GetParam().make();
+    app::golden::Scene scene = GetParam().make();
     State end;
-    const RunReport report = run_scene(scene, end);
+    const RunReport report = app::golden::run_scene(scene, end);
     EXPECT_NE(report.outcome, Outcome::gave_up)
         << (report.diagnosis ? ::testing::PrintToString(*report.diagnosis) : "");
     EXPECT_GE(report.steps, 10);
@@ -86,13 +86,13 @@ TEST_P(EveryScene, ComesToItsEndWithContactsAndWorkDone)
 // In every hash, that of the state and that of the report.
 TEST_P(EveryScene, HashMovesWithTheLastBitOfADensity)
 {
-    Scene scene = GetParam().make();
+    app::golden::Scene scene = GetParam().make();
     State end, other;
-    const RunReport report = run_scene(scene, end);
+    const RunReport report = app::golden::run_scene(scene, end);
     scene.model.materials[0].density = std::nextafter(scene.model.materials[0].density, 1e9);
-    const RunReport other_report = run_scene(scene, other);
+    const RunReport other_report = app::golden::run_scene(scene, other);
     EXPECT_NE(voussoir::hash_of(other), voussoir::hash_of(end));
-    EXPECT_NE(hash_of(other_report), hash_of(report));
+    EXPECT_NE(app::golden::hash_of(other_report), app::golden::hash_of(report));
 }
 
 /// All scenes of a name, in whatever unknowns. @returns how many
@@ -100,7 +100,7 @@ template <typename Expectation>
 int for_scenes(const std::string& name, const Expectation& expect)
 {
     int count = 0;
-    for (const NamedScene& each : scenes()) {
+    for (const app::golden::NamedScene& each : app::golden::scenes()) {
         if (each.name.rfind(name + ",", 0) != 0) continue;
         SCOPED_TRACE(each.name);
         expect(course_of(each.make()));
@@ -187,14 +187,14 @@ TEST(GoldenScenes, TumbleOverEdgesAndFall)
 // The loops of the wall run on two threads; on one they must give the same bits.
 TEST(GoldenScenes, DoNotDependOnThreads)
 {
-    for (const NamedScene& each : scenes()) {
+    for (const app::golden::NamedScene& each : app::golden::scenes()) {
         if (each.name != "wall, spatial rigid") continue;
-        Scene scene = each.make();
+        app::golden::Scene scene = each.make();
         State two, one;
         EXPECT_EQ(scene.stages[0].control.threads, 2);
-        run_scene(scene, two);
+        app::golden::run_scene(scene, two);
         scene.stages[0].control.threads = 1;
-        run_scene(scene, one);
+        app::golden::run_scene(scene, one);
         EXPECT_EQ(voussoir::hash_of(one), voussoir::hash_of(two));
         EXPECT_GT(two.contacts.patches.size(), 256U) << "from where on the engine uses threads";
         return;
@@ -204,15 +204,15 @@ TEST(GoldenScenes, DoNotDependOnThreads)
 
 TEST(Behaviour, IsOfAllHashesAndNames)
 {
-    const std::vector<SceneHashes> all{{"a", 1, 2}, {"b", 3, 4}};
-    EXPECT_EQ(behaviour(all).size(), 12U);
-    EXPECT_EQ(behaviour(all).find_first_not_of("0123456789abcdef"), std::string::npos);
-    for (const std::vector<SceneHashes>& other : {std::vector<SceneHashes>{{"a", 1, 2}},
-                                                  {{"a", 1, 2}, {"c", 3, 4}},
-                                                  {{"a", 1, 2}, {"b", 4, 4}},
-                                                  {{"a", 1, 2}, {"b", 3, 5}},
-                                                  {{"b", 3, 4}, {"a", 1, 2}}})
-        EXPECT_NE(behaviour(other), behaviour(all));
+    const std::vector<app::golden::SceneHashes> all{{"a", 1, 2}, {"b", 3, 4}};
+    EXPECT_EQ(app::golden::behaviour(all).size(), 12U);
+    EXPECT_EQ(app::golden::behaviour(all).find_first_not_of("0123456789abcdef"), std::string::npos);
+    for (const std::vector<app::golden::SceneHashes>& other : {std::vector<app::golden::SceneHashes>{{"a", 1, 2}},
+                                                               {{"a", 1, 2}, {"c", 3, 4}},
+                                                               {{"a", 1, 2}, {"b", 4, 4}},
+                                                               {{"a", 1, 2}, {"b", 3, 5}},
+                                                               {{"b", 3, 4}, {"a", 1, 2}}})
+        EXPECT_NE(app::golden::behaviour(other), app::golden::behaviour(all));
 }
 
 }  // namespace

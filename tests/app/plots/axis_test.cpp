@@ -7,7 +7,7 @@
 
 #include "app/plots/diagram.h"
 
-namespace voussoir
+namespace voussoir::app::plots
 {
 namespace
 {
@@ -71,4 +71,4 @@ TEST(Diagram, GoesThroughJsonUnchanged)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::plots

@@ -3,7 +3,7 @@
 
 #include "tests/app/reader/case_reading.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -67,4 +67,4 @@ TEST(AttachedMassKeys, FaultsNameTheirLine)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

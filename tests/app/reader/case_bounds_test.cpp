@@ -5,7 +5,7 @@
 
 #include "tests/app/reader/case_reading.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 namespace
@@ -147,4 +147,4 @@ TEST(CaseBounds, NamesAreNotCommandsOrPaths)
     }
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -11,7 +11,7 @@
 #include "app/reader/overlaps.h"
 #include "tests/app/reader/case_reading.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -310,4 +310,4 @@ TEST(Overlaps, DepthIsTheShortestWayOut)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -12,7 +12,7 @@
 #include "tests/fuzz/accepted_case.h"
 #include "tests/limited_requests.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 namespace
@@ -67,4 +67,4 @@ TEST(DamagedCases, AreRefusedInWordsOrReadAsSoundCases)
     EXPECT_LT(accepted, tried);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

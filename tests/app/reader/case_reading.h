@@ -9,7 +9,7 @@
 #include "libdda/errors.h"
 #include "tests/app/test_files.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 inline Case read(const std::string& text, const std::vector<std::string>& overrides = {})
@@ -41,4 +41,4 @@ inline bool has_default(const Case& the_case, const std::string& part)
                        [&](const std::string& line) { return line.find(part) != std::string::npos; });
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

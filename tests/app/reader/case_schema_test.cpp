@@ -6,7 +6,7 @@
 #include "tests/app/reader/case_reading.h"
 #include "tests/app/reader/schema_samples.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -152,4 +152,4 @@ TEST_F(CaseSchema, HasTheWordsOfProcessing)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

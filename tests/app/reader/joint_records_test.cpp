@@ -5,7 +5,7 @@
 
 #include "tests/app/reader/motion_case.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -169,4 +169,4 @@ TEST_F(JointRecords, WithoutATimeStepAreRefusedWithTheKeyToGive)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

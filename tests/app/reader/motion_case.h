@@ -5,7 +5,7 @@
 
 #include "tests/app/reader/case_reading.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 inline constexpr double gravity = 9.80665;
@@ -77,4 +77,4 @@ class JointRecords : public MotionCase
     }
 };
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -4,7 +4,7 @@
 
 #include "tests/app/reader/motion_case.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -183,4 +183,4 @@ TEST_F(MotionCase, MatchedToASpectrumEndsAtRest)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -6,7 +6,7 @@
 
 #include "tests/app/reader/motion_case.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -100,4 +100,4 @@ TEST_F(MotionCase, KeysOfTheSchemaAreKnown)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

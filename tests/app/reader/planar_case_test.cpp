@@ -4,7 +4,7 @@
 #include "app/reader/overlaps.h"
 #include "tests/app/reader/case_reading.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -186,4 +186,4 @@ TEST(PlanarCase, ASpatialSceneTakesNothingPlanar)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

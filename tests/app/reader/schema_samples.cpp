@@ -5,7 +5,7 @@
 #include <random>
 #include <regex>
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -185,4 +185,4 @@ std::string general_path(const std::string& path)
     return std::regex_replace(std::regex_replace(path, number, "[]"), name, "*");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 
 /// docs/case.schema.json.
@@ -29,4 +29,4 @@ std::vector<nlohmann::json> sample_cases(const nlohmann::json& schema, bool with
 /// A path of the reader, "stages[3].collapse", as those of SchemaWords are written.
 std::string general_path(const std::string& path);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

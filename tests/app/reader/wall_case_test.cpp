@@ -7,7 +7,7 @@
 #include "libdda/run/run.h"
 #include "tests/app/reader/case_reading.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -200,4 +200,4 @@ TEST(WallCase, OfTenThousandBlocksIsReadInSeconds)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

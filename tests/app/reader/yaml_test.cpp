@@ -5,7 +5,7 @@
 #include "app/reader/yaml_cursor.h"
 #include "app/words/nearest_word.h"
 
-namespace voussoir
+namespace voussoir::app::reader
 {
 namespace
 {
@@ -66,8 +66,8 @@ TEST(YamlCursor, ReportsEverythingAtOnceWithPlaces)
     findings.file = "case.yaml";
     YamlCursor top(root, "", findings);
     YamlCursor stone = *top.find("stone");
-    stone.quantity("young", dimension::pressure, Range::positive());
-    stone.quantity("density", dimension::density, Range::positive());
+    stone.quantity("young", words::dimension::pressure, words::Range::positive());
+    stone.quantity("density", words::dimension::density, words::Range::positive());
     stone.reject_unknown_keys();
     top.reject_unknown_keys();
     std::vector<std::string> sentences;
@@ -86,7 +86,7 @@ TEST(YamlCursor, TakesDefaultsAloud)
     const YamlNode root = parse_yaml("a: 1", "case.yaml");
     Findings findings;
     YamlCursor top(root, "", findings);
-    EXPECT_DOUBLE_EQ(top.quantity_or("step", dimension::time, Range::positive(), 2e-3), 2e-3);
+    EXPECT_DOUBLE_EQ(top.quantity_or("step", words::dimension::time, words::Range::positive(), 2e-3), 2e-3);
     EXPECT_EQ(top.integer_or("count", 1, 9, 4), 4);
     EXPECT_EQ(in_words(findings.defaults), std::vector<std::string>{"step = 0.002 s, count = 4"});
 }
@@ -127,12 +127,12 @@ TEST(Overrides, SayWhatCannotBeDone)
 
 TEST(NearestWord, KnowsWhatWasMeant)
 {
-    EXPECT_EQ(edit_distance("young", "yuong"), 1);
-    EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
-    EXPECT_EQ(nearest_word("timestep", {"type", "time_step", "name"}), "time_step");
-    EXPECT_EQ(nearest_word("wholly_other", {"type", "time_step", "name"}), "");
-    EXPECT_EQ(nearest_word("q", {"x", "y", "z"}), "");
+    EXPECT_EQ(words::edit_distance("young", "yuong"), 1);
+    EXPECT_EQ(words::edit_distance("kitten", "sitting"), 3);
+    EXPECT_EQ(words::nearest_word("timestep", {"type", "time_step", "name"}), "time_step");
+    EXPECT_EQ(words::nearest_word("wholly_other", {"type", "time_step", "name"}), "");
+    EXPECT_EQ(words::nearest_word("q", {"x", "y", "z"}), "");
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::reader

@@ -9,7 +9,7 @@
 #include "libdda/geometry/convex_polyhedron.h"
 #include "tests/app/test_files.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 namespace
 {
@@ -57,7 +57,7 @@ bool is_faulty_stone(const Pixel& c)
 }
 
 /// A box with a mark on its back, a neighbour as a ghost.
-DefectPictures marked_box(const MarkedFeature& feature, MarkLook look)
+DefectPictures marked_box(const importers::mesh::MarkedFeature& feature, MarkLook look)
 {
     DefectPictures pictures;
     pictures.width = 700;
@@ -77,7 +77,8 @@ TEST(DefectPictures, ShowAMarkWhereverItIs)
 {
     for (const double y : {0.0, 1.0}) {
         const TemporaryFolder folder;
-        const MarkedFeature hole{"hole", {}, {{Vector3d(0.2, y, 0.2), Vector3d(0.8, y, 0.8)}}, {}};
+        const importers::mesh::MarkedFeature hole{
+            "hole", {}, {{Vector3d(0.2, y, 0.2), Vector3d(0.8, y, 0.8)}}, {}};
         const auto files = draw_defects(marked_box(hole, MarkLook::defect), folder / "");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_GT(count(files[0], is_red), 150);
@@ -96,7 +97,8 @@ TEST(DefectPictures, ShowNoMarkWhereNoneIs)
 TEST(DefectPictures, GapsAreBluePolygons)
 {
     const TemporaryFolder folder;
-    const MarkedFeature gap{"25 mm apart", {}, {}, {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}}};
+    const importers::mesh::MarkedFeature gap{
+        "25 mm apart", {}, {}, {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}}};
     const auto files = draw_defects(marked_box(gap, MarkLook::gap), folder / "");
     ASSERT_EQ(files.size(), 1U);
     EXPECT_GT(count(files[0], is_blue), 300);
@@ -105,7 +107,7 @@ TEST(DefectPictures, GapsAreBluePolygons)
 
 TEST(DefectPictures, TheRequestSurvivesTheWire)
 {
-    const MarkedFeature feature{
+    const importers::mesh::MarkedFeature feature{
         "faces cross", {{1, 2, 3}}, {{Vector3d(0, 0, 0), Vector3d(1, 0, 0)}}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
     const DefectPictures sent = marked_box(feature, MarkLook::contact);
     const DefectRequest got = defects_from_json(to_json(sent, "/some/where"));
@@ -131,4 +133,4 @@ TEST(DefectPictures, ARequestThatPointsOutsideIsRefused)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::render

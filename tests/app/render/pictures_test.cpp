@@ -11,14 +11,14 @@
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 namespace
 {
 
 std::filesystem::path results_of(const Case& the_case, const std::filesystem::path& folder)
 {
-    ResultsWriter writer(the_case, folder);
+    results::ResultsWriter writer(the_case, folder);
     for (int i = 0; i <= 4; ++i) writer.frame(synthetic::swaying(the_case, 0.5 * i), {});
     writer.finish(synthetic::swaying(the_case, 2), {}, {0, 0});
     return writer.results_file();
@@ -159,4 +159,4 @@ TEST(Pictures, WithoutResultsOrHelperAreRefused)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -15,7 +15,7 @@
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::render
 {
 namespace
 {
@@ -23,18 +23,18 @@ namespace
 using Eigen::Vector3d;
 
 /// Frames at 0 (end of the static stage), 0.1, 0.2, ..., 2 s.
-ResultsReader run_of(const Case& the_case, const std::filesystem::path& folder)
+results::ResultsReader run_of(const Case& the_case, const std::filesystem::path& folder)
 {
-    ResultsWriter writer(the_case, folder);
+    results::ResultsWriter writer(the_case, folder);
     for (int i = 0; i <= 20; ++i) writer.frame(synthetic::swaying(the_case, 0.1 * i), {});
     writer.finish(synthetic::swaying(the_case, 2), {}, {0, 0});
-    return ResultsReader(writer.results_file());
+    return results::ResultsReader(writer.results_file());
 }
 
 TEST(ChooseFrames, NearestToEachTimeAndEachOnce)
 {
     const TemporaryFolder folder;
-    const ResultsReader results = run_of(synthetic::tower(Kinematics::spatial_rigid), folder.path());
+    const results::ResultsReader results = run_of(synthetic::tower(Kinematics::spatial_rigid), folder.path());
     SnapshotOptions options;
     options.times = {1.52, 0.31, 0.29, 99};
     EXPECT_EQ(choose_frames(results, options), (std::vector<std::size_t>{3, 15, 20}));
@@ -43,7 +43,7 @@ TEST(ChooseFrames, NearestToEachTimeAndEachOnce)
 TEST(ChooseFrames, SpreadOverTheMotionWithTheLast)
 {
     const TemporaryFolder folder;
-    const ResultsReader results = run_of(synthetic::tower(Kinematics::spatial_rigid), folder.path());
+    const results::ResultsReader results = run_of(synthetic::tower(Kinematics::spatial_rigid), folder.path());
     SnapshotOptions options;
     options.count = 4;
     EXPECT_EQ(choose_frames(results, options), (std::vector<std::size_t>{5, 10, 15, 20}));
@@ -55,14 +55,14 @@ TEST(ChooseFrames, SpreadOverTheMotionWithTheLast)
 
 TEST(ColorScale, TicksAreRoundAndInside)
 {
-    const ColorScale scale = make_scale(0, 0.0404, "displacement", length_units);
+    const drawing::ColorScale scale = drawing::make_scale(0, 0.0404, "displacement", drawing::length_units);
     EXPECT_EQ(scale.caption, "displacement [mm]");
     EXPECT_EQ(scale.labels, (std::vector<std::string>{"0", "10", "20", "30", "40"}));
     EXPECT_NEAR(scale.ticks.back(), 0.04, 1e-12);
     EXPECT_NEAR(scale.share(0.0202), 0.5, 1e-6);
-    const ColorScale fine = make_scale(-0.3e-6, 1.2e-6, "displacement", length_units);
+    const drawing::ColorScale fine = drawing::make_scale(-0.3e-6, 1.2e-6, "displacement", drawing::length_units);
     EXPECT_EQ(fine.labels, (std::vector<std::string>{"0.0", "0.5", "1.0"}));
-    const ColorScale still = make_scale(0, 0, "displacement", length_units);
+    const drawing::ColorScale still = drawing::make_scale(0, 0, "displacement", drawing::length_units);
     EXPECT_LT(still.lowest, still.highest) << "a run in which nothing moves has a scale, too";
 }
 
@@ -70,7 +70,8 @@ TEST(ColorScale, EveryLabelTimesItsUnitIsItsTick)
 {
     const std::map<std::string, double> pascals = {{"[Pa]", 1}, {"[kPa]", 1e3}, {"[MPa]", 1e6}};
     for (const double highest : {3.0, 40e3, 0.7e6, 1.16e6, 95e6}) {
-        const ColorScale scale = make_scale(-0.1 * highest, highest, "stress", stress_units);
+        const drawing::ColorScale scale =
+            drawing::make_scale(-0.1 * highest, highest, "stress", drawing::stress_units);
         const double unit = pascals.at(scale.caption.substr(7));
         ASSERT_GE(scale.ticks.size(), 3U);
         for (std::size_t i = 0; i < scale.ticks.size(); ++i) {
@@ -82,7 +83,7 @@ TEST(ColorScale, EveryLabelTimesItsUnitIsItsTick)
 }
 
 /// Lightness L* of a colour given in sRGB. Source: [CIE15-2004], [IEC61966-2-1-1999].
-double lightness(const Rgb& color)
+double lightness(const drawing::Rgb& color)
 {
     double luminance = 0;
     const double weights[] = {0.2126, 0.7152, 0.0722};
@@ -95,10 +96,10 @@ double lightness(const Rgb& color)
 
 TEST(Viridis, LightnessRisesEvenly)
 {
-    double before = lightness(viridis(0));
+    double before = lightness(drawing::viridis(0));
     EXPECT_LT(before, 20);
     for (int i = 1; i <= 10; ++i) {
-        const double now = lightness(viridis(static_cast<float>(i) / 10));
+        const double now = lightness(drawing::viridis(static_cast<float>(i) / 10));
         EXPECT_NEAR(now - before, 7.6, 1.6) << i;
         before = now;
     }
@@ -151,8 +152,8 @@ TEST(JointFaces, AreTheTwoThatFaceEachOther)
     const Case the_case = synthetic::arch(Kinematics::spatial_rigid, 9);
     const Model& model = the_case.model;
     const State state = initial_state(model);
-    const SurfaceMesh mesh = surface_mesh_of(model);
-    const std::vector<double> positions = positions_of(mesh, model.kinematics, state);
+    const results::SurfaceMesh mesh = results::surface_mesh_of(model);
+    const std::vector<double> positions = results::positions_of(mesh, model.kinematics, state);
     std::vector<Vector3d> places;
     for (std::size_t i = 0; i < positions.size(); i += 3) places.emplace_back(positions.data() + i);
     const std::vector<JointResultant> joints = joint_resultants(model, synthetic::swaying(the_case, 0));
@@ -175,9 +176,9 @@ TEST(JointFaces, AreTheTwoThatFaceEachOther)
 TEST(JointFaces, AFloorIsNotOutlinedUnderAPillar)
 {
     const Case the_case = synthetic::tower(Kinematics::spatial_rigid, 1);
-    const SurfaceMesh mesh = surface_mesh_of(the_case.model);
+    const results::SurfaceMesh mesh = results::surface_mesh_of(the_case.model);
     const State state = initial_state(the_case.model);
-    const std::vector<double> positions = positions_of(mesh, the_case.model.kinematics, state);
+    const std::vector<double> positions = results::positions_of(mesh, the_case.model.kinematics, state);
     std::vector<Vector3d> places;
     for (std::size_t i = 0; i < positions.size(); i += 3) places.emplace_back(positions.data() + i);
     JointResultant joint;  // the floor, block 0, lies under the pillar, block 1
@@ -191,9 +192,10 @@ TEST(JointFaces, AFloorIsNotOutlinedUnderAPillar)
 TEST(Scene, MarksJointsBeyondTheThresholdOnly)
 {
     const TemporaryFolder folder;
-    const ResultsReader results = run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path());
+    const results::ResultsReader results =
+        run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path());
     SceneOptions options;  // 0.1 mm; at 1 s two joints of ten are open by 2 mm and two have slid 2 mm
-    const RecordedFrame first = results.frame(0), frame = results.frame(10);
+    const results::RecordedFrame first = results.frame(0), frame = results.frame(10);
     const Scene scene = make_scene(results.model, first, frame, options);
     EXPECT_EQ(scene.opened_joints, 2);
     EXPECT_EQ(scene.slid_joints, 2);
@@ -205,8 +207,9 @@ TEST(Scene, MarksJointsBeyondTheThresholdOnly)
 TEST(Scene, AJointThatIsGoneIsOpen)
 {
     const TemporaryFolder folder;
-    const ResultsReader results = run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path());
-    RecordedFrame apart = results.frame(0);
+    const results::ResultsReader results =
+        run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path());
+    results::RecordedFrame apart = results.frame(0);
     apart.joints.pop_back();
     EXPECT_EQ(make_scene(results.model, results.frame(0), apart, {}).opened_joints, 1);
 }
@@ -215,7 +218,7 @@ TEST(Scene, IsSeenFromTheGround)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::tower(Kinematics::spatial_rigid);
-    const ResultsReader results = run_of(the_case, folder.path());
+    const results::ResultsReader results = run_of(the_case, folder.path());
     SceneOptions options;
     options.deformation_scale = 10;
     const Scene scene = make_scene(results.model, results.frame(0), results.frame(20), options);
@@ -237,7 +240,7 @@ TEST(Scene, IsSeenFromTheGround)
 TEST(Extrusion, IsClosedAndAsThickAsTheScene)
 {
     const Case the_case = synthetic::arch(Kinematics::planar_rigid, 9);
-    const SurfaceMesh mesh = extruded(surface_mesh_of(the_case.model), the_case.model.thickness);
+    const results::SurfaceMesh mesh = extruded(results::surface_mesh_of(the_case.model), the_case.model.thickness);
     ASSERT_EQ(mesh.face_block.size(), 11U * 6U);
     std::vector<double> volume(11, 0);  // by the divergence theorem: outward faces alone give it, and positive
     for (std::size_t face = 0; face < mesh.face_block.size(); ++face) {
@@ -258,7 +261,7 @@ TEST(Extrusion, APlanarSceneIsMarkedAsTheSpatialOne)
 {
     const auto marks = [](Kinematics kinematics) {
         const TemporaryFolder folder;
-        const ResultsReader results = run_of(synthetic::arch(kinematics, 9), folder.path());
+        const results::ResultsReader results = run_of(synthetic::arch(kinematics, 9), folder.path());
         return make_scene(in_space(results.model), results.frame(0), results.frame(10), {});
     };
     const Scene plane = marks(Kinematics::planar_rigid), space = marks(Kinematics::spatial_rigid);
@@ -277,4 +280,4 @@ TEST(Scene, LargestCompressionIsMinusTheLeastPrincipalStress)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::render

@@ -23,7 +23,7 @@
 #include "tests/limited_requests.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -44,7 +44,7 @@ Restart sound_restart(const Case& the_case)
 {
     Restart restart;
     restart.computed_from = {
-        {"0.1", "8951b6b97059", Dirty::yes, "0123456789ab", {"x86-64", "g++ 1", "3"}}, 1, 2, 3, 4};
+        {"0.1", "8951b6b97059", version::Dirty::yes, "0123456789ab", {"x86-64", "g++ 1", "3"}}, 1, 2, 3, 4};
     restart.state = synthetic::swaying(the_case, 0.5);
     restart.state.grid = 250;
     restart.state.stage_time = 250 * the_case.stages[1].control.time_step;
@@ -92,8 +92,8 @@ class DamagedRestart : public testing::TestWithParam<Kinematics>
             const LimitedRequests limit(20'000'000);
             const Restart restart = load_restart(file_);
             check_fits(restart, the_case_, file_);
-            message_of(restart.position.report, the_case_.model, the_case_.stages);
-            warnings_of(restart.position.report, the_case_.model, the_case_.stages);
+            words::message_of(restart.position.report, the_case_.model, the_case_.stages);
+            words::warnings_of(restart.position.report, the_case_.model, the_case_.stages);
             if (!restart.ended) go_on(restart);
         } catch (const InputError& error) {
             EXPECT_EQ(error.faults.size(), 1U);
@@ -367,4 +367,4 @@ TEST_P(ResumedDraft, FewerRowsOrOtherColumnsThanTheRestartCountsAreRefused)
     EXPECT_NE(refusal_of(draft_of(the_case_), restart), "");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

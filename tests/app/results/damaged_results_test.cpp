@@ -11,7 +11,7 @@
 #include "tests/limited_requests.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 namespace
@@ -104,4 +104,4 @@ TEST_P(Draft, TextsThatAreNumbersAndSettingsThatAreNoneAreRefused)
     EXPECT_NE(refusal_of(draft).find("holds no numbers"), std::string::npos);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

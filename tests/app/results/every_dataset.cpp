@@ -7,7 +7,7 @@
 
 #include "app/results/packed.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -79,4 +79,4 @@ std::map<std::string, std::uint64_t> every_dataset(const std::filesystem::path& 
     return hashes;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

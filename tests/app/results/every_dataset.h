@@ -6,11 +6,11 @@
 #include <map>
 #include <string>
 
-namespace voussoir
+namespace voussoir::app::results
 {
 
 /// FNV-1a of the bytes of every dataset and attribute, with their extents, by name; /summary, which tells times,
 /// is left out.
 std::map<std::string, std::uint64_t> every_dataset(const std::filesystem::path& results);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::results

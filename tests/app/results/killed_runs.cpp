@@ -65,11 +65,11 @@ std::vector<std::string> arguments_of(const Reference& reference, const fs::path
 /// The rows of the frames that a killed run left are those of the reference.
 void expect_beginning_of(const fs::path& reference, const fs::path& results, std::int64_t frames)
 {
-    const ResultsReader killed(results), whole(reference);
+    const app::results::ResultsReader killed(results), whole(reference);
     ASSERT_LE(frames, static_cast<std::int64_t>(killed.times.size())) << "more than an output interval was lost";
     ASSERT_LE(static_cast<std::int64_t>(killed.times.size()), frames + 1) << "frames without a restart file";
     for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i) {
-        const RecordedFrame found = killed.frame(i), right = whole.frame(i);
+        const app::results::RecordedFrame found = killed.frame(i), right = whole.frame(i);
         ASSERT_EQ(found.time, right.time) << i;
         ASSERT_EQ(found.state.coordinates, right.state.coordinates) << i;
         ASSERT_EQ(found.state.velocities, right.state.velocities) << i;
@@ -83,22 +83,24 @@ void expect_beginning_of(const fs::path& reference, const fs::path& results, std
 std::int64_t check_what_is_left(const Reference& reference, const fs::path& folder, std::int64_t frames,
                                 Kills& kills)
 {
-    const fs::path results = folder / "results.h5", restart_file = restart_file_in(folder);
+    const fs::path results = folder / "results.h5", restart_file = app::results::restart_file_in(folder);
     if (!fs::exists(restart_file)) {
         EXPECT_EQ(frames, 0) << "a run that went on lost what it went on from";
         ++kills.before_a_frame;
         return 0;
     }
-    const Restart restart = load_restart(restart_file);
+    const app::results::Restart restart = app::results::load_restart(restart_file);
     if (restart.ended) {  // of the run before, which this one had no time to replace, or killed at its very end
         ++kills.before_a_frame;
-        EXPECT_EQ(every_dataset(results), every_dataset(reference.folder / "results.h5"));
+        EXPECT_EQ(app::results::every_dataset(results),
+                  app::results::every_dataset(reference.folder / "results.h5"));
         return 0;
     }
     EXPECT_GE(restart.position.frames, frames) << "a run that went on fell back";
-    EXPECT_NO_THROW(every_dataset(results));
+    EXPECT_NO_THROW(app::results::every_dataset(results));
     expect_beginning_of(reference.folder / "results.h5", results, restart.position.frames);
-    const bool more = ResultsReader(results).times.size() > static_cast<std::size_t>(restart.position.frames);
+    const bool more =
+        app::results::ResultsReader(results).times.size() > static_cast<std::size_t>(restart.position.frames);
     if (more || fs::exists(folder / "restart.bin.part") || fs::exists(folder / "results.h5.last"))
         ++kills.during_output;
     return restart.position.frames;
@@ -106,7 +108,7 @@ std::int64_t check_what_is_left(const Reference& reference, const fs::path& fold
 
 nlohmann::json summary_without_times(const fs::path& folder)
 {
-    nlohmann::json summary = nlohmann::json::parse(contents(folder / "summary.json"));
+    nlohmann::json summary = nlohmann::json::parse(app::contents(folder / "summary.json"));
     for (const char* key : {"wall_time_s", "cpu_time_s", "time_by_part"}) summary.erase(key);
     return summary;
 }
@@ -115,9 +117,10 @@ nlohmann::json summary_without_times(const fs::path& folder)
 
 void expect_equal_results(const fs::path& folder, const fs::path& reference)
 {
-    EXPECT_EQ(every_dataset(folder / "results.h5"), every_dataset(reference / "results.h5"));
-    EXPECT_EQ(contents(folder / "histories.csv"), contents(reference / "histories.csv"));
-    EXPECT_EQ(contents(folder / "results.xdmf"), contents(reference / "results.xdmf"));
+    EXPECT_EQ(app::results::every_dataset(folder / "results.h5"),
+              app::results::every_dataset(reference / "results.h5"));
+    EXPECT_EQ(app::contents(folder / "histories.csv"), app::contents(reference / "histories.csv"));
+    EXPECT_EQ(app::contents(folder / "results.xdmf"), app::contents(reference / "results.xdmf"));
     EXPECT_EQ(summary_without_times(folder), summary_without_times(reference));
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename();
@@ -131,7 +134,7 @@ Reference run_through(const fs::path& work, const std::string& case_text)
     std::ofstream(reference.case_file) << case_text;
     const TemporaryFolder output;
     const auto start = std::chrono::steady_clock::now();
-    const Ended ended = voussoir(output, arguments_of(reference, reference.folder, false));
+    const app::Ended ended = app::voussoir(output, arguments_of(reference, reference.folder, false));
     reference.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
     return reference;
@@ -146,11 +149,11 @@ Kills kill_and_resume(const Reference& reference, const fs::path& folder, int co
     Kills kills;
     std::int64_t frames = 0;  // to go on from
     for (int life = 0; kills.kills < count && life < 10 * count && !testing::Test::HasFailure(); ++life) {
-        const pid_t child = start(output, arguments_of(reference, folder, frames > 0));
+        const pid_t child = app::start(output, arguments_of(reference, folder, frames > 0));
         std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
         const int sent = politely(random) ? SIGINT : SIGKILL;
         kill(child, sent);
-        const Ended ended = finish(output, child);
+        const app::Ended ended = app::finish(output, child);
         // Of SIGINT it may also die, before it listens.
         EXPECT_TRUE(ended.signal == sent || (ended.signal == 0 && (ended.exit_code == 4 || ended.exit_code == 0)))
             << "signal " << ended.signal << ", exit code " << ended.exit_code << ": " << ended.errors;
@@ -164,7 +167,7 @@ Kills kill_and_resume(const Reference& reference, const fs::path& folder, int co
         if (ended.exit_code == 4) ++kills.interrupts;
         if (ended.signal != 0 && frames > 0) ++kills.kills;  // one that left nothing to go on from proves nothing
     }
-    const Ended ended = voussoir(output, arguments_of(reference, folder, frames > 0));
+    const app::Ended ended = app::voussoir(output, arguments_of(reference, folder, frames > 0));
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
     expect_equal_results(folder, reference.folder);
     kills.resumed_to_the_end += frames > 0;

@@ -62,7 +62,7 @@ extern "C" int fsync(int descriptor)
     return original(descriptor);
 }
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -241,4 +241,4 @@ TEST(KilledWriter, GoesOnFromEveryChangeOfAFile)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

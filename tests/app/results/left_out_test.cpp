@@ -6,7 +6,7 @@
 #include "app/results/results_writer.h"
 #include "tests/app/results/synthetic.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -44,4 +44,4 @@ TEST(LeftOut, WhatACaseListsIsNotLeftOut)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -10,7 +10,7 @@
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -143,4 +143,4 @@ TEST(PlanarJoints, AMomentCountsFromXToZ)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

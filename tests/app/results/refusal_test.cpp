@@ -11,7 +11,7 @@
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -105,4 +105,4 @@ TEST(Refusal, AHistoryOfAnUnknownBlock)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

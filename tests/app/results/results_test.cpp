@@ -10,7 +10,7 @@
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -217,4 +217,4 @@ TEST(Results, TheCaseItselfIsInTheFile)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

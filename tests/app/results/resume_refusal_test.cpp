@@ -13,7 +13,7 @@
 #include "tests/app/program_start.h"
 #include "tests/app/results/killed_runs.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -105,7 +105,8 @@ TEST(ResumeRefusal, WhateverHasChanged)
 }
 
 /// The restart file says that another engine wrote it.
-void make_of_other_engine(const TemporaryFolder& folder, const std::function<void(EngineVersion&)>& change)
+void make_of_other_engine(const TemporaryFolder& folder,
+                          const std::function<void(version::EngineVersion&)>& change)
 {
     const fs::path file = restart_file_in(folder / "results");
     Restart restart = load_restart(file);
@@ -120,20 +121,23 @@ TEST(ResumeRefusal, AnotherEngine)
     write_files(folder);
     kill_and_wait(running(folder));
     const std::string good = contents(restart_file_in(folder / "results"));
-    for (const std::function<void(EngineVersion&)>& change : std::vector<std::function<void(EngineVersion&)>>{
-             [](EngineVersion& engine) { engine.version = "0.1.0"; },
-             [](EngineVersion& engine) { engine.commit = "8951b6b97059"; },
-             [](EngineVersion& engine) { engine.dirty = engine.dirty == Dirty::yes ? Dirty::no : Dirty::yes; },
-             [](EngineVersion& engine) { engine.sources = "eb0b81037a65"; },
-             [](EngineVersion& engine) { engine.compilation.instruction_set = "x86-65"; },
-             [](EngineVersion& engine) { engine.compilation.compiler = "g++ 1"; }}) {
+    for (const std::function<void(version::EngineVersion&)>& change :
+         std::vector<std::function<void(version::EngineVersion&)>>{
+             [](version::EngineVersion& engine) { engine.version = "0.1.0"; },
+             [](version::EngineVersion& engine) { engine.commit = "8951b6b97059"; },
+             [](version::EngineVersion& engine) {
+                 engine.dirty = engine.dirty == version::Dirty::yes ? version::Dirty::no : version::Dirty::yes;
+             },
+             [](version::EngineVersion& engine) { engine.sources = "eb0b81037a65"; },
+             [](version::EngineVersion& engine) { engine.compilation.instruction_set = "x86-65"; },
+             [](version::EngineVersion& engine) { engine.compilation.compiler = "g++ 1"; }}) {
         folder.write("results/restart.bin", good);
         make_of_other_engine(folder, change);
-        EngineVersion before = engine_version();
+        version::EngineVersion before = version::engine_version();
         change(before);
-        expect_refusal(
-            folder, run_of(folder, {"--resume"}),
-            "begun by another engine (" + in_words(before) + "; this is " + in_words(engine_version()) + ")");
+        expect_refusal(folder, run_of(folder, {"--resume"}),
+                       "begun by another engine (" + version::in_words(before) + "; this is " +
+                           version::in_words(version::engine_version()) + ")");
     }
     // What another engine would make of other files nobody knows: that they have changed comes first.
     folder.write("case.yaml", of_files + "# a remark\n");
@@ -207,4 +211,4 @@ TEST(RunLock, AnInterruptedRunIsNotReplacedSilently)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -12,7 +12,7 @@
 #include "tests/app/program_start.h"
 #include "tests/app/results/killed_runs.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -49,7 +49,7 @@ void stop_again_and_again(const std::string& case_text, int steps)
 {
     const TemporaryFolder folder;
     const fs::path file = folder.write("case.yaml", case_text);
-    const Case the_case = read_case(file, {});
+    const Case the_case = reader::read_case(file, {});
     ASSERT_EQ(run_steps(the_case, folder / "reference", -1, nullptr), Outcome::completed);
     int lives = 1;
     Outcome outcome = run_steps(the_case, folder / "stopped", steps, nullptr);
@@ -78,12 +78,12 @@ TEST(Resume, AnotherEngineGoesOnIfAskedAndTheResultsSayWhich)
     const TemporaryFolder folder;
     const killed_runs::Reference reference = killed_runs::run_through(folder.path(), killed_runs::shaken_tower);
     const fs::path results = folder / "results";
-    const Case the_case = read_case(reference.case_file, {});
+    const Case the_case = reader::read_case(reference.case_file, {});
     ASSERT_EQ(run_steps(the_case, results, 40, nullptr), Outcome::interrupted);
     Restart restart = load_restart(restart_file_in(results));
     restart.computed_from.engine.commit = "8951b6b97059";
-    restart.computed_from.engine.dirty = Dirty::no;
-    const std::string before = in_words(restart.computed_from.engine);
+    restart.computed_from.engine.dirty = version::Dirty::no;
+    const std::string before = version::in_words(restart.computed_from.engine);
     save_restart(restart, restart_file_in(results));
     std::vector<std::string> arguments = {"run",     reference.case_file.string(), "-q", "-o", results.string(),
                                           "--resume"};
@@ -95,7 +95,7 @@ TEST(Resume, AnotherEngineGoesOnIfAskedAndTheResultsSayWhich)
 
     const auto warnings_in = [](const fs::path& folder_of_run) {
         const nlohmann::json summary = nlohmann::json::parse(contents(folder_of_run / "summary.json"));
-        EXPECT_EQ(summary["engine"], nlohmann::json::parse(engine_json()));
+        EXPECT_EQ(summary["engine"], nlohmann::json::parse(version::engine_json()));
         return summary["warnings"].dump();
     };
     EXPECT_EQ(warnings_in(reference.folder).find("two engines"), std::string::npos);
@@ -104,7 +104,7 @@ TEST(Resume, AnotherEngineGoesOnIfAskedAndTheResultsSayWhich)
         << warnings_in(results);
     // From here on the run is this engine's, and the warning stays with it however often it is stopped again.
     const Restart last = load_restart(restart_file_in(results));
-    EXPECT_EQ(last.computed_from.engine, engine_version());
+    EXPECT_EQ(last.computed_from.engine, version::engine_version());
     EXPECT_FALSE(last.position.report.warnings.empty());
 }
 
@@ -142,4 +142,4 @@ TEST(Resume, TimesAddUpAndTheEndedRunSaysSo)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

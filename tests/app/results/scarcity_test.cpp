@@ -12,7 +12,7 @@
 #include "tests/app/program_start.h"
 #include "tests/app/results/killed_runs.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -125,4 +125,4 @@ TEST(Scarcity, AFolderThatMayNotBeWritten)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

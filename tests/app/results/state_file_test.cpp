@@ -11,7 +11,7 @@
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -117,4 +117,4 @@ TEST(StateFile, AnUnwritableFolderIsOneSentence)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -10,7 +10,7 @@
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -195,4 +195,4 @@ TEST(Histories, NoPointNoFile)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

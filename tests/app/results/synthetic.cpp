@@ -16,9 +16,9 @@ namespace
 
 constexpr double inner = 4, thickness = 1, width = 2;
 
-Case empty_case(Kinematics kinematics, const std::string& title)
+app::Case empty_case(Kinematics kinematics, const std::string& title)
 {
-    Case result;
+    app::Case result;
     result.file = "synthetic.yaml";
     result.title = title;
     result.text = "title: " + title + "\nmaterials: {stone: {density: 2400 kg/m3}}\n";
@@ -112,9 +112,9 @@ void add_joint(const Model& model, int a, int b, double amount, State& state)
 
 }  // namespace
 
-Case arch(Kinematics kinematics, int voussoirs)
+app::Case arch(Kinematics kinematics, int voussoirs)
 {
-    Case result = empty_case(kinematics, "A half-round arch");
+    app::Case result = empty_case(kinematics, "A half-round arch");
     Model& model = result.model;
     add_foundation(model, "abutment_left", {-inner - thickness - 1, -1.5, -1.5}, {-inner + 0.3, 1.5, 0});
     for (int i = 0; i < voussoirs; ++i) {
@@ -127,9 +127,9 @@ Case arch(Kinematics kinematics, int voussoirs)
     return result;
 }
 
-Case tower(Kinematics kinematics, int boxes)
+app::Case tower(Kinematics kinematics, int boxes)
 {
-    Case result = empty_case(kinematics, "A tower of boxes");
+    app::Case result = empty_case(kinematics, "A tower of boxes");
     add_foundation(result.model, "ground", {-3, -3, -0.5}, {3, 3, 0});
     for (int i = 0; i < boxes; ++i) {
         const ConvexPolyhedron drum = make_box({-0.75, -0.75, 1.0 * i}, {0.75, 0.75, 1.0 * i + 1});
@@ -138,7 +138,7 @@ Case tower(Kinematics kinematics, int boxes)
     return result;
 }
 
-State swaying(const Case& the_case, double time)
+State swaying(const app::Case& the_case, double time)
 {
     const Model& model = the_case.model;
     State state = initial_state(model);

@@ -13,7 +13,7 @@
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::results
 {
 namespace
 {
@@ -189,4 +189,4 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, Xdmf,
                                          Kinematics::planar_deformable, Kinematics::planar_rigid));
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::results

@@ -9,7 +9,7 @@
 #include "app/version/version.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::app::version
 {
 namespace
 {
@@ -174,4 +174,4 @@ TEST_F(VersionScript, KnowsTheCommitOfAnArchive)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::version

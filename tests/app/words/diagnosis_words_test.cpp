@@ -137,7 +137,7 @@ TEST(DiagnosisWords, NameStageBlocksCauseAndRemedy)
     const Model model = six_blocks();
     for (const auto& [diagnosis, words] : sentences) {
         ASSERT_TRUE(is_whole(diagnosis)) << diagnosis;
-        EXPECT_EQ(in_words(diagnosis, model, one_stage()), words) << diagnosis;
+        EXPECT_EQ(app::words::in_words(diagnosis, model, one_stage()), words) << diagnosis;
     }
 }
 
@@ -152,12 +152,13 @@ TEST(DiagnosisWords, OfAReportAreItsMessageAndItsWarnings)
 {
     const Model model = six_blocks();
     RunReport report;
-    EXPECT_EQ(message_of(report, model, one_stage()), "");
-    EXPECT_TRUE(warnings_of(report, model, one_stage()).empty());
+    EXPECT_EQ(app::words::message_of(report, model, one_stage()), "");
+    EXPECT_TRUE(app::words::warnings_of(report, model, one_stage()).empty());
     report.diagnosis = sentences[0].first;
     report.warnings = {sentences[1].first, sentences[2].first};
-    EXPECT_EQ(message_of(report, model, one_stage()), sentences[0].second);
-    EXPECT_EQ(warnings_of(report, model, one_stage()), (std::vector{sentences[1].second, sentences[2].second}));
+    EXPECT_EQ(app::words::message_of(report, model, one_stage()), sentences[0].second);
+    EXPECT_EQ(app::words::warnings_of(report, model, one_stage()),
+              (std::vector{sentences[1].second, sentences[2].second}));
 }
 
 }  // namespace voussoir::testing

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace voussoir
+namespace voussoir::app::words
 {
 namespace
 {
@@ -19,25 +19,25 @@ TEST(Quantity, ReadsUnitsAsPeopleWriteThem)
 {
     using namespace dimension;
     const Written written[] = {
-        {"4.5 GPa", 4.5e9, pressure},
-        {"4.5GPa", 4.5e9, pressure},
-        {"30 deg", std::numbers::pi / 6, angle},
-        {"30°", std::numbers::pi / 6, angle},
-        {"0.3 g", 0.3 * 9.80665, acceleration},
-        {"9.81 m/s^2", 9.81, acceleration},
-        {"2 ms", 0.002, time},
-        {"24 kN/m3", 24e3, unit_weight},
-        {"24 kN/m³", 24e3, unit_weight},
-        {"2400 kg/m3", 2400, density},
-        {"2.4 t/m3", 2400, density},
-        {"50 MPa/m", 50e6, stiffness_per_area},
-        {"1e8 N/m", 1e8, stiffness_per_point},
-        {"2.5 Hz", 2.5, frequency},
-        {"0.5 1/s", 0.5, rate},
-        {"0.5 s^-1", 0.5, rate},
-        {"5 %", 0.05, number},
-        {"+3 ft", 3 * 0.3048, length},
-        {"-1 mm", -0.001, length},
+        {"4.5 GPa", 4.5e9, dimension::pressure},
+        {"4.5GPa", 4.5e9, dimension::pressure},
+        {"30 deg", std::numbers::pi / 6, dimension::angle},
+        {"30°", std::numbers::pi / 6, dimension::angle},
+        {"0.3 g", 0.3 * 9.80665, dimension::acceleration},
+        {"9.81 m/s^2", 9.81, dimension::acceleration},
+        {"2 ms", 0.002, dimension::time},
+        {"24 kN/m3", 24e3, dimension::unit_weight},
+        {"24 kN/m³", 24e3, dimension::unit_weight},
+        {"2400 kg/m3", 2400, dimension::density},
+        {"2.4 t/m3", 2400, dimension::density},
+        {"50 MPa/m", 50e6, dimension::stiffness_per_area},
+        {"1e8 N/m", 1e8, dimension::stiffness_per_point},
+        {"2.5 Hz", 2.5, dimension::frequency},
+        {"0.5 1/s", 0.5, dimension::rate},
+        {"0.5 s^-1", 0.5, dimension::rate},
+        {"5 %", 0.05, dimension::number},
+        {"+3 ft", 3 * 0.3048, dimension::length},
+        {"-1 mm", -0.001, dimension::length},
     };
     for (const Written& one : written) {
         const ParsedQuantity quantity = parse_quantity(one.text);
@@ -86,4 +86,4 @@ TEST(Quantity, RangesSayWhatTheyAllow)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::words

@@ -4,23 +4,23 @@
 #include "importers/assembly/assembly_words.h"
 #include "tests/importers/assembly/stones.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
 
 using Eigen::Vector3d;
 
-AssemblyOrigin from_import()
+assembly::AssemblyOrigin from_import()
 {
-    AssemblyOrigin origin;
+    assembly::AssemblyOrigin origin;
     origin.metres_per_unit = 1;
     return origin;
 }
 
-Assembly examined(std::vector<AssemblyStone> stones)
+assembly::Assembly examined(std::vector<assembly::AssemblyStone> stones)
 {
-    return examine_assembly(std::move(stones), {}, from_import());
+    return assembly::examine_assembly(std::move(stones), {}, from_import());
 }
 
 bool says(const std::string& text, const std::string& part)
@@ -30,14 +30,14 @@ bool says(const std::string& text, const std::string& part)
 
 TEST(Findings, HeadJointsDrawnAsGaps)
 {
-    const Assembly assembly = examined(wall(3, 4, 0.025));
+    const assembly::Assembly assembly = examined(wall(3, 4, 0.025));
     ASSERT_EQ(assembly.gaps.size(), 9U);
-    for (const StoneGap& gap : assembly.gaps) {
+    for (const assembly::StoneGap& gap : assembly.gaps) {
         EXPECT_NEAR(gap.width, 0.025, 1e-12);
         EXPECT_NEAR(gap.area, 0.2 * 0.2, 1e-9);
     }
     ASSERT_EQ(assembly.gap_groups.size(), 1U);
-    const AssemblyFinding& gaps = finding(assembly, "gaps");
+    const assembly::AssemblyFinding& gaps = finding(assembly, "gaps");
     EXPECT_TRUE(says(gaps.what, "9 pairs stand 25 mm apart")) << gaps.what;
     EXPECT_TRUE(says(gaps.advice, "--close-joints 2")) << gaps.advice;
     EXPECT_TRUE(says(gaps.advice, "40 GPa/m")) << gaps.advice;  // 1 GPa over 25 mm
@@ -47,18 +47,19 @@ TEST(Findings, HeadJointsDrawnAsGaps)
 TEST(Findings, TheClosingWidthIsEnoughAndNotMuchMore)
 {
     for (const double widest : {0.025, 0.0250000001, 0.01, 0.0099, 1.0, 0.0312345}) {
-        const double width = closing_width(widest);
+        const double width = assembly::closing_width(widest);
         EXPECT_GE(width, widest);
         EXPECT_LE(width, 1.101 * widest);
     }
-    EXPECT_NEAR(closing_width(0.0312345), 0.032, 1e-12);
-    EXPECT_NEAR(closing_width(0.0250000001), 0.026, 1e-12);
+    EXPECT_NEAR(assembly::closing_width(0.0312345), 0.032, 1e-12);
+    EXPECT_NEAR(assembly::closing_width(0.0250000001), 0.026, 1e-12);
 }
 
 TEST(Findings, GapsOfTwoWidthsAreToldApart)
 {
-    const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.01, 0, 0}, {2.01, 1, 1}),
-                                        box("c", {2.06, 0, 0}, {3.06, 1, 1})});
+    const assembly::Assembly assembly =
+        examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.01, 0, 0}, {2.01, 1, 1}),
+                  box("c", {2.06, 0, 0}, {3.06, 1, 1})});
     ASSERT_EQ(assembly.gap_groups.size(), 2U);
     EXPECT_NEAR(assembly.gap_groups[0].narrowest, 0.01, 1e-12);
     EXPECT_NEAR(assembly.gap_groups[1].narrowest, 0.05, 1e-12);
@@ -69,43 +70,47 @@ TEST(Findings, GapsOfTwoWidthsAreToldApart)
 
 TEST(Findings, AGapFilledByAThinStoneIsNone)
 {
-    const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("mortar", {1, 0, 0}, {1.02, 1, 1}),
-                                        box("b", {1.02, 0, 0}, {2.02, 1, 1})});
+    const assembly::Assembly assembly =
+        examined({box("a", {0, 0, 0}, {1, 1, 1}), box("mortar", {1, 0, 0}, {1.02, 1, 1}),
+                  box("b", {1.02, 0, 0}, {2.02, 1, 1})});
     EXPECT_TRUE(assembly.gaps.empty());
     EXPECT_EQ(assembly.contacts.size(), 2U);
 }
 
 TEST(Findings, StonesFarApartAreNoGap)
 {
-    const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.3, 0, 0}, {2.3, 1, 1})});
+    const assembly::Assembly assembly =
+        examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.3, 0, 0}, {2.3, 1, 1})});
     EXPECT_TRUE(assembly.gaps.empty());
     EXPECT_TRUE(says(finding(assembly, "floating").what, "none is near"));
 }
 
 TEST(Findings, AnOverlapWithItsDepthAndVolume)
 {
-    const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0.2, 0.3, 0.9}, {0.7, 0.8, 2})});
+    const assembly::Assembly assembly =
+        examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0.2, 0.3, 0.9}, {0.7, 0.8, 2})});
     ASSERT_EQ(assembly.overlaps.size(), 1U);
     EXPECT_NEAR(assembly.overlaps[0].volume, 0.5 * 0.5 * 0.1, 1e-9);
     EXPECT_NEAR(assembly.overlaps[0].depth, 0.1, 1e-9);
-    const AssemblyFinding& overlap = finding(assembly, "overlaps");
+    const assembly::AssemblyFinding& overlap = finding(assembly, "overlaps");
     EXPECT_TRUE(says(overlap.what, "a and b")) << overlap.what;
     EXPECT_TRUE(says(overlap.advice, "at most 100 mm; or 50 mm")) << overlap.advice;
 }
 
 TEST(Findings, AnOverlapWithinTheContactToleranceIsANote)
 {
-    const std::vector<AssemblyStone> stones = {box("a", {0, 0, 0}, {1, 1, 1}),
-                                               box("b", {0, 0, 0.9999}, {1, 1, 2})};
-    EXPECT_TRUE(finding(examine_assembly(stones, {{0, 1, 1e-4, 0}}, {}), "overlaps").harmless);
-    const std::vector<AssemblyStone> deep = {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 0.9}, {1, 1, 2})};
+    const std::vector<assembly::AssemblyStone> stones = {box("a", {0, 0, 0}, {1, 1, 1}),
+                                                         box("b", {0, 0, 0.9999}, {1, 1, 2})};
+    EXPECT_TRUE(finding(assembly::examine_assembly(stones, {{0, 1, 1e-4, 0}}, {}), "overlaps").harmless);
+    const std::vector<assembly::AssemblyStone> deep = {box("a", {0, 0, 0}, {1, 1, 1}),
+                                                       box("b", {0, 0, 0.9}, {1, 1, 2})};
     EXPECT_FALSE(finding(examined(deep), "overlaps").harmless);
 }
 
 TEST(Findings, AKnownOverlapKeepsItsExactVolume)
 {
-    const Assembly assembly = examine_assembly({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 0.9}, {1, 1, 2})},
-                                               {{1, 0, 0.125, 0}}, {});
+    const assembly::Assembly assembly = assembly::examine_assembly(
+        {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 0.9}, {1, 1, 2})}, {{1, 0, 0.125, 0}}, {});
     ASSERT_EQ(assembly.overlaps.size(), 1U);
     EXPECT_EQ(assembly.overlaps[0].a, 0);
     EXPECT_EQ(assembly.overlaps[0].volume, 0.125);
@@ -114,7 +119,7 @@ TEST(Findings, AKnownOverlapKeepsItsExactVolume)
 
 TEST(Findings, AStoneInTheAir)
 {
-    const Assembly assembly = examined(
+    const assembly::Assembly assembly = examined(
         {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 1}, {1, 1, 2}), box("kite", {5, 0, 7}, {6, 1, 8})});
     EXPECT_EQ(assembly.floating, std::vector<int>{2});
     EXPECT_EQ(assembly.unsupported, std::vector<int>{2});
@@ -125,8 +130,9 @@ TEST(Findings, AStoneInTheAir)
 
 TEST(Findings, TwoStonesThatHangTogetherInTheAir)
 {
-    const Assembly assembly = examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 1}, {1, 1, 2}),
-                                        box("kite", {5, 0, 7}, {6, 1, 8}), box("tail", {5, 0, 6}, {6, 1, 7})});
+    const assembly::Assembly assembly =
+        examined({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 1}, {1, 1, 2}),
+                  box("kite", {5, 0, 7}, {6, 1, 8}), box("tail", {5, 0, 6}, {6, 1, 7})});
     EXPECT_TRUE(assembly.floating.empty());
     EXPECT_EQ(assembly.unsupported, (std::vector<int>{2, 3}));
     EXPECT_TRUE(says(finding(assembly, "unsupported").what, "kite, tail"));
@@ -134,17 +140,17 @@ TEST(Findings, TwoStonesThatHangTogetherInTheAir)
 
 TEST(Findings, FoundationsAreTheGroundWhereThereAreAny)
 {
-    std::vector<AssemblyStone> stones = {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {3, 0, 0}, {4, 1, 1}),
-                                         box("c", {3, 0, 1}, {4, 1, 2})};
+    std::vector<assembly::AssemblyStone> stones = {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {3, 0, 0}, {4, 1, 1}),
+                                                   box("c", {3, 0, 1}, {4, 1, 2})};
     stones[0].foundation = true;
-    const Assembly assembly = examined(stones);
+    const assembly::Assembly assembly = examined(stones);
     EXPECT_TRUE(assembly.ground_given);
     EXPECT_EQ(assembly.unsupported, (std::vector<int>{1, 2}));
 }
 
 TEST(Findings, ASliverAndAShortEdge)
 {
-    const Assembly assembly =
+    const assembly::Assembly assembly =
         examined({box("slab", {0, 0, 0}, {1, 1, 1}), box("flake", {0, 0, 1}, {1, 1, 1.005})});
     ASSERT_EQ(assembly.slivers.size(), 1U);
     EXPECT_EQ(assembly.slivers[0].stone, 1);
@@ -153,24 +159,24 @@ TEST(Findings, ASliverAndAShortEdge)
     EXPECT_TRUE(says(finding(assembly, "slivers").what, "flake"));
     // a prism whose outline has two corners half a millimetre apart
     const double e = 5e-4;
-    const AssemblyStone nicked = stone("nicked", make_convex_polyhedron({{0, 0, 0},
-                                                                         {1, 0, 0},
-                                                                         {1, 1 - e, 0},
-                                                                         {1 - e, 1, 0},
-                                                                         {0, 1, 0},
-                                                                         {0, 0, 1},
-                                                                         {1, 0, 1},
-                                                                         {1, 1 - e, 1},
-                                                                         {1 - e, 1, 1},
-                                                                         {0, 1, 1}},
-                                                                        {{4, 3, 2, 1, 0},
-                                                                         {5, 6, 7, 8, 9},
-                                                                         {0, 1, 6, 5},
-                                                                         {1, 2, 7, 6},
-                                                                         {2, 3, 8, 7},
-                                                                         {3, 4, 9, 8},
-                                                                         {4, 0, 5, 9}}));
-    const Assembly short_edged = examined({nicked});
+    const assembly::AssemblyStone nicked = stone("nicked", make_convex_polyhedron({{0, 0, 0},
+                                                                                   {1, 0, 0},
+                                                                                   {1, 1 - e, 0},
+                                                                                   {1 - e, 1, 0},
+                                                                                   {0, 1, 0},
+                                                                                   {0, 0, 1},
+                                                                                   {1, 0, 1},
+                                                                                   {1, 1 - e, 1},
+                                                                                   {1 - e, 1, 1},
+                                                                                   {0, 1, 1}},
+                                                                                  {{4, 3, 2, 1, 0},
+                                                                                   {5, 6, 7, 8, 9},
+                                                                                   {0, 1, 6, 5},
+                                                                                   {1, 2, 7, 6},
+                                                                                   {2, 3, 8, 7},
+                                                                                   {3, 4, 9, 8},
+                                                                                   {4, 0, 5, 9}}));
+    const assembly::Assembly short_edged = examined({nicked});
     ASSERT_EQ(short_edged.slivers.size(), 1U);
     EXPECT_FALSE(short_edged.slivers[0].thin);
     EXPECT_TRUE(has_finding(short_edged, "short edges"));
@@ -181,11 +187,11 @@ TEST(Findings, FacesTiltedAgainstEachOther)
     Eigen::Isometry3d tilt = Eigen::Isometry3d::Identity();
     tilt.translate(Vector3d(0, 0, 1));
     tilt.rotate(Eigen::AngleAxisd(-0.05, Vector3d::UnitY()));
-    std::vector<AssemblyStone> stones = moved({box("top", {0, 0, 0}, {1, 1, 1})}, tilt);
+    std::vector<assembly::AssemblyStone> stones = moved({box("top", {0, 0, 0}, {1, 1, 1})}, tilt);
     stones.push_back(box("base", {0, 0, 0}, {1, 1, 1}));
-    const Assembly assembly = examined(stones);
+    const assembly::Assembly assembly = examined(stones);
     ASSERT_EQ(assembly.contacts.size(), 1U);
-    EXPECT_EQ(assembly.contacts[0].touch, Touch::tilted);
+    EXPECT_EQ(assembly.contacts[0].touch, assembly::Touch::tilted);
     EXPECT_NEAR(assembly.contacts[0].area, 0.002 / std::tan(0.05), 1e-4);  // nearer than the two reaches of 1 mm
     EXPECT_NEAR(assembly.contacts[0].largest_gap, std::sin(0.05), 2e-3);
     EXPECT_TRUE(has_finding(assembly, "tilted"));
@@ -193,24 +199,24 @@ TEST(Findings, FacesTiltedAgainstEachOther)
 
 TEST(Findings, APebbleBesideARock)
 {
-    const Assembly assembly =
+    const assembly::Assembly assembly =
         examined({box("rock", {0, 0, 0}, {2, 2, 2}), box("pebble", {0, 0, 2}, {0.1, 0.1, 2.1})});
     EXPECT_NEAR(assembly.size_ratio, 8000, 1e-6);
-    const AssemblyFinding& ratio = finding(assembly, "size ratio");
+    const assembly::AssemblyFinding& ratio = finding(assembly, "size ratio");
     EXPECT_TRUE(says(ratio.what, "rock") && says(ratio.what, "pebble")) << ratio.what;
 }
 
 TEST(Findings, ABridgeOfMillimetresHasTheWrongUnit)
 {
-    std::vector<AssemblyStone> stones = wall(2, 3);
-    for (AssemblyStone& each : stones) {
+    std::vector<assembly::AssemblyStone> stones = wall(2, 3);
+    for (assembly::AssemblyStone& each : stones) {
         for (ConvexPolyhedron& part : each.parts)
             for (Vector3d& x : part.vertices) x *= 1e-3;
         each.volume *= 1e-9;
     }
-    AssemblyOrigin origin;
+    assembly::AssemblyOrigin origin;
     origin.metres_per_unit = 1e-3;
-    const Assembly assembly = examine_assembly(stones, {}, origin);
+    const assembly::Assembly assembly = assembly::examine_assembly(stones, {}, origin);
     EXPECT_TRUE(says(finding(assembly, "unit").advice, "--unit m the whole is 1.4 m"))
         << finding(assembly, "unit").advice;
     EXPECT_FALSE(has_finding(examined(wall(2, 3)), "unit"));
@@ -218,12 +224,12 @@ TEST(Findings, ABridgeOfMillimetresHasTheWrongUnit)
 
 TEST(Findings, ACaseIsToldOfKeysAndAnImportOfOptions)
 {
-    AssemblyOrigin origin;
+    assembly::AssemblyOrigin origin;
     origin.from_case = true;
-    const Assembly assembly = examine_assembly(wall(2, 3, 0.01), {}, origin);
+    const assembly::Assembly assembly = assembly::examine_assembly(wall(2, 3, 0.01), {}, origin);
     EXPECT_TRUE(says(finding(assembly, "gaps").advice, "close_joints: 1")) << finding(assembly, "gaps").advice;
     EXPECT_FALSE(says(finding(assembly, "gaps").advice, "--close-joints"));
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -15,7 +15,7 @@
 #include "importers/patterns/arch_bridge.h"
 #include "tests/importers/concave_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -30,18 +30,18 @@ struct Certified {
 };
 
 /// An arch, and beside it an L, a U and a ring sector that stand on its abutment.
-std::vector<PolygonSurface> structure()
+std::vector<mesh::PolygonSurface> structure()
 {
-    ArchBridge bridge;
+    patterns::ArchBridge bridge;
     bridge.voussoirs = 15;
-    std::vector<PolygonSurface> stones = arch_bridge(bridge);
+    std::vector<mesh::PolygonSurface> stones = patterns::arch_bridge(bridge);
     double top = -1e300, back = 1e300;
     for (const Vector3d& x : stones.front().vertices) {
         top = std::max(top, x.z());
         back = std::min(back, x.x());
     }
     double across = -5;
-    for (PolygonSurface stone : {l_shape(), u_shape(), ring_sector_with_hole()}) {
+    for (mesh::PolygonSurface stone : {l_shape(), u_shape(), ring_sector_with_hole()}) {
         stone.name = "concave_" + std::to_string(stones.size());
         for (Vector3d& x : stone.vertices) x += Vector3d(back + 1, across, top);
         across += 4;
@@ -50,17 +50,17 @@ std::vector<PolygonSurface> structure()
     return stones;
 }
 
-Certified certified(const std::vector<Stone>& stones)
+Certified certified(const std::vector<helper::Stone>& stones)
 {
     Certified result;
-    std::vector<AssemblyStone> assembly;
-    for (const Stone& stone : stones) {
+    std::vector<assembly::AssemblyStone> assembly;
+    for (const helper::Stone& stone : stones) {
         EXPECT_EQ(stone.reason, "") << stone.name;
         result.volumes[stone.name] = stone.moments.volume;
         assembly.push_back({stone.name, stone.parts, stone.moments.volume, stone.volume_error, false});
     }
-    const Assembly examined = examine_assembly(assembly, {}, {});
-    for (const StoneContact& contact : examined.contacts) {
+    const assembly::Assembly examined = assembly::examine_assembly(assembly, {}, {});
+    for (const assembly::StoneContact& contact : examined.contacts) {
         const auto names = std::minmax(stones[contact.a].name, stones[contact.b].name);
         result.graph[{names.first, names.second}] = contact.area;
     }
@@ -68,20 +68,20 @@ Certified certified(const std::vector<Stone>& stones)
 }
 
 /// In memory: about a local origin, as import_meshes does.
-Certified certified(std::vector<PolygonSurface> surfaces)
+Certified certified(std::vector<mesh::PolygonSurface> surfaces)
 {
     Vector3d lower = Vector3d::Constant(1e300), upper = -lower;
-    for (const PolygonSurface& surface : surfaces)
+    for (const mesh::PolygonSurface& surface : surfaces)
         for (const Vector3d& x : surface.vertices) {
             lower = lower.cwiseMin(x);
             upper = upper.cwiseMax(x);
         }
     const Vector3d origin = (0.5 * lower + 0.5 * upper).array().round();
-    std::vector<Stone> stones;
-    for (PolygonSurface& surface : surfaces) {
+    std::vector<helper::Stone> stones;
+    for (mesh::PolygonSurface& surface : surfaces) {
         for (Vector3d& x : surface.vertices) x -= origin;
-        const Certificate certificate = certify(surface);
-        Stone& stone = stones.emplace_back();
+        const exact::Certificate certificate = exact::certify(surface);
+        helper::Stone& stone = stones.emplace_back();
         stone.name = certificate.name;
         stone.reason = certificate.reason;
         stone.parts = certificate.parts;
@@ -103,10 +103,11 @@ void expect_same(const Certified& a, const Certified& b, double volume_tolerance
     }
 }
 
-std::vector<PolygonSurface> moved(std::vector<PolygonSurface> surfaces, double angle, const Vector3d& offset)
+std::vector<mesh::PolygonSurface> moved(std::vector<mesh::PolygonSurface> surfaces, double angle,
+                                        const Vector3d& offset)
 {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-    for (PolygonSurface& surface : surfaces)
+    for (mesh::PolygonSurface& surface : surfaces)
         for (Vector3d& x : surface.vertices) x = turn * x + offset;
     return surfaces;
 }
@@ -134,7 +135,7 @@ TEST(Invariance, RotationWithAndWithoutTranslation)
 TEST(Invariance, OrderOfTheStones)
 {
     const Certified here = certified(structure());
-    std::vector<PolygonSurface> shuffled = structure();
+    std::vector<mesh::PolygonSurface> shuffled = structure();
     std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(7));
     expect_same(here, certified(shuffled), 1e-12, 1e-9);
 }
@@ -142,9 +143,9 @@ TEST(Invariance, OrderOfTheStones)
 TEST(Invariance, WrittenToObjAtTheNationalGridAndReadBack)
 {
     const TemporaryFolder folder;
-    const std::vector<PolygonSurface> far = moved(structure(), 0.3, national_grid);
-    const auto file = folder.write("far.obj", to_obj(far, {}));
-    const MeshFile read = read_mesh(file);
+    const std::vector<mesh::PolygonSurface> far = moved(structure(), 0.3, national_grid);
+    const auto file = folder.write("far.obj", mesh::to_obj(far, {}));
+    const mesh::MeshFile read = mesh::read_mesh(file);
     ASSERT_EQ(read.surfaces.size(), far.size());
     for (std::size_t i = 0; i < far.size(); ++i) {
         ASSERT_EQ(read.surfaces[i].faces.size(), far[i].faces.size());
@@ -154,11 +155,11 @@ TEST(Invariance, WrittenToObjAtTheNationalGridAndReadBack)
                           far[i].vertices[far[i].faces[f][k]])
                     << far[i].name << ": every bit";
     }
-    const Geometry geometry = import_meshes({{.file = file}});
+    const helper::Geometry geometry = helper::import_meshes({{.file = file}});
     ASSERT_TRUE(geometry.meshes[0].accepted) << geometry.meshes[0].reason;
     EXPECT_GT(geometry.origin.norm(), 4e6) << "a local origin is chosen and recorded";
     expect_same(certified(structure()), certified(geometry.meshes[0].stones), 1e-8, 1e-6);
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

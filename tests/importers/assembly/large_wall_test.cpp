@@ -10,7 +10,7 @@
 #include "importers/patterns/wall.h"
 #include "tests/importers/shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -20,30 +20,32 @@ TEST(LargeWall, IsGeneratedCertifiedAndItsContactGraphBuiltWithinAMinute)
     setenv("VOUSSOIR_BIN_DIR", VOUSSOIR_BINARIES, 1);
     const auto start = std::chrono::steady_clock::now();
     const int courses = 100, whole = 100;  // even courses: 100 blocks; odd ones: two halves and 99
-    Wall pattern;
+    patterns::Wall pattern;
     pattern.length = 0.5 * whole;
     pattern.height = 0.2 * courses;
     pattern.thickness = 0.4;
     pattern.block_length = 0.5;
     pattern.block_height = 0.2;
-    std::vector<PolygonSurface> surfaces;
-    for (const MasonryBlock& block : wall(pattern)) surfaces.push_back(to_surface(block));
+    std::vector<mesh::PolygonSurface> surfaces;
+    for (const patterns::MasonryBlock& block : patterns::wall(pattern))
+        surfaces.push_back(patterns::to_surface(block));
     const int blocks = courses / 2 * whole + courses / 2 * (whole + 1);
     ASSERT_EQ(static_cast<int>(surfaces.size()), blocks);
     const TemporaryFolder folder;
-    const Geometry geometry = import_geometry({{.file = folder.write("wall.obj", to_obj(surfaces, {}))}}, {});
-    const ImportedMesh& mesh = geometry.meshes.at(0);
+    const helper::Geometry geometry =
+        helper::import_geometry({{.file = folder.write("wall.obj", mesh::to_obj(surfaces, {}))}}, {});
+    const helper::ImportedMesh& mesh = geometry.meshes.at(0);
     ASSERT_TRUE(mesh.accepted) << mesh.reason;
     EXPECT_TRUE(geometry.overlaps.empty());
-    std::vector<AssemblyStone> stones;
-    for (const Stone& stone : mesh.stones)
+    std::vector<assembly::AssemblyStone> stones;
+    for (const helper::Stone& stone : mesh.stones)
         stones.push_back({stone.name, stone.parts, stone.moments.volume, stone.volume_error, false});
-    const Assembly assembly = examine_assembly(stones, {}, {});
+    const assembly::Assembly assembly = assembly::examine_assembly(stones, {}, {});
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     EXPECT_LT(took.count(), 60);
 
     double bed = 0, head = 0;
-    for (const StoneContact& contact : assembly.contacts)
+    for (const assembly::StoneContact& contact : assembly.contacts)
         (std::abs(contact.normal.z()) > 0.5 ? bed : head) += contact.area;
     EXPECT_NEAR(bed, (courses - 1) * pattern.length * pattern.thickness, 1e-6 * bed);
     EXPECT_NEAR(head, (blocks - courses) * pattern.block_height * pattern.thickness, 1e-6 * head);
@@ -54,4 +56,4 @@ TEST(LargeWall, IsGeneratedCertifiedAndItsContactGraphBuiltWithinAMinute)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -10,24 +10,25 @@
 #include "importers/assembly/assembly.h"
 #include "libdda/geometry/moments.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 
-inline AssemblyStone stone(const std::string& name, ConvexPolyhedron shape)
+inline assembly::AssemblyStone stone(const std::string& name, ConvexPolyhedron shape)
 {
     const double volume = moments_of(shape).volume;
     return {name, {std::move(shape)}, volume, 0, false};
 }
 
-inline AssemblyStone box(const std::string& name, const Eigen::Vector3d& lower, const Eigen::Vector3d& upper)
+inline assembly::AssemblyStone box(const std::string& name, const Eigen::Vector3d& lower,
+                                   const Eigen::Vector3d& upper)
 {
     return stone(name, make_box(lower, upper));
 }
 
 /// A wall in running bond on a slab: courses of bricks 0.4 x 0.2 x 0.2 m, every second shifted by half a brick.
-inline std::vector<AssemblyStone> wall(int courses, int bricks, double head_joint = 0)
+inline std::vector<assembly::AssemblyStone> wall(int courses, int bricks, double head_joint = 0)
 {
-    std::vector<AssemblyStone> stones = {box("slab", {0, 0, -0.2}, {0.4 * bricks + 0.2, 0.2, 0})};
+    std::vector<assembly::AssemblyStone> stones = {box("slab", {0, 0, -0.2}, {0.4 * bricks + 0.2, 0.2, 0})};
     for (int k = 0; k < courses; ++k)
         for (int i = 0; i < bricks; ++i) {
             const double x = 0.4 * i + (k % 2 == 0 ? 0 : 0.2);
@@ -38,9 +39,9 @@ inline std::vector<AssemblyStone> wall(int courses, int bricks, double head_join
 }
 
 /// A semicircular arch of equal voussoirs, width 1 m along y.
-inline std::vector<AssemblyStone> arch(int voussoirs, double inner, double outer)
+inline std::vector<assembly::AssemblyStone> arch(int voussoirs, double inner, double outer)
 {
-    std::vector<AssemblyStone> stones;
+    std::vector<assembly::AssemblyStone> stones;
     for (int i = 0; i < voussoirs; ++i) {
         std::vector<Eigen::Vector3d> v;
         for (const double y : {0.0, 1.0})
@@ -57,26 +58,27 @@ inline std::vector<AssemblyStone> arch(int voussoirs, double inner, double outer
     return stones;
 }
 
-inline std::vector<AssemblyStone> moved(std::vector<AssemblyStone> stones, const Eigen::Isometry3d& motion)
+inline std::vector<assembly::AssemblyStone> moved(std::vector<assembly::AssemblyStone> stones,
+                                                  const Eigen::Isometry3d& motion)
 {
-    for (AssemblyStone& each : stones)
+    for (assembly::AssemblyStone& each : stones)
         for (ConvexPolyhedron& part : each.parts)
             for (Eigen::Vector3d& x : part.vertices) x = motion * x;
     return stones;
 }
 
-inline bool has_finding(const Assembly& assembly, const std::string& kind)
+inline bool has_finding(const assembly::Assembly& assembly, const std::string& kind)
 {
-    for (const AssemblyFinding& finding : assembly.findings)
+    for (const assembly::AssemblyFinding& finding : assembly.findings)
         if (finding.kind == kind) return true;
     return false;
 }
 
-inline const AssemblyFinding& finding(const Assembly& assembly, const std::string& kind)
+inline const assembly::AssemblyFinding& finding(const assembly::Assembly& assembly, const std::string& kind)
 {
-    for (const AssemblyFinding& each : assembly.findings)
+    for (const assembly::AssemblyFinding& each : assembly.findings)
         if (each.kind == kind) return each;
     throw std::runtime_error("no finding " + kind);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -8,7 +8,7 @@
 #include "tests/importers/concave_shapes.h"
 #include "tests/libdda/scenes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -17,9 +17,9 @@ using namespace testing;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Block block_of(const PolygonSurface& surface)
+Block block_of(const mesh::PolygonSurface& surface)
 {
-    const Certificate certificate = certify(surface);
+    const exact::Certificate certificate = exact::certify(surface);
     EXPECT_EQ(certificate.reason, "");
     return make_block(surface.name, 0, 0, certificate.parts, certificate.moments);
 }
@@ -83,14 +83,14 @@ class ConcaveStones : public ::testing::TestWithParam<Kinematics>
 
 TEST_P(ConcaveStones, FallAndTurnLikeTheSolidWithoutContactsInside)
 {
-    for (const PolygonSurface& surface : {l_shape(), u_shape(), ring_sector_with_hole()}) {
+    for (const mesh::PolygonSurface& surface : {l_shape(), u_shape(), ring_sector_with_hole()}) {
         SCOPED_TRACE(surface.name);
-        Model model = make_model(GetParam(), stone(), dry(30));
+        Model model = make_model(GetParam(), testing::stone(), testing::dry(30));
         model.blocks.push_back(block_of(surface));
         State state = initial_state(model);
-        const Vector3d start = centroid(model, state, 0), spin(0, 0, 2);  // about a principal axis
-        set_velocity(model, state, 0, {1, 0, 0}, spin);
-        Stage stage = dynamic_stage(0.2, 1e-3);
+        const Vector3d start = testing::centroid(model, state, 0), spin(0, 0, 2);  // about a principal axis
+        testing::set_velocity(model, state, 0, {1, 0, 0}, spin);
+        Stage stage = testing::dynamic_stage(0.2, 1e-3);
         stage.control.integrator = Integrator::energy_decaying;
         stage.control.dissipation = 0;
         int contacts = 0;
@@ -100,8 +100,8 @@ TEST_P(ConcaveStones, FallAndTurnLikeTheSolidWithoutContactsInside)
         };
         run(model, {stage}, state, observer);
         EXPECT_EQ(contacts, 0);
-        const Vector3d expected = start + Vector3d(0.2, 0, -0.5 * gravity * 0.04);
-        EXPECT_LT((centroid(model, state, 0) - expected).norm(), 1e-9);
+        const Vector3d expected = start + Vector3d(0.2, 0, -0.5 * testing::gravity * 0.04);
+        EXPECT_LT((testing::centroid(model, state, 0) - expected).norm(), 1e-9);
         const Matrix3d map = pose_of(model.kinematics, state, 0).map;
         const double turned = std::atan2(map(1, 0) - map(0, 1), map(0, 0) + map(1, 1));
         EXPECT_NEAR(turned, 0.4, is_deformable(GetParam()) ? 1e-5 : 1e-6);
@@ -110,20 +110,20 @@ TEST_P(ConcaveStones, FallAndTurnLikeTheSolidWithoutContactsInside)
 
 TEST_P(ConcaveStones, RestOnTheirPartsTogether)
 {
-    Model model = make_model(GetParam(), stone(), dry(30));
-    hold(model, add_box(model, "floor", {-5, -5, -1}, {5, 5, 0}));
-    PolygonSurface bridge = u_shape();  // upside down: it stands on its two legs
+    Model model = make_model(GetParam(), testing::stone(), testing::dry(30));
+    testing::hold(model, testing::add_box(model, "floor", {-5, -5, -1}, {5, 5, 0}));
+    mesh::PolygonSurface bridge = u_shape();  // upside down: it stands on its two legs
     for (Vector3d& v : bridge.vertices) v = Vector3d(v.x(), v.z() - 0.5, 2 - v.y());
     model.blocks.push_back(block_of(bridge));
     State state = initial_state(model);
-    const Vector3d start = centroid(model, state, 1);
-    const RunReport report = run_quietly(model, {static_stage(1e-2)}, state);
+    const Vector3d start = testing::centroid(model, state, 1);
+    const RunReport report = testing::run_quietly(model, {testing::static_stage(1e-2)}, state);
     EXPECT_EQ(report.outcome, Outcome::completed);
     double weight = 0;
     for (const JointResultant& joint : joint_resultants(model, state)) weight += std::abs(joint.normal_force);
-    EXPECT_NEAR(weight, model.mass(1) * gravity, 1e-5 * model.mass(1) * gravity);
-    EXPECT_LT((centroid(model, state, 1) - start).head<2>().norm(), 1e-9);
-    EXPECT_LT(std::abs((centroid(model, state, 1) - start).z()), 1e-4);
+    EXPECT_NEAR(weight, model.mass(1) * testing::gravity, 1e-5 * model.mass(1) * testing::gravity);
+    EXPECT_LT((testing::centroid(model, state, 1) - start).head<2>().norm(), 1e-9);
+    EXPECT_LT(std::abs((testing::centroid(model, state, 1) - start).z()), 1e-4);
 }
 
 /// A box pressed against the flat back of a glued stone and pulled along it, over the joint between two parts: it
@@ -132,27 +132,28 @@ TEST_P(ConcaveStones, DoNotCatchWhatSlidesOverTheirInnerJoints)
 {
     std::vector<double> ends;
     for (const bool glued : {true, false}) {
-        Model model = make_model(GetParam(), stone(), dry(20));
+        Model model = make_model(GetParam(), testing::stone(), testing::dry(20));
         if (glued) {
-            PolygonSurface u = u_shape();  // its back, 3 x 1 m, is the floor at z = 0; the notch is below
+            mesh::PolygonSurface u = u_shape();  // its back, 3 x 1 m, is the floor at z = 0; the notch is below
             for (Vector3d& v : u.vertices) v = Vector3d(v.x(), v.z(), -v.y());
             model.blocks.push_back(block_of(u));
             EXPECT_GT(model.blocks[0].parts.size(), 2U);
         } else {
-            add_box(model, "floor", {0, 0, -2}, {3, 1, 0});
+            testing::add_box(model, "floor", {0, 0, -2}, {3, 1, 0});
         }
-        hold(model, 0);
-        add_box(model, "slider", {0.1, 0.3, 0}, {0.5, 0.7, 0.2});
+        testing::hold(model, 0);
+        testing::add_box(model, "slider", {0.1, 0.3, 0}, {0.5, 0.7, 0.2});
         State state = initial_state(model);
-        const RunReport report = run_quietly(model, {dynamic_stage(1.2, 1e-3, inclined_gravity(35))}, state);
+        const RunReport report =
+            testing::run_quietly(model, {testing::dynamic_stage(1.2, 1e-3, testing::inclined_gravity(35))}, state);
         EXPECT_EQ(report.outcome, Outcome::completed);
-        ends.push_back(centroid(model, state, 1).x());
+        ends.push_back(testing::centroid(model, state, 1).x());
     }
     EXPECT_GT(ends[0], 2.0) << "it slid over two joints";
     EXPECT_NEAR(ends[0], ends[1], 1e-4 * ends[1]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ConcaveStones, spatial_kinematics(), test_name);
+INSTANTIATE_TEST_SUITE_P(Each, ConcaveStones, testing::spatial_kinematics(), testing::test_name);
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -11,14 +11,14 @@
 #include "importers/exact/overlap.h"
 #include "tests/importers/concave_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
 
 struct Case {
     const char* name;
-    PolygonSurface surface;
+    mesh::PolygonSurface surface;
     double volume;
     std::size_t max_parts;
 };
@@ -57,7 +57,7 @@ std::pair<double, double> areas(const std::vector<ConvexPolyhedron>& parts)
     return {free, glued};
 }
 
-double surface_area(const PolygonSurface& surface)
+double surface_area(const mesh::PolygonSurface& surface)
 {
     double area = 0;
     for (const std::vector<int>& loop : surface.faces) {
@@ -70,7 +70,7 @@ double surface_area(const PolygonSurface& surface)
     return area;
 }
 
-void turn(PolygonSurface& surface)
+void turn(mesh::PolygonSurface& surface)
 {
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
@@ -83,7 +83,7 @@ TEST(Decompose, FillsTheSolidWithConvexPartsThatDoNotOverlap)
         for (const bool turned : {false, true}) {
             SCOPED_TRACE(std::string(each.name) + (turned ? ", turned" : ""));
             if (turned) turn(each.surface);
-            const Certificate stone = certify(each.surface);
+            const exact::Certificate stone = exact::certify(each.surface);
             ASSERT_EQ(stone.reason, "");
             EXPECT_FALSE(stone.convex);
             EXPECT_NEAR(stone.moments.volume, each.volume, 1e-12 * each.volume);
@@ -95,7 +95,7 @@ TEST(Decompose, FillsTheSolidWithConvexPartsThatDoNotOverlap)
             EXPECT_LT((sum.second - stone.moments.second).norm(), 1e-9 * stone.moments.second.norm());
             for (std::size_t a = 0; a < stone.parts.size(); ++a)
                 for (std::size_t b = a + 1; b < stone.parts.size(); ++b)
-                    EXPECT_LT(overlap_volume(stone.parts[a], stone.parts[b]), 1e-12);
+                    EXPECT_LT(exact::overlap_volume(stone.parts[a], stone.parts[b]), 1e-12);
         }
 }
 
@@ -103,7 +103,7 @@ TEST(Decompose, MarksTheFacesInItsCutsAndNoOthers)
 {
     for (const Case& each : cases()) {
         SCOPED_TRACE(each.name);
-        const Certificate stone = certify(each.surface);
+        const exact::Certificate stone = exact::certify(each.surface);
         ASSERT_EQ(stone.reason, "");
         const auto [free, glued] = areas(stone.parts);
         EXPECT_NEAR(free, surface_area(each.surface), 1e-9);
@@ -113,15 +113,15 @@ TEST(Decompose, MarksTheFacesInItsCutsAndNoOthers)
 
 TEST(Decompose, AConvexSolidStaysOnePartWithoutCuts)
 {
-    const Certificate stone = certify(triangulated(unit_cube()));
+    const exact::Certificate stone = exact::certify(triangulated(unit_cube()));
     ASSERT_EQ(stone.parts.size(), 1U);
     EXPECT_TRUE(stone.parts[0].glued.empty());
 }
 
 /// A finely faceted ball with a dent in every face: far too many concave edges for an exact answer.
-PolygonSurface dented_ball(double depth)
+mesh::PolygonSurface dented_ball(double depth)
 {
-    PolygonSurface ball{"ball", {}, {}};
+    mesh::PolygonSurface ball{"ball", {}, {}};
     const int rings = 10, columns = 16;
     ball.vertices.emplace_back(0, 0, -1);
     for (int r = 1; r < rings; ++r)
@@ -148,10 +148,10 @@ PolygonSurface dented_ball(double depth)
 
 TEST(Decompose, ApproximatesARoughStoneAndStatesTheVolumeError)
 {
-    const Certificate stone = certify(dented_ball(0.003));
+    const exact::Certificate stone = exact::certify(dented_ball(0.003));
     ASSERT_EQ(stone.reason, "");
     EXPECT_GT(stone.volume_error, 1e-4);
-    EXPECT_LE(stone.volume_error, CertifyOptions{}.volume_error);
+    EXPECT_LE(stone.volume_error, exact::CertifyOptions{}.volume_error);
     const double sum = moments_of(stone.parts).volume;
     EXPECT_NEAR(stone.volume_error, sum / stone.moments.volume - 1, 1e-9);
     ASSERT_EQ(stone.repairs.size(), 1U);
@@ -160,7 +160,7 @@ TEST(Decompose, ApproximatesARoughStoneAndStatesTheVolumeError)
 
 TEST(Decompose, RefusesAStoneThatNeedsTooManyParts)
 {
-    const Certificate stone = certify(dented_ball(0.2), {.max_parts = 6});
+    const exact::Certificate stone = exact::certify(dented_ball(0.2), {.max_parts = 6});
     EXPECT_NE(stone.reason.find("needs more than 6 convex parts"), std::string::npos) << stone.reason;
     EXPECT_TRUE(stone.parts.empty());
     EXPECT_TRUE(stone.closed);
@@ -168,4 +168,4 @@ TEST(Decompose, RefusesAStoneThatNeedsTooManyParts)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -8,7 +8,7 @@
 
 #include "libdda/geometry/moments.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -30,29 +30,29 @@ ConvexPolyhedron cube(double half = 0.5)
 TEST(Overlap, OfBoxesIsTheProductOfTheirSharedSides)
 {
     const ConvexPolyhedron other = make_box({0.25, 0.4, -2}, {3, 3, 0.1});
-    EXPECT_NEAR(overlap_volume(cube(), other), 0.25 * 0.1 * 0.6, 1e-15);
-    EXPECT_NEAR(overlap_volume(other, cube()), 0.25 * 0.1 * 0.6, 1e-15);
+    EXPECT_NEAR(exact::overlap_volume(cube(), other), 0.25 * 0.1 * 0.6, 1e-15);
+    EXPECT_NEAR(exact::overlap_volume(other, cube()), 0.25 * 0.1 * 0.6, 1e-15);
 }
 
 TEST(Overlap, IsExactlyNothingWhereStonesTouch)
 {
-    EXPECT_EQ(overlap_volume(cube(), translated(cube(), {1, 0, 0})), 0);
-    EXPECT_EQ(overlap_volume(cube(), translated(cube(), {1, 0.3, 1})), 0);
-    EXPECT_EQ(overlap_volume(cube(), translated(cube(), {1, 1, 1})), 0);
+    EXPECT_EQ(exact::overlap_volume(cube(), translated(cube(), {1, 0, 0})), 0);
+    EXPECT_EQ(exact::overlap_volume(cube(), translated(cube(), {1, 0.3, 1})), 0);
+    EXPECT_EQ(exact::overlap_volume(cube(), translated(cube(), {1, 1, 1})), 0);
 }
 
 TEST(Overlap, OfAStoneWithItselfOrOneInsideItIsTheSmallerVolume)
 {
     const ConvexPolyhedron tilted = turned(cube(), 0.3, {1, 2, 3});
-    EXPECT_NEAR(overlap_volume(tilted, tilted), 1, 1e-14);
-    EXPECT_NEAR(overlap_volume(tilted, cube(0.2)), 0.064, 1e-15);
-    EXPECT_NEAR(overlap_volume(cube(0.2), tilted), 0.064, 1e-15);
+    EXPECT_NEAR(exact::overlap_volume(tilted, tilted), 1, 1e-14);
+    EXPECT_NEAR(exact::overlap_volume(tilted, cube(0.2)), 0.064, 1e-15);
+    EXPECT_NEAR(exact::overlap_volume(cube(0.2), tilted), 0.064, 1e-15);
 }
 
 TEST(Overlap, OfACubeWithItselfTurnedByAnEighthIsAnOctagon)
 {
     const ConvexPolyhedron other = turned(cube(), std::numbers::pi / 4, Vector3d::UnitZ());
-    EXPECT_NEAR(overlap_volume(cube(), other), 2 * (std::sqrt(2.) - 1), 1e-14);
+    EXPECT_NEAR(exact::overlap_volume(cube(), other), 2 * (std::sqrt(2.) - 1), 1e-14);
 }
 
 TEST(Overlap, OfTiltedStonesIsSymmetricAndAddsUpOverTheHalvesOfOne)
@@ -63,9 +63,10 @@ TEST(Overlap, OfTiltedStonesIsSymmetricAndAddsUpOverTheHalvesOfOne)
         const Vector3d axis(std::sin(i), std::cos(2 * i), std::sin(3 * i));
         const Vector3d offset = 0.6 * Vector3d(std::sin(5 * i), std::cos(7 * i), std::sin(11 * i));
         const ConvexPolyhedron other = translated(turned(cube(), i, axis), offset);
-        const double volume = overlap_volume(cube(), other);
-        EXPECT_NEAR(overlap_volume(other, cube()), volume, 1e-14);
-        EXPECT_NEAR(overlap_volume(halves[0], other) + overlap_volume(halves[1], other), volume, 1e-14);
+        const double volume = exact::overlap_volume(cube(), other);
+        EXPECT_NEAR(exact::overlap_volume(other, cube()), volume, 1e-14);
+        EXPECT_NEAR(exact::overlap_volume(halves[0], other) + exact::overlap_volume(halves[1], other), volume,
+                    1e-14);
         EXPECT_GT(volume, 0);
     }
 }
@@ -76,13 +77,13 @@ TEST(Overlap, IsReportedPerPairAboveTheTolerance)
                                                             {translated(cube(), {0.9, 0, 0})},
                                                             {translated(cube(), {1.9, 0, 0})},
                                                             {translated(cube(), {2.9 - 1e-7, 0, 0})}};
-    const std::vector<OverlappingPair> pairs = find_overlaps(stones);
+    const std::vector<exact::OverlappingPair> pairs = exact::find_overlaps(stones);
     ASSERT_EQ(pairs.size(), 1U) << "touching, and overlapping by 1e-7 of the volume, are no overlaps";
     EXPECT_EQ(pairs[0].a, 0);
     EXPECT_EQ(pairs[0].b, 1);
     EXPECT_NEAR(pairs[0].volume, 0.1, 1e-15);
-    EXPECT_EQ(find_overlaps(stones, 1e-8).size(), 2U);
+    EXPECT_EQ(exact::find_overlaps(stones, 1e-8).size(), 2U);
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -5,14 +5,14 @@
 #include "importers/exact/certify.h"
 #include "tests/importers/shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
 
-void expect_mended_cube(const PolygonSurface& surface, const std::string& words)
+void expect_mended_cube(const mesh::PolygonSurface& surface, const std::string& words)
 {
-    const Certificate certificate = certify(surface);
+    const exact::Certificate certificate = exact::certify(surface);
     ASSERT_EQ(certificate.parts.size(), 1U) << certificate.reason;
     EXPECT_NEAR(certificate.moments.volume, 1, 1e-14);
     EXPECT_EQ(certificate.parts[0].faces.size(), 6U);
@@ -22,7 +22,7 @@ void expect_mended_cube(const PolygonSurface& surface, const std::string& words)
 
 TEST(Repairs, RepeatedFacesAreDroppedWhateverTheirDirection)
 {
-    PolygonSurface cube = unit_cube();
+    mesh::PolygonSurface cube = unit_cube();
     cube.faces.push_back({cube.faces[0].rbegin(), cube.faces[0].rend()});
     cube.faces.push_back({cube.faces[1][2], cube.faces[1][3], cube.faces[1][0], cube.faces[1][1]});
     expect_mended_cube(cube, "2 faces that repeated another one were dropped");
@@ -30,7 +30,7 @@ TEST(Repairs, RepeatedFacesAreDroppedWhateverTheirDirection)
 
 TEST(Repairs, FacesThatMeetWithoutSharingTheirCornersAreJoined)
 {
-    PolygonSurface cube =
+    mesh::PolygonSurface cube =
         unit_cube();  // one wall split in two: its middle corners lie on the edges of floor and roof
     cube.vertices.emplace_back(0.4, 0, 0);
     cube.vertices.emplace_back(0.4, 0, 1);
@@ -42,7 +42,7 @@ TEST(Repairs, FacesThatMeetWithoutSharingTheirCornersAreJoined)
 
 TEST(Repairs, TrianglesWithAllCornersOnALineAreDropped)
 {
-    PolygonSurface cube = triangulated(unit_cube());
+    mesh::PolygonSurface cube = triangulated(unit_cube());
     // The edge from vertex 4 to 5 gets a corner on one side only, and a triangle without area closes the gap.
     cube.vertices.emplace_back(0.5, 0, 1);
     for (std::vector<int>& face : cube.faces)
@@ -63,10 +63,10 @@ TEST(Repairs, TrianglesWithAllCornersOnALineAreDropped)
 
 TEST(Repairs, AnOpenSurfaceIsNotClosedByGuessing)
 {
-    PolygonSurface cube = unit_cube();
+    mesh::PolygonSurface cube = unit_cube();
     cube.faces.pop_back();
-    EXPECT_EQ(insert_corners_on_open_edges(cube, 1e-6), 0);
-    const Certificate certificate = certify(cube);
+    EXPECT_EQ(exact::insert_corners_on_open_edges(cube, 1e-6), 0);
+    const exact::Certificate certificate = exact::certify(cube);
     EXPECT_NE(certificate.reason.find("not closed: 4 edges"), std::string::npos);
     ASSERT_EQ(certificate.features.size(), 1U);
     EXPECT_EQ(certificate.features[0].lines.size(), 4U);
@@ -74,4 +74,4 @@ TEST(Repairs, AnOpenSurfaceIsNotClosedByGuessing)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

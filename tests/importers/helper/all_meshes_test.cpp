@@ -14,7 +14,7 @@
 #include "importers/helper/geometry.h"
 #include "importers/mesh/read_mesh.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -54,18 +54,19 @@ const std::map<std::string, std::string> unreadable{
     {"awkward/sphere.dxf", "3DSOLID"},
 };
 
-double volume_in_file_units(const ImportedMesh& mesh)
+double volume_in_file_units(const helper::ImportedMesh& mesh)
 {
     double volume = 0;
-    for (const Stone& stone : mesh.stones) volume += stone.moments.volume / std::pow(mesh.metres_per_unit, 3);
+    for (const helper::Stone& stone : mesh.stones)
+        volume += stone.moments.volume / std::pow(mesh.metres_per_unit, 3);
     return volume;
 }
 
-void compare(const std::string& file, const ImportedMesh& mesh, const json& known)
+void compare(const std::string& file, const helper::ImportedMesh& mesh, const json& known)
 {
     const auto other = differences.find(file);
     int closed = 0;
-    for (const Stone& stone : mesh.stones) {
+    for (const helper::Stone& stone : mesh.stones) {
         closed += stone.closed;
         EXPECT_EQ(stone.reason.empty(), !stone.parts.empty()) << stone.name;
         EXPECT_GE(stone.volume_error, -2e-5) << stone.name;
@@ -95,7 +96,7 @@ TEST(AllMeshes, AreCertifiedOrRefusedWithTheReasonWithinTimeAndMemory)
     std::ifstream stream(data / "expected.json");
     if (!stream) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
     const json known = json::parse(stream).at("meshes");
-    GeometryLimits limits;
+    helper::GeometryLimits limits;
 #if defined(__SANITIZE_ADDRESS__)
     limits.seconds *= 4;
 #endif
@@ -104,7 +105,7 @@ TEST(AllMeshes, AreCertifiedOrRefusedWithTheReasonWithinTimeAndMemory)
         const std::string file = path.substr(std::string("meshes/").size());
         SCOPED_TRACE(file);
         const auto start = std::chrono::steady_clock::now();
-        const ImportedMesh mesh = import_geometry({{.file = data / path}}, limits).meshes.at(0);
+        const helper::ImportedMesh mesh = helper::import_geometry({{.file = data / path}}, limits).meshes.at(0);
         EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), limits.seconds);
         ++(mesh.accepted ? accepted : refused);
         // A child that died is a refusal without these words: none of these files kills it.
@@ -129,19 +130,19 @@ TEST(AllMeshes, AVaultInOneHeapOfTrianglesIsTakenApartIntoItsStones)
     const std::filesystem::path data = variable != nullptr ? variable : VOUSSOIR_DEFAULT_DATA;
     const std::filesystem::path file = data / "meshes/masonry/crossvault.obj";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
-    PolygonSurface heap{"vault", {}, {}};  // as STL has it: every triangle with corners of its own
-    for (const PolygonSurface& stone : read_mesh(file).surfaces)
+    mesh::PolygonSurface heap{"vault", {}, {}};  // as STL has it: every triangle with corners of its own
+    for (const mesh::PolygonSurface& stone : mesh::read_mesh(file).surfaces)
         for (const std::vector<int>& face : stone.faces)
             for (std::size_t i = 1; i + 1 < face.size(); ++i) {
                 const int first = static_cast<int>(heap.vertices.size());
                 for (const int v : {face[0], face[i], face[i + 1]}) heap.vertices.push_back(stone.vertices[v]);
                 heap.faces.push_back({first, first + 1, first + 2});
             }
-    const SeparatedStones separated = separate_stones(heap, 1e-6);
+    const exact::SeparatedStones separated = exact::separate_stones(heap, 1e-6);
     ASSERT_EQ(separated.stones.size(), 184U);
     double volume = 0;
-    for (const PolygonSurface& stone : separated.stones) {
-        const Certificate certificate = certify(stone);
+    for (const mesh::PolygonSurface& stone : separated.stones) {
+        const exact::Certificate certificate = exact::certify(stone);
         EXPECT_EQ(certificate.reason, "") << stone.name;
         volume += certificate.moments.volume;
     }
@@ -155,10 +156,10 @@ TEST(AllMeshes, RubbleStoneOneHasItsVolumeWhateverTheOrigin)
     const std::filesystem::path data = variable != nullptr ? variable : VOUSSOIR_DEFAULT_DATA;
     const std::filesystem::path file = data / "meshes/masonry_stones/stone_1.ply";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
-    const ImportedMesh mesh = import_geometry({{.file = file}}, {}).meshes.at(0);
+    const helper::ImportedMesh mesh = helper::import_geometry({{.file = file}}, {}).meshes.at(0);
     ASSERT_TRUE(mesh.accepted) << mesh.reason;
     EXPECT_NEAR(mesh.stones[0].moments.volume, 0.005865, 5e-7);
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

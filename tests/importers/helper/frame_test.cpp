@@ -5,7 +5,7 @@
 #include "importers/mesh/write_obj.h"
 #include "tests/importers/shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -27,7 +27,7 @@ std::string collada()
 </library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 }
 
-Eigen::Vector3d extent(const Stone& stone)
+Eigen::Vector3d extent(const helper::Stone& stone)
 {
     Eigen::Vector3d lower = stone.parts[0].vertices[0], upper = lower;
     for (const Eigen::Vector3d& x : stone.parts[0].vertices) {
@@ -41,42 +41,46 @@ TEST(Frame, UnitAndAxisComeFromTheFileUnlessTheUserSaysOtherwise)
 {
     const TemporaryFolder folder;
     const auto file = folder.write("box.dae", collada());
-    const ImportedMesh own = import_meshes({{.file = file}}).meshes[0];
+    const helper::ImportedMesh own = helper::import_meshes({{.file = file}}).meshes[0];
     ASSERT_TRUE(own.accepted) << own.reason;
     EXPECT_EQ(own.unit_from, "file");
     EXPECT_DOUBLE_EQ(own.metres_per_unit, 0.01);
     EXPECT_LT((extent(own.stones[0]) - Eigen::Vector3d(0.01, 0.03, 0.02)).norm(), 1e-12) << "y of the file is up";
 
-    const ImportedMesh said = import_meshes({{.file = file, .metres_per_unit = 0.001, .up = 'z'}}).meshes[0];
+    const helper::ImportedMesh said =
+        helper::import_meshes({{.file = file, .metres_per_unit = 0.001, .up = 'z'}}).meshes[0];
     ASSERT_TRUE(said.accepted) << said.reason;
     EXPECT_EQ(said.unit_from, "option");
     EXPECT_LT((extent(said.stones[0]) - Eigen::Vector3d(0.001, 0.002, 0.003)).norm(), 1e-12);
     ASSERT_FALSE(said.repairs.empty());
     EXPECT_NE(said.repairs.back().find("the option says 0.001 m and is used"), std::string::npos);
 
-    const ImportedMesh assumed =
-        import_meshes({{.file = folder.write("b.obj", to_obj({unit_cube()}, {}))}}).meshes[0];
+    const helper::ImportedMesh assumed =
+        helper::import_meshes({{.file = folder.write("b.obj", mesh::to_obj({unit_cube()}, {}))}}).meshes[0];
     EXPECT_EQ(assumed.unit_from, "assumed");
     EXPECT_EQ(assumed.metres_per_unit, 1);
 }
 
 TEST(Frame, WhatBecomesAStoneIsChosen)
 {
-    PolygonSurface two = unit_cube();  // two boxes in one object
-    const PolygonSurface second = box({3, 0, 0}, {4, 1, 1});
+    mesh::PolygonSurface two = unit_cube();  // two boxes in one object
+    const mesh::PolygonSurface second = box({3, 0, 0}, {4, 1, 1});
     two.vertices.insert(two.vertices.end(), second.vertices.begin(), second.vertices.end());
     for (std::vector<int> face : second.faces) {
         for (int& v : face) v += 8;
         two.faces.push_back(face);
     }
     const TemporaryFolder folder;
-    const auto file = folder.write("two.obj", to_obj({two}, {}));
-    EXPECT_EQ(import_meshes({{.file = file}}).meshes[0].stones.size(), 2U);
-    EXPECT_EQ(import_meshes({{.file = file, .stones = StoneLevel::component}}).meshes[0].stones.size(), 2U);
-    const ImportedMesh object = import_meshes({{.file = file, .stones = StoneLevel::object}}).meshes[0];
+    const auto file = folder.write("two.obj", mesh::to_obj({two}, {}));
+    EXPECT_EQ(helper::import_meshes({{.file = file}}).meshes[0].stones.size(), 2U);
+    EXPECT_EQ(
+        helper::import_meshes({{.file = file, .stones = helper::StoneLevel::component}}).meshes[0].stones.size(),
+        2U);
+    const helper::ImportedMesh object =
+        helper::import_meshes({{.file = file, .stones = helper::StoneLevel::object}}).meshes[0];
     EXPECT_FALSE(object.accepted);
     EXPECT_NE(object.reason.find("2 separate shells"), std::string::npos) << object.reason;
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

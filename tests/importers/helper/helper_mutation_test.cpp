@@ -12,7 +12,7 @@
 #include "tests/fuzz/accepted_geometry.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 
 namespace fs = std::filesystem;
@@ -23,11 +23,11 @@ TEST(DamagedAnswers, AreNotBelievedOrHold)
     std::size_t believed = 0, tried = 0;
     for (const fs::path& seed : files_in(fs::path(VOUSSOIR_MESH_SEEDS).parent_path() / "answer")) {
         const std::string sound = content_of(seed);
-        EXPECT_NO_THROW(check_accepted(geometry_from_json(sound))) << seed;
+        EXPECT_NO_THROW(check_accepted(helper::geometry_from_json(sound))) << seed;
         for (int i = 0; i < 2000; ++i, ++tried) {
-            Geometry geometry;
+            helper::Geometry geometry;
             try {
-                geometry = geometry_from_json(damage(sound));
+                geometry = helper::geometry_from_json(damage(sound));
             } catch (const std::exception&) {
                 continue;
             }
@@ -42,16 +42,16 @@ TEST(DamagedAnswers, AreNotBelievedOrHold)
 
 TEST(DamagedRequests, ThatNameNoReader)
 {
-    MeshRequest wanted;
+    helper::MeshRequest wanted;
     wanted.file = "a.obj";
-    wanted.reader = MeshReader::assimp;
-    const std::string sound = to_json(HelperRequest{{wanted}, {}});
-    EXPECT_EQ(request_from_json(sound).meshes.at(0).reader, MeshReader::assimp);
+    wanted.reader = mesh::MeshReader::assimp;
+    const std::string sound = helper::to_json(helper::HelperRequest{{wanted}, {}});
+    EXPECT_EQ(helper::request_from_json(sound).meshes.at(0).reader, mesh::MeshReader::assimp);
     const std::size_t place = sound.find("\"assimp\"");
     ASSERT_NE(place, std::string::npos);
     for (const char* bad : {"\"asimp\"", "\"\"", "2", "-1", "true", "null"}) {
         std::string request = sound;
-        EXPECT_THROW(request_from_json(request.replace(place, 8, bad)), std::exception) << bad;
+        EXPECT_THROW(helper::request_from_json(request.replace(place, 8, bad)), std::exception) << bad;
     }
 }
 
@@ -65,7 +65,7 @@ TEST(DamagedAnswers, CornersThatAreNotThere)
         ASSERT_NE(place, std::string::npos);
         for (const char* bad : {"9", "-1", "2.5", "true", "6e63", "4294967298", "18446744073709551615"}) {
             std::string answer = sound;
-            EXPECT_THROW(geometry_from_json(answer.replace(corner, 1, bad)), InputError) << bad;
+            EXPECT_THROW(helper::geometry_from_json(answer.replace(corner, 1, bad)), InputError) << bad;
         }
     }
 }
@@ -86,15 +86,16 @@ TEST(DamagedMeshes, LeaveTheProgramAlive)
     Damage damage(1980);
     int accepted = 0, refused = 0;
     for (int round = 0; round < 3; ++round) {
-        std::vector<MeshRequest> requests;
+        std::vector<helper::MeshRequest> requests;
         for (const fs::path& seed : seeds) {
             const fs::path file = folder.path() / (std::to_string(requests.size()) + seed.extension().string());
             std::ofstream(file, std::ios::binary) << damage(content_of(seed));
             requests.push_back({.file = file});
         }
-        const Geometry geometry = import_geometry(requests, {.seconds = 5, .bytes = std::size_t{1} << 30});
+        const helper::Geometry geometry =
+            helper::import_geometry(requests, {.seconds = 5, .bytes = std::size_t{1} << 30});
         ASSERT_EQ(geometry.meshes.size(), requests.size());
-        for (const ImportedMesh& mesh : geometry.meshes) {
+        for (const helper::ImportedMesh& mesh : geometry.meshes) {
             ++(mesh.accepted ? accepted : refused);
             EXPECT_TRUE(mesh.accepted || !mesh.reason.empty()) << mesh.file;
         }
@@ -104,4 +105,4 @@ TEST(DamagedMeshes, LeaveTheProgramAlive)
     EXPECT_GT(refused, 0);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -11,7 +11,7 @@
 #include "importers/patterns/arch_bridge.h"
 #include "tests/importers/shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -31,11 +31,11 @@ class Helper : public testing::Test
     }
     std::filesystem::path cube_file(const std::string& name = "cube.obj") const
     {
-        return folder_.write(name, to_obj({unit_cube()}, {}));
+        return folder_.write(name, mesh::to_obj({unit_cube()}, {}));
     }
-    std::string refusal(const GeometryLimits& limits = {}) const
+    std::string refusal(const helper::GeometryLimits& limits = {}) const
     {
-        const Geometry geometry = import_geometry({{.file = cube_file()}}, limits);
+        const helper::Geometry geometry = helper::import_geometry({{.file = cube_file()}}, limits);
         EXPECT_EQ(geometry.meshes.size(), 1U);
         EXPECT_FALSE(geometry.meshes[0].accepted);
         return geometry.meshes[0].reason;
@@ -46,18 +46,18 @@ class Helper : public testing::Test
 
 TEST_F(Helper, AnswersWhatTheSameWorkInThisProcessGivesToTheLastBit)
 {
-    ArchBridge bridge;
+    patterns::ArchBridge bridge;
     bridge.rise = 5.123456789;
-    const auto file = folder_.write("bridge.obj", to_obj(arch_bridge(bridge), {}));
-    const std::vector<MeshRequest> requests{{file, 0.3048, 'y'}, {.file = folder_.path() / "none.obj"}};
-    const Geometry here = import_meshes(requests), there = import_geometry(requests, {});
+    const auto file = folder_.write("bridge.obj", mesh::to_obj(patterns::arch_bridge(bridge), {}));
+    const std::vector<helper::MeshRequest> requests{{file, 0.3048, 'y'}, {.file = folder_.path() / "none.obj"}};
+    const helper::Geometry here = helper::import_meshes(requests), there = helper::import_geometry(requests, {});
     ASSERT_EQ(there.meshes.size(), 2U);
     EXPECT_EQ(there.origin, here.origin);
     EXPECT_TRUE(there.meshes[0].accepted) << there.meshes[0].reason;
     EXPECT_EQ(there.meshes[1].reason, here.meshes[1].reason);
     ASSERT_EQ(there.meshes[0].stones.size(), 95U);
     for (std::size_t i = 0; i < 95; ++i) {
-        const Stone &a = here.meshes[0].stones[i], &b = there.meshes[0].stones[i];
+        const helper::Stone &a = here.meshes[0].stones[i], &b = there.meshes[0].stones[i];
         EXPECT_EQ(a.name, b.name);
         EXPECT_EQ(a.parts[0].vertices, b.parts[0].vertices);
         EXPECT_EQ(a.parts[0].faces, b.parts[0].faces);
@@ -68,12 +68,13 @@ TEST_F(Helper, AnswersWhatTheSameWorkInThisProcessGivesToTheLastBit)
 
 TEST_F(Helper, ReportsOverlapsAndRefusedStonesByName)
 {
-    std::vector<PolygonSurface> stones{unit_cube(), box({0.5, 0, 0}, {2, 1, 1}), unit_cube()};
+    std::vector<mesh::PolygonSurface> stones{unit_cube(), box({0.5, 0, 0}, {2, 1, 1}), unit_cube()};
     stones[0].name = "left";
     stones[1].name = "right";
     stones[2].name = "open";
     stones[2].faces.pop_back();
-    const Geometry geometry = import_geometry({{.file = folder_.write("wall.obj", to_obj(stones, {}))}}, {});
+    const helper::Geometry geometry =
+        helper::import_geometry({{.file = folder_.write("wall.obj", mesh::to_obj(stones, {}))}}, {});
     ASSERT_EQ(geometry.overlaps.size(), 1U);
     EXPECT_EQ(geometry.overlaps[0].stone_a, "left");
     EXPECT_EQ(geometry.overlaps[0].stone_b, "right");
@@ -116,7 +117,7 @@ TEST_F(Helper, ThatOneFileKillsRefusesThatFileOnly)
 {
     pretend("input=$(cat); case \"$input\" in *poison*) kill -SEGV $$;; esac; printf '%s' \"$input\" | '" +
             std::string(VOUSSOIR_BINARIES) + "/voussoir-geometry'");
-    const Geometry geometry = import_geometry(
+    const helper::Geometry geometry = helper::import_geometry(
         {{.file = cube_file("a.obj")}, {.file = cube_file("poison.obj")}, {.file = cube_file("b.obj")}}, {});
     ASSERT_EQ(geometry.meshes.size(), 3U);
     EXPECT_TRUE(geometry.meshes[0].accepted) << geometry.meshes[0].reason;
@@ -133,11 +134,12 @@ TEST_F(Helper, StaysWithinItsMemory)
     for (int i = 0; i < 2000000; ++i) text += "v 0.123456789 0.123456789 0." + std::to_string(i) + "\n";
     text += "f 1 2 3\n";
     const auto file = folder_.write("many.obj", text);
-    const Geometry geometry = import_geometry({{.file = file}}, {.seconds = 30, .bytes = std::size_t{100} << 20});
+    const helper::Geometry geometry =
+        helper::import_geometry({{.file = file}}, {.seconds = 30, .bytes = std::size_t{100} << 20});
     EXPECT_FALSE(geometry.meshes[0].accepted);
     EXPECT_NE(geometry.meshes[0].reason.find("memory"), std::string::npos) << geometry.meshes[0].reason;
 }
 #endif
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

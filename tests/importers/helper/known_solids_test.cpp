@@ -9,7 +9,7 @@
 #include "importers/mesh/write_obj.h"
 #include "tests/importers/shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -18,7 +18,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 struct KnownSolid {
-    PolygonSurface surface;
+    mesh::PolygonSurface surface;
     double volume;
     Vector3d centroid;
     Matrix3d second;  // about the centroid
@@ -34,7 +34,7 @@ KnownSolid known_box()
 /// Corner tetrahedron with unit legs: integral of x^2 is 1/60, of xy is 1/120, volume 1/6, centroid 1/4.
 KnownSolid known_tetrahedron()
 {
-    PolygonSurface surface{
+    mesh::PolygonSurface surface{
         "stone", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
     Matrix3d second = Matrix3d::Constant(1. / 120);
     second.diagonal().setConstant(1. / 60);
@@ -61,7 +61,7 @@ KnownSolid known_drum()
 KnownSolid known_voussoir()
 {
     const double b = 0.3, c = 0.4, h = 1.5, d = 0.9;
-    PolygonSurface surface = prism({{-b, 0}, {b, 0}, {c, h}, {-c, h}}, 0, d);
+    mesh::PolygonSurface surface = prism({{-b, 0}, {b, 0}, {c, h}, {-c, h}}, 0, d);
     const double area = (b + c) * h, centre = h * (b + 2 * c) / (3 * (b + c));
     const double along = 2 * h * h * h * (b / 12 + c / 4) - area * centre * centre;
     const double across = 2. / 3 * h * (b * b * b + b * b * c + b * c * c + c * c * c) / 4;
@@ -75,12 +75,12 @@ KnownSolid known_voussoir()
 void expect_known(const KnownSolid& solid, const Matrix3d& rotation, const Vector3d& offset, double tolerance)
 {
     const TemporaryFolder folder;
-    PolygonSurface moved = solid.surface;
+    mesh::PolygonSurface moved = solid.surface;
     for (Vector3d& x : moved.vertices) x = rotation * x + offset;
-    const auto file = folder.write("solid.obj", to_obj({moved}, {"a known solid"}));
-    const Geometry geometry = import_meshes({{.file = file}});
+    const auto file = folder.write("solid.obj", mesh::to_obj({moved}, {"a known solid"}));
+    const helper::Geometry geometry = helper::import_meshes({{.file = file}});
     ASSERT_TRUE(geometry.meshes[0].accepted) << geometry.meshes[0].reason;
-    const Stone& stone = geometry.meshes[0].stones[0];
+    const helper::Stone& stone = geometry.meshes[0].stones[0];
     EXPECT_EQ(stone.parts[0].faces.size(), solid.surface.faces.size());
     EXPECT_NEAR(stone.moments.volume, solid.volume, tolerance * solid.volume);
     const Vector3d centroid = rotation * solid.centroid + (offset - geometry.origin);
@@ -116,25 +116,26 @@ INSTANTIATE_TEST_SUITE_P(Each, KnownSolids,
 TEST(ImportMeshes, ChoosesAnOriginOnlyForLargeCoordinates)
 {
     const TemporaryFolder folder;
-    const auto near = folder.write("near.obj", to_obj({box({0, 0, 0}, {9000, 1, 1})}, {}));
-    EXPECT_EQ(import_meshes({{.file = near}}).origin, Vector3d::Zero());
-    const auto far = folder.write("far.obj", to_obj({box({5e5, 4.6e6, 800}, {5e5 + 2, 4.6e6 + 2, 802})}, {}));
-    EXPECT_EQ(import_meshes({{.file = far}}).origin, Vector3d(500001, 4600001, 801));
+    const auto near = folder.write("near.obj", mesh::to_obj({box({0, 0, 0}, {9000, 1, 1})}, {}));
+    EXPECT_EQ(helper::import_meshes({{.file = near}}).origin, Vector3d::Zero());
+    const auto far =
+        folder.write("far.obj", mesh::to_obj({box({5e5, 4.6e6, 800}, {5e5 + 2, 4.6e6 + 2, 802})}, {}));
+    EXPECT_EQ(helper::import_meshes({{.file = far}}).origin, Vector3d(500001, 4600001, 801));
 }
 
 TEST(ImportMeshes, AppliesUnitAndUpAxisWithoutMirroring)
 {
     const TemporaryFolder folder;
-    const auto file = folder.write("mm.obj", to_obj({box({0, 0, 0}, {1000, 2000, 3000})}, {}));
-    const Stone y_up = import_meshes({{file, 0.001, 'y'}}).meshes[0].stones[0];
+    const auto file = folder.write("mm.obj", mesh::to_obj({box({0, 0, 0}, {1000, 2000, 3000})}, {}));
+    const helper::Stone y_up = helper::import_meshes({{file, 0.001, 'y'}}).meshes[0].stones[0];
     EXPECT_NEAR((y_up.moments.centroid - Vector3d(0.5, -1.5, 1)).norm(), 0, 1e-15);
     EXPECT_NEAR(y_up.moments.volume, 6, 1e-14);
     EXPECT_TRUE(y_up.repairs.empty());
-    const Stone x_up = import_meshes({{file, 0.001, 'x'}}).meshes[0].stones[0];
+    const helper::Stone x_up = helper::import_meshes({{file, 0.001, 'x'}}).meshes[0].stones[0];
     EXPECT_NEAR((x_up.moments.centroid - Vector3d(1, 1.5, 0.5)).norm(), 0, 1e-15);
     EXPECT_TRUE(x_up.repairs.empty());
-    EXPECT_FALSE(import_meshes({{file, -1, 'z'}}).meshes[0].accepted);
-    EXPECT_FALSE(import_meshes({{file, 1, 'w'}}).meshes[0].accepted);
+    EXPECT_FALSE(helper::import_meshes({{file, -1, 'z'}}).meshes[0].accepted);
+    EXPECT_FALSE(helper::import_meshes({{file, 1, 'w'}}).meshes[0].accepted);
 }
 
 TEST(ImportMeshes, KeepsAStoneFarFromTheOrigin)
@@ -148,10 +149,10 @@ TEST(ImportMeshes, KeepsAStoneFarFromTheOrigin)
         for (const int v : face) text += " " + std::to_string(v);
         text += "\n";
     }
-    const ImportedMesh mesh = import_meshes({{.file = folder.write("grid.off", text)}}).meshes[0];
+    const helper::ImportedMesh mesh = helper::import_meshes({{.file = folder.write("grid.off", text)}}).meshes[0];
     ASSERT_TRUE(mesh.accepted) << mesh.reason;
     EXPECT_DOUBLE_EQ(mesh.stones[0].moments.volume, 1);
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

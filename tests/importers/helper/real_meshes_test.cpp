@@ -7,7 +7,7 @@
 
 #include "importers/helper/geometry.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -24,7 +24,10 @@ class RealMeshes : public testing::TestWithParam<const char*>
         if (!expected) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
         known_ = nlohmann::json::parse(expected).at("meshes").at(GetParam());
     }
-    ImportedMesh import() const { return import_geometry({{.file = data_ / GetParam()}}, {}).meshes.front(); }
+    helper::ImportedMesh import() const
+    {
+        return helper::import_geometry({{.file = data_ / GetParam()}}, {}).meshes.front();
+    }
 
     std::filesystem::path data_;
     nlohmann::json known_;
@@ -35,7 +38,7 @@ using AwkwardMeshes = RealMeshes;
 
 TEST_P(ConvexMeshes, AreAcceptedWithTheKnownNamesAndVolumes)
 {
-    const ImportedMesh mesh = import();
+    const helper::ImportedMesh mesh = import();
     EXPECT_TRUE(mesh.accepted) << mesh.reason;
     const auto& objects = known_.at("objects");
     ASSERT_EQ(mesh.stones.size(), objects.size());
@@ -61,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Each, ConvexMeshes,
 
 TEST_P(AwkwardMeshes, AreRefusedWithAReason)
 {
-    const ImportedMesh mesh = import();
+    const helper::ImportedMesh mesh = import();
     EXPECT_FALSE(mesh.accepted);
     EXPECT_FALSE(mesh.reason.empty());
     EXPECT_EQ(mesh.reason.find("the geometry helper gave no answer"), std::string::npos) << mesh.reason;
@@ -77,4 +80,4 @@ INSTANTIATE_TEST_SUITE_P(Each, AwkwardMeshes,
                                          "meshes/awkward/tetra_intersected_by_triangle.off"));
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -4,18 +4,18 @@
 
 #include "tests/importers/mesh/read_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 
 /// A surface in its own axes, and where it is: metres, z up.
 struct PlacedSurface {
-    PolygonSurface surface;
+    mesh::PolygonSurface surface;
     Eigen::Affine3d placement = Eigen::Affine3d::Identity();
 };
 
-inline PolygonSurface moved(const PlacedSurface& stone)
+inline mesh::PolygonSurface moved(const PlacedSurface& stone)
 {
-    PolygonSurface surface = stone.surface;
+    mesh::PolygonSurface surface = stone.surface;
     for (Eigen::Vector3d& x : surface.vertices) x = stone.placement * x;
     return surface;
 }
@@ -48,7 +48,7 @@ inline std::string to_fbx(const std::vector<PlacedSurface>& stones, double unit)
 {
     std::string objects, connections;
     for (std::size_t i = 0; i < stones.size(); ++i) {
-        const PolygonSurface& s = stones[i].surface;
+        const mesh::PolygonSurface& s = stones[i].surface;
         const std::string geometry = std::to_string(1001 + i), model = std::to_string(2001 + i);
         const std::string indices = joined(s.faces, ",", [](std::vector<int> face) {
             face.back() = ~face.back();
@@ -110,7 +110,7 @@ inline std::string to_lwo(const std::vector<PlacedSurface>& stones)
 {
     std::string chunks = iff_chunk("TAGS", std::string("stone\0", 6));
     for (std::size_t i = 0; i < stones.size(); ++i) {
-        const PolygonSurface s = moved(stones[i]);
+        const mesh::PolygonSurface s = moved(stones[i]);
         std::string points, polygons = "FACE", tags = "SURF";
         for (const Eigen::Vector3d& x : s.vertices)
             for (const double c : {x.x(), x.z(), x.y()}) points += bytes_of(static_cast<float>(c), true);
@@ -133,7 +133,7 @@ inline std::string to_ogex(const std::vector<PlacedSurface>& stones, double metr
     const auto triple = [](const Eigen::Vector3d& x) { return "{" + listed(x) + "}"; };
     std::string nodes, objects;
     for (std::size_t i = 0; i < stones.size(); ++i) {
-        const PolygonSurface s = triangulated(stones[i].surface);
+        const mesh::PolygonSurface s = triangulated(stones[i].surface);
         const std::string number = std::to_string(i + 1);
         const Eigen::Matrix4d& m = stones[i].placement.matrix();
         nodes += "GeometryNode $node" + number + "\n{\n\tName {string {\"" + s.name +
@@ -167,7 +167,7 @@ inline std::string to_3ds(const std::vector<PlacedSurface>& stones)
 {
     std::string objects;
     for (const PlacedSurface& stone : stones) {
-        const PolygonSurface s = triangulated(moved(stone));
+        const mesh::PolygonSurface s = triangulated(moved(stone));
         std::string points = bytes_of(static_cast<std::uint16_t>(s.vertices.size()));
         std::string faces = bytes_of(static_cast<std::uint16_t>(s.faces.size()));
         for (const Eigen::Vector3d& x : s.vertices)
@@ -187,7 +187,7 @@ inline std::string to_amf(const std::vector<PlacedSurface>& stones, const std::s
 {
     std::string objects;
     for (std::size_t i = 0; i < stones.size(); ++i) {
-        const PolygonSurface s = triangulated(moved(stones[i]));
+        const mesh::PolygonSurface s = triangulated(moved(stones[i]));
         objects += "<object id=\"" + std::to_string(i + 1) + "\"><metadata type=\"name\">" + s.name +
                    "</metadata><mesh><vertices>";
         for (const Eigen::Vector3d& x : s.vertices)
@@ -202,4 +202,4 @@ inline std::string to_amf(const std::vector<PlacedSurface>& stones, const std::s
     return "<?xml version=\"1.0\"?>\n<amf unit=\"" + unit + "\">\n" + objects + "</amf>\n";
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -12,7 +12,7 @@
 #include "tests/limited_requests.h"
 #include "tests/temporary_folder.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 
 namespace
@@ -26,7 +26,7 @@ bool accepts(const std::filesystem::path& file, const std::string& content)
     std::string wrong;
     try {
         const LimitedRequests limit(max_memory);
-        check_accepted(read_mesh(file, {StonesBy::detect, MeshReader::own}));
+        check_accepted(mesh::read_mesh(file, {mesh::StonesBy::detect, mesh::MeshReader::own}));
         return true;
     } catch (const InputError& error) {
         if (error.faults.empty() || error.faults.front().found.empty()) wrong = "refused without a word";
@@ -91,7 +91,7 @@ TEST(DamagedMeshes, PartsOfPartsOfParts)
     }
     const std::filesystem::path file = folder.path() / "laughs.amf";
     std::ofstream(file) << amf << "</amf>";
-    EXPECT_THROW(read_mesh(file), InputError);
+    EXPECT_THROW(mesh::read_mesh(file), InputError);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -4,7 +4,7 @@
 
 #include "tests/importers/mesh/assimp_files.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -24,10 +24,11 @@ TEST(ReadAssimp, OpensFilesBesideTheFileAndNoOthers)
                   R"([{"buffer":0,"byteLength":36}],"buffers":[{"uri":")" +
                       uri + R"(","byteLength":36}]})");
     };
-    const ReadOptions by_assimp{StonesBy::detect, MeshReader::assimp};
-    EXPECT_EQ(read_mesh(gltf("beside.gltf", "points.bin"), by_assimp).surfaces.at(0).vertices.size(), 3U);
-    EXPECT_THROW(read_mesh(gltf("inner/up.gltf", "../points.bin"), by_assimp), InputError);
-    EXPECT_THROW(read_mesh(gltf("far.gltf", (folder.path() / "points.bin").string()), by_assimp), InputError);
+    const mesh::ReadOptions by_assimp{mesh::StonesBy::detect, mesh::MeshReader::assimp};
+    EXPECT_EQ(mesh::read_mesh(gltf("beside.gltf", "points.bin"), by_assimp).surfaces.at(0).vertices.size(), 3U);
+    EXPECT_THROW(mesh::read_mesh(gltf("inner/up.gltf", "../points.bin"), by_assimp), InputError);
+    EXPECT_THROW(mesh::read_mesh(gltf("far.gltf", (folder.path() / "points.bin").string()), by_assimp),
+                 InputError);
 }
 
 TEST(Read3ds, ReadsEveryObjectByItsNameWhereItsCoordinatesAre)
@@ -37,7 +38,7 @@ TEST(Read3ds, ReadsEveryObjectByItsNameWhereItsCoordinatesAre)
     left.surface.name = "left";
     right.surface.name = "right";
     std::string file = to_3ds({left, right});
-    const MeshFile read = read_mesh(folder.write("two.3ds", file));
+    const mesh::MeshFile read = mesh::read_mesh(folder.write("two.3ds", file));
     ASSERT_EQ(read.surfaces.size(), 2U);
     EXPECT_EQ(read.surfaces[1].name, "right");
     EXPECT_EQ(volume_of(read.surfaces[1]), 1);
@@ -49,7 +50,7 @@ TEST(Read3ds, ReadsEveryObjectByItsNameWhereItsCoordinatesAre)
     const std::string node = chunk_3ds(0xB010, std::string("left\0", 5) + std::string(4, '\0') + "\xFF\xFF");
     file += chunk_3ds(0xB000, chunk_3ds(0xB002, node + position));
     file.replace(2, 4, bytes_of(static_cast<std::uint32_t>(file.size())));
-    const MeshFile moving = read_mesh(folder.write("moving.3ds", file));
+    const mesh::MeshFile moving = mesh::read_mesh(folder.write("moving.3ds", file));
     ASSERT_EQ(moving.surfaces.size(), 2U);
     EXPECT_EQ(moving.surfaces[0].name, "left");
     EXPECT_EQ(lowest_of(moving.surfaces[0]), Eigen::Vector3d(0, 0, 0));
@@ -70,7 +71,7 @@ TEST(ReadAmf, ReadsUnitsVolumesNamesAndConstellations)
         "</constellation></amf>";
     for (const auto& file :
          {folder.write("plain.amf", text), folder.write("packed.amf", to_zip({{"a.amf", text}}))}) {
-        const MeshFile read = read_mesh(file);
+        const mesh::MeshFile read = mesh::read_mesh(file);
         ASSERT_EQ(read.surfaces.size(), 2U);
         EXPECT_EQ(read.surfaces[0].name, "clé");
         EXPECT_NEAR(volume_of(read.surfaces[0]), 1, 1e-12);
@@ -88,4 +89,4 @@ TEST(ReadAmf, ReadsUnitsVolumesNamesAndConstellations)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

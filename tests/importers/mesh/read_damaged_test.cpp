@@ -8,7 +8,7 @@
 
 #include "tests/importers/mesh/read_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -17,7 +17,7 @@ namespace
 bool refused_in_words(const std::filesystem::path& file, const std::string& what)
 {
     try {
-        const MeshFile read = read_mesh(file, {StonesBy::detect, MeshReader::own});
+        const mesh::MeshFile read = mesh::read_mesh(file, {mesh::StonesBy::detect, mesh::MeshReader::own});
         EXPECT_FALSE(read.surfaces.empty()) << what;
         return false;
     } catch (const InputError& error) {
@@ -47,8 +47,8 @@ void damage(const std::string& name, const std::string& bytes, const TemporaryFo
 TEST(ReadDamaged, OwnFilesOfTheDoubleFormats)
 {
     const TemporaryFolder folder;
-    const PolygonSurface cube = triangulated(unit_cube());
-    damage("a.obj", to_obj({cube}, {}), folder);
+    const mesh::PolygonSurface cube = triangulated(unit_cube());
+    damage("a.obj", mesh::to_obj({cube}, {}), folder);
     damage("a.off", to_off(cube), folder);
     damage("a.stl", to_ascii_stl(cube, "a"), folder);
     damage("b.stl", to_binary_stl(cube, "solid b"), folder);
@@ -59,7 +59,7 @@ TEST(ReadDamaged, OwnFilesOfTheDoubleFormats)
 TEST(ReadDamaged, CutFilesWhoseLengthIsAnnouncedAreRefused)
 {
     const TemporaryFolder folder;
-    const PolygonSurface cube = triangulated(unit_cube());
+    const mesh::PolygonSurface cube = triangulated(unit_cube());
     for (const auto& [name, bytes] :
          std::vector<std::pair<std::string, std::string>>{{"a.off", to_off(cube)},
                                                           {"a.stl", to_ascii_stl(cube, "a")},
@@ -110,4 +110,4 @@ TEST(ReadDamaged, RealFilesOfEveryFormat)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

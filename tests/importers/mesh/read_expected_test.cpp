@@ -12,7 +12,7 @@
 #include "importers/mesh/read_mesh.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -56,7 +56,7 @@ std::map<std::string, Json> known_files(std::filesystem::path& folder)
 }
 
 /// The vertices of a surface with those made one that are equal in every bit (0 and -0 are not told apart).
-std::vector<int> welded(const PolygonSurface& surface)
+std::vector<int> welded(const mesh::PolygonSurface& surface)
 {
     std::map<std::array<double, 3>, int> seen;
     std::vector<int> to;
@@ -67,7 +67,7 @@ std::vector<int> welded(const PolygonSurface& surface)
 }
 
 /// Whether every edge of the polygons is used exactly twice.
-bool closed(const PolygonSurface& surface)
+bool closed(const mesh::PolygonSurface& surface)
 {
     const std::vector<int> to = welded(surface);
     std::map<std::pair<int, int>, int> uses;
@@ -80,7 +80,7 @@ bool closed(const PolygonSurface& surface)
 }
 
 /// By fans from the first corner.
-double signed_volume(const PolygonSurface& surface)
+double signed_volume(const mesh::PolygonSurface& surface)
 {
     double volume = 0;
     const Eigen::Vector3d& o = surface.vertices[0];
@@ -94,7 +94,7 @@ double signed_volume(const PolygonSurface& surface)
 }
 
 /// Turns faces until neighbours run along their common edge in opposite directions, as the first face has it.
-PolygonSurface oriented(PolygonSurface surface)
+mesh::PolygonSurface oriented(mesh::PolygonSurface surface)
 {
     const std::vector<int> to = welded(surface);
     const auto edge = [&](const std::vector<int>& face, std::size_t i) {
@@ -128,7 +128,7 @@ PolygonSurface oriented(PolygonSurface surface)
     return surface;
 }
 
-void expect_object(const PolygonSurface& surface, const Json& object, const std::string& file)
+void expect_object(const mesh::PolygonSurface& surface, const Json& object, const std::string& file)
 {
     const std::string where = file + ": " + surface.name;
     EXPECT_EQ(surface.faces.size(), object.at("n_faces").get<std::size_t>()) << where;
@@ -148,9 +148,9 @@ void expect_as_known(const std::filesystem::path& folder, const std::string& pat
     const std::string name = std::filesystem::path(path).filename();
     const auto refusal = refusals.find(name);
     const auto difference = differences.find(name);
-    MeshFile mesh;
+    mesh::MeshFile mesh;
     try {
-        mesh = read_mesh(folder / path);
+        mesh = mesh::read_mesh(folder / path);
     } catch (const InputError& error) {
         if (refusal == refusals.end())
             ADD_FAILURE() << "refused: " << error.what();
@@ -180,8 +180,8 @@ TEST(ReadExpected, FilesThatAreNoMeshesAreRefusedInWords)
 {
     std::filesystem::path folder;
     if (known_files(folder).empty()) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
-    EXPECT_THROW(read_mesh(folder / "meshes/awkward/IndexOutOfRange.bin"), InputError);
-    EXPECT_THROW(read_mesh(folder / "expected.json"), InputError);
+    EXPECT_THROW(mesh::read_mesh(folder / "meshes/awkward/IndexOutOfRange.bin"), InputError);
+    EXPECT_THROW(mesh::read_mesh(folder / "expected.json"), InputError);
 }
 
 TEST(ReadExpected, UnitsAndAxesOfTheFilesAreTold)
@@ -199,7 +199,7 @@ TEST(ReadExpected, UnitsAndAxesOfTheFilesAreTold)
           Known{"awkward/test1.amf", 0.001, {}}, Known{"masonry/wall.obj", {}, {}},
           Known{"awkward/PinkEggFromLW.dxf", {}, 'z'}, Known{"awkward/fels.3ds", {}, 'z'},
           Known{"building/wall-with-opening-and-window.ifc", 0.001, 'z'}}) {
-        const MeshFile mesh = read_mesh(folder / "meshes" / known.file);
+        const mesh::MeshFile mesh = mesh::read_mesh(folder / "meshes" / known.file);
         EXPECT_EQ(mesh.metres_per_unit.has_value(), known.metres.has_value()) << known.file;
         EXPECT_NEAR(mesh.metres_per_unit.value_or(0), known.metres.value_or(0), 1e-9) << known.file;
         EXPECT_EQ(mesh.up, known.up) << known.file;
@@ -207,4 +207,4 @@ TEST(ReadExpected, UnitsAndAxesOfTheFilesAreTold)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -7,7 +7,7 @@
 
 #include "tests/importers/mesh/read_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -47,7 +47,7 @@ TEST(ReadIfc, EveryCutOffFileIsRefusedInWords)
     const TemporaryFolder folder;
     for (std::size_t i = 1; i < 20; ++i)
         EXPECT_NE(refusal(folder.write("cut.ifc", whole.substr(0, whole.size() * i / 20))), "") << i;
-    const MeshFile read = read_mesh(folder.write("whole.ifc", whole));
+    const mesh::MeshFile read = mesh::read_mesh(folder.write("whole.ifc", whole));
     ASSERT_EQ(read.surfaces.size(), 2U);
     // The wall is 3000 x 300 x 2000 mm, its window 1000 x 200 x 1000 mm.
     EXPECT_NEAR(volume_of(read.surfaces[1]), 1000. * 200 * 1000, 1e3);
@@ -57,4 +57,4 @@ TEST(ReadIfc, EveryCutOffFileIsRefusedInWords)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

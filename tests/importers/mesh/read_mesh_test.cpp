@@ -4,7 +4,7 @@
 
 #include "tests/importers/mesh/read_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -12,9 +12,9 @@ namespace
 TEST(ReadMesh, KeepsEveryDigitOfAnObjFileAtNationalGridCoordinates)
 {
     const TemporaryFolder folder;
-    PolygonSurface cube = unit_cube();
+    mesh::PolygonSurface cube = unit_cube();
     for (Eigen::Vector3d& x : cube.vertices) x += Eigen::Vector3d(500000.123456789, 4600000.987654321, 1. / 3);
-    const MeshFile read = read_mesh(folder.write("far.obj", to_obj({cube}, {})));
+    const mesh::MeshFile read = mesh::read_mesh(folder.write("far.obj", mesh::to_obj({cube}, {})));
     ASSERT_EQ(read.surfaces.size(), 1U);
     EXPECT_EQ(read.rounding, 0);
     ASSERT_EQ(read.surfaces[0].faces.size(), cube.faces.size());
@@ -26,12 +26,12 @@ TEST(ReadMesh, KeepsEveryDigitOfAnObjFileAtNationalGridCoordinates)
 TEST(ReadMesh, KeepsObjectNamesWithSpacesAndRenamesEqualOnes)
 {
     const TemporaryFolder folder;
-    std::vector<PolygonSurface> cubes(4, unit_cube());
+    std::vector<mesh::PolygonSurface> cubes(4, unit_cube());
     cubes[0].name = "Mesh 0";
     cubes[1].name = "Mesh 1";
     cubes[2].name = "Mesh 1";
     cubes[3].name = "clé de voûte";
-    const MeshFile read = read_mesh(folder.write("names.obj", to_obj(cubes, {})));
+    const mesh::MeshFile read = mesh::read_mesh(folder.write("names.obj", mesh::to_obj(cubes, {})));
     ASSERT_EQ(read.surfaces.size(), 4U);
     EXPECT_EQ(read.surfaces[0].name, "Mesh 0");
     EXPECT_EQ(read.surfaces[1].name, "Mesh 1");
@@ -45,7 +45,7 @@ TEST(ReadMesh, TakesGroupsForStonesWhenThereAreNoObjects)
     const TemporaryFolder folder;
     const std::string text =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng a\nf 1 2 3\ng b\nf 1 2 4\ng a\nusemtl red\nf 2 3 4\n";
-    const MeshFile read = read_mesh(folder.write("groups.obj", text));
+    const mesh::MeshFile read = mesh::read_mesh(folder.write("groups.obj", text));
     ASSERT_EQ(read.surfaces.size(), 2U);
     EXPECT_EQ(read.surfaces[0].faces.size(), 2U) << "a group that comes back is the same stone";
     EXPECT_EQ(read.surfaces[1].name, "b");
@@ -57,7 +57,7 @@ TEST(ReadMesh, ReadsContinuedLinesTexturesAndRelativeIndices)
     const std::string text =
         "\xEF\xBB\xBFv 0 0 0\r\nv +1 0 0 # a corner\r\nv 0 1e0 \\\r\n 0\r\nv 0 0 1\r\nvt 0 0\r\nf -4/1 2/1 "
         "-2/1\r\nf 1// 2// 4//\r\n";
-    const MeshFile read = read_mesh(folder.write("odd.obj", text));
+    const mesh::MeshFile read = mesh::read_mesh(folder.write("odd.obj", text));
     ASSERT_EQ(read.surfaces.size(), 1U);
     EXPECT_EQ(read.surfaces[0].name, "odd");
     ASSERT_EQ(read.surfaces[0].faces.size(), 2U);
@@ -85,7 +85,7 @@ TEST(ReadMesh, ListsAllFaultsOfAnObjFileWithTheirLines)
     const auto file =
         folder.write("bad.obj", "v 0 0 0\nv 1 nan 0\nv 0 1\nv 0 0 1\nf 1 2\nf 1 2 0\nf 1 2 9\nf 1 2 -7\n");
     try {
-        read_mesh(file);
+        mesh::read_mesh(file);
         FAIL() << "accepted";
     } catch (const InputError& error) {
         ASSERT_EQ(error.faults.size(), 6U) << error.what();
@@ -95,4 +95,4 @@ TEST(ReadMesh, ListsAllFaultsOfAnObjFileWithTheirLines)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -3,14 +3,14 @@
 
 #include "tests/importers/mesh/read_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
 
 std::string mesh_3mf()
 {
-    const PolygonSurface cube = triangulated(unit_cube());
+    const mesh::PolygonSurface cube = triangulated(unit_cube());
     std::string text = "<mesh><vertices>";
     for (const Eigen::Vector3d& x : cube.vertices)
         text += "<vertex x=\"" + digits(x.x()) + "\" y=\"" + digits(x.y()) + "\" z=\"" + digits(x.z()) + "\"/>";
@@ -34,7 +34,7 @@ std::string to_3mf(const std::string& unit, const std::string& objects, const st
 TEST(Read3mf, AppliesBuildTransformsAndComponents)
 {
     const TemporaryFolder folder;
-    const MeshFile read = read_mesh(folder.write(
+    const mesh::MeshFile read = mesh::read_mesh(folder.write(
         "plate.3mf",
         to_3mf("inch",
                "<object id=\"1\" name=\"unit\">" + mesh_3mf() +
@@ -76,4 +76,4 @@ TEST(Read3mf, RefusesCirclesMissingObjectsAndDamage)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

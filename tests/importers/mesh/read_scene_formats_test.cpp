@@ -3,12 +3,12 @@
 
 #include "tests/importers/mesh/read_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
 
-bool mentions(const MeshFile& read, const std::string& words)
+bool mentions(const mesh::MeshFile& read, const std::string& words)
 {
     return std::any_of(read.repairs.begin(), read.repairs.end(),
                        [&](const std::string& repair) { return repair.find(words) != std::string::npos; });
@@ -23,7 +23,7 @@ std::string chunk(std::uint32_t kind, std::string content, char filler)
 /// A GLB file with one cube, 1 wide with its lowest corner at the origin, and the nodes given.
 std::string to_glb(const std::string& nodes, const std::string& roots)
 {
-    const PolygonSurface cube = triangulated(unit_cube());
+    const mesh::PolygonSurface cube = triangulated(unit_cube());
     std::string binary;
     for (const Eigen::Vector3d& x : cube.vertices)
         for (int i = 0; i < 3; ++i) binary += bytes_of(static_cast<float>(x[i]));
@@ -46,7 +46,7 @@ TEST(ReadGltf, AppliesNestedTransformsAndMakesEveryInstanceAStone)
     const std::string nodes =
         R"([{"translation":[4600000.5,0,0],"rotation":[0,0,0.7071067811865476,0.7071067811865476],"children":[1,2]},)"
         R"({"name":"clé","mesh":0,"scale":[2,3,4]},{"name":"clé","mesh":0,"translation":[10,0,0]}])";
-    const MeshFile read = read_mesh(folder.write("nested.glb", to_glb(nodes, "[0]")));
+    const mesh::MeshFile read = mesh::read_mesh(folder.write("nested.glb", to_glb(nodes, "[0]")));
     ASSERT_EQ(read.surfaces.size(), 2U);
     EXPECT_EQ(read.surfaces[0].name, "clé");
     EXPECT_EQ(read.surfaces[1].name, "clé (2)");
@@ -60,7 +60,7 @@ TEST(ReadGltf, AppliesNestedTransformsAndMakesEveryInstanceAStone)
 TEST(ReadGltf, TurnsTheFacesOfMirroredNodes)
 {
     const TemporaryFolder folder;
-    const MeshFile read = read_mesh(
+    const mesh::MeshFile read = mesh::read_mesh(
         folder.write("mirror.glb", to_glb(R"([{"mesh":0,"matrix":[-2,0,0,0,0,1,0,0,0,0,1,0,5,0,0,1]}])", "[0]")));
     EXPECT_NEAR(volume_of(read.surfaces.at(0)), 2, 1e-12);
     EXPECT_EQ(lowest_of(read.surfaces[0]), Eigen::Vector3d(3, 0, 0));
@@ -88,7 +88,7 @@ TEST(ReadGltf, TakesBuffersFromBase64AndFromFilesBesideIt)
     for (const std::string uri : {"a%20point.bin",
                                   "data:application/octet-stream;base64,"
                                   "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}) {
-        const MeshFile read = read_mesh(folder.write(
+        const mesh::MeshFile read = mesh::read_mesh(folder.write(
             "t.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
                       R"({"POSITION":0},"mode":5}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,)"
                       R"("type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"uri":")" +
@@ -124,7 +124,7 @@ TEST(ReadCollada, KeepsDigitsMaterialsOfOneStoneTogetherAndInstancesApart)
         "<node name=\"moved\"><translate>1 2 3</translate><rotate>0 0 1 90</rotate><scale>1 -1 1</scale>"
         "<instance_node url=\"#pair\"/></node></visual_scene></library_visual_scenes>"
         "<scene><instance_visual_scene url=\"#s\"/></scene>";
-    const MeshFile read = read_mesh(
+    const mesh::MeshFile read = mesh::read_mesh(
         folder.write("two.dae", collada("<unit name=\"inch\" meter=\"0.0254\"/><up_axis>Z_UP</up_axis>", scene)));
     ASSERT_EQ(read.surfaces.size(), 2U);
     EXPECT_EQ(read.surfaces[0].name, "日本");
@@ -169,7 +169,7 @@ std::string dxf(const std::string& pairs)
 std::string polyface(const std::string& layer)
 {
     std::string text = "0 POLYLINE\n8 " + layer + "\n70 64\n71 8\n72 6\n";
-    const PolygonSurface cube = unit_cube();
+    const mesh::PolygonSurface cube = unit_cube();
     for (const Eigen::Vector3d& x : cube.vertices)
         text += "0 VERTEX\n8 0\n70 192\n10 " + digits(x.x()) + "\n20 " + digits(x.y()) + "\n30 " + digits(x.z()) +
                 "\n";
@@ -186,14 +186,14 @@ TEST(ReadDxf, ReadsPolyfaceMeshesBlocksFacesByLayerAndTheUnit)
     const TemporaryFolder folder;
     const std::string face =
         "0 3DFACE\n8 wall\n10 0\n20 0\n30 0\n11 1\n21 0\n31 0\n12 1\n22 1\n32 0\n13 0\n23 1\n33 0\n";
-    const MeshFile read =
-        read_mesh(folder.write("site.dxf", dxf("0 SECTION\n2 HEADER\n9 $INSUNITS\n70 5\n0 ENDSEC\n0 SECTION\n2 "
-                                               "BLOCKS\n0 BLOCK\n2 unit\n10 1\n20 0\n30 "
-                                               "0\n" +
-                                               polyface("0") + "0 ENDBLK\n0 ENDSEC\n0 SECTION\n2 ENTITIES\n" +
-                                               face + polyface("key \\U+65E5\\U+672C \\U+") + face +
-                                               "0 INSERT\n2 unit\n10 500000.123456789\n20 4600000\n30 0\n41 "
-                                               "-2\n50 90\n0 LINE\n10 0\n0 ENDSEC\n0 EOF\n")));
+    const mesh::MeshFile read = mesh::read_mesh(
+        folder.write("site.dxf", dxf("0 SECTION\n2 HEADER\n9 $INSUNITS\n70 5\n0 ENDSEC\n0 SECTION\n2 "
+                                     "BLOCKS\n0 BLOCK\n2 unit\n10 1\n20 0\n30 "
+                                     "0\n" +
+                                     polyface("0") + "0 ENDBLK\n0 ENDSEC\n0 SECTION\n2 ENTITIES\n" + face +
+                                     polyface("key \\U+65E5\\U+672C \\U+") + face +
+                                     "0 INSERT\n2 unit\n10 500000.123456789\n20 4600000\n30 0\n41 "
+                                     "-2\n50 90\n0 LINE\n10 0\n0 ENDSEC\n0 EOF\n")));
     ASSERT_EQ(read.surfaces.size(), 3U);
     EXPECT_EQ(read.surfaces[0].name, "key 日本 \\U+");
     EXPECT_NEAR(volume_of(read.surfaces[0]), 1, 1e-12);
@@ -203,7 +203,7 @@ TEST(ReadDxf, ReadsPolyfaceMeshesBlocksFacesByLayerAndTheUnit)
     EXPECT_EQ(read.surfaces[2].faces.size(), 2U);
     EXPECT_EQ(read.metres_per_unit, 0.01);
     EXPECT_TRUE(mentions(read, "1 LINE"));
-    EXPECT_EQ(read_mesh(folder.path() / "site.dxf", {StonesBy::group}).surfaces.size(), 3U);
+    EXPECT_EQ(mesh::read_mesh(folder.path() / "site.dxf", {mesh::StonesBy::group}).surfaces.size(), 3U);
 }
 
 TEST(ReadDxf, ReadsMeshesAndGrids)
@@ -218,7 +218,7 @@ TEST(ReadDxf, ReadsMeshesAndGrids)
         "2\n94 1\n90 0\n90 1\n95 0\n";
     for (int i = 0; i < 9; ++i)
         grid += "0 VERTEX\n70 64\n10 " + std::to_string(i) + "\n20 " + std::to_string(i % 3) + "\n30 0\n";
-    const MeshFile read = read_mesh(
+    const mesh::MeshFile read = mesh::read_mesh(
         folder.write("m.dxf", dxf("0 SECTION\n2 ENTITIES\n" + mesh + grid + "0 SEQEND\n0 ENDSEC\n0 EOF\n")));
     ASSERT_EQ(read.surfaces.size(), 2U);
     EXPECT_NEAR(volume_of(read.surfaces[0]), 1. / 6, 1e-15);
@@ -240,7 +240,7 @@ TEST(ReadDxf, RefusesCirclesCutFilesAndBinary)
 
 std::string compas_mesh(const std::string& type)
 {
-    const PolygonSurface cube = unit_cube();
+    const mesh::PolygonSurface cube = unit_cube();
     std::string vertices, faces;
     for (std::size_t v = 0; v < cube.vertices.size(); ++v) {
         const Eigen::Vector3d& x = cube.vertices[v];
@@ -279,7 +279,7 @@ TEST(ReadCompas, ReadsEveryDialect)
          R"("faces":[[0,2,1],[0,1,3],[1,2,3],[0,3,2]]}})",
          {"dialect"}}};
     for (const auto& [text, names] : dialects) {
-        const MeshFile read = read_mesh(folder.write("dialect.json", text));
+        const mesh::MeshFile read = mesh::read_mesh(folder.write("dialect.json", text));
         ASSERT_EQ(read.surfaces.size(), names.size()) << text.substr(0, 100);
         for (std::size_t i = 0; i < names.size(); ++i) {
             EXPECT_EQ(read.surfaces[i].name, names[i]) << text.substr(0, 100);
@@ -307,4 +307,4 @@ TEST(ReadCompas, SaysWhatIsMissing)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

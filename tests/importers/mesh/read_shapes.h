@@ -14,14 +14,14 @@
 #include "libdda/errors.h"
 #include "tests/importers/shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 
 /// The sentence of the refusal; empty when the file is read.
 inline std::string refusal(const std::filesystem::path& file)
 {
     try {
-        read_mesh(file);
+        mesh::read_mesh(file);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -49,7 +49,7 @@ std::string bytes_of(Number value, bool big_endian = false)
     return bytes;
 }
 
-inline std::string to_off(const PolygonSurface& surface)
+inline std::string to_off(const mesh::PolygonSurface& surface)
 {
     std::string text =
         "OFF\n" + std::to_string(surface.vertices.size()) + " " + std::to_string(surface.faces.size()) + " 0\n";
@@ -62,7 +62,7 @@ inline std::string to_off(const PolygonSurface& surface)
     return text;
 }
 
-inline std::string to_ascii_stl(const PolygonSurface& surface, const std::string& name)
+inline std::string to_ascii_stl(const mesh::PolygonSurface& surface, const std::string& name)
 {
     std::string text = "solid " + name + "\n";
     for (const std::vector<int>& face : surface.faces) {
@@ -73,7 +73,7 @@ inline std::string to_ascii_stl(const PolygonSurface& surface, const std::string
     return text + "endsolid " + name + "\n";
 }
 
-inline std::string to_binary_stl(const PolygonSurface& surface, std::string header)
+inline std::string to_binary_stl(const mesh::PolygonSurface& surface, std::string header)
 {
     header.resize(80, ' ');
     std::string bytes = header + bytes_of(static_cast<std::uint32_t>(surface.faces.size()));
@@ -87,7 +87,7 @@ inline std::string to_binary_stl(const PolygonSurface& surface, std::string head
 }
 
 /// @param format ascii, binary_little_endian or binary_big_endian; coordinates are doubles
-inline std::string to_ply(const PolygonSurface& surface, const std::string& format)
+inline std::string to_ply(const mesh::PolygonSurface& surface, const std::string& format)
 {
     const bool ascii = format == "ascii", big = format == "binary_big_endian";
     std::string text =
@@ -130,7 +130,7 @@ inline std::string to_zip(const std::vector<std::pair<std::string, std::string>>
 }
 
 /// The signed volume of a closed surface, by fans.
-inline double volume_of(const PolygonSurface& surface)
+inline double volume_of(const mesh::PolygonSurface& surface)
 {
     double six = 0;
     const Eigen::Vector3d& o = surface.vertices[0];
@@ -141,11 +141,11 @@ inline double volume_of(const PolygonSurface& surface)
     return six / 6;
 }
 
-inline Eigen::Vector3d lowest_of(const PolygonSurface& surface)
+inline Eigen::Vector3d lowest_of(const mesh::PolygonSurface& surface)
 {
     Eigen::Vector3d lower = surface.vertices[0];
     for (const Eigen::Vector3d& x : surface.vertices) lower = lower.cwiseMin(x);
     return lower;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

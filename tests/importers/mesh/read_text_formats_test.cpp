@@ -3,7 +3,7 @@
 
 #include "tests/importers/mesh/read_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -18,7 +18,7 @@ class FarAway : public testing::Test
             x = 1.7 / 3 * x + Eigen::Vector3d(5e5 + 1. / 7, 4.6e6 + 2. / 11, 800 + 1. / 3);
     }
     /// Corner by corner, bit by bit.
-    void expect_same(const MeshFile& read) const
+    void expect_same(const mesh::MeshFile& read) const
     {
         ASSERT_EQ(read.surfaces.size(), 1U);
         EXPECT_EQ(read.rounding, 0);
@@ -28,36 +28,37 @@ class FarAway : public testing::Test
                 EXPECT_EQ(read.surfaces[0].vertices[read.surfaces[0].faces[f][i]],
                           cube_.vertices[cube_.faces[f][i]]);
     }
-    PolygonSurface cube_;
+    mesh::PolygonSurface cube_;
     TemporaryFolder folder_;
 };
 
 TEST_F(FarAway, ObjKeepsEveryBit)
 {
-    expect_same(read_mesh(folder_.write("far.obj", to_obj({cube_}, {}))));
+    expect_same(mesh::read_mesh(folder_.write("far.obj", mesh::to_obj({cube_}, {}))));
 }
 
 TEST_F(FarAway, OffKeepsEveryBit)
 {
-    expect_same(read_mesh(folder_.write("far.off", to_off(cube_))));
+    expect_same(mesh::read_mesh(folder_.write("far.off", to_off(cube_))));
 }
 
 TEST_F(FarAway, AsciiStlKeepsEveryBit)
 {
-    expect_same(read_mesh(folder_.write("far.stl", to_ascii_stl(cube_, "far"))));
+    expect_same(mesh::read_mesh(folder_.write("far.stl", to_ascii_stl(cube_, "far"))));
 }
 
 TEST_F(FarAway, PlyKeepsEveryBitInAllItsEncodings)
 {
     for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"})
-        expect_same(read_mesh(folder_.write("far.ply", to_ply(cube_, format))));
+        expect_same(mesh::read_mesh(folder_.write("far.ply", to_ply(cube_, format))));
 }
 
 TEST(ReadStl, BinaryWhoseHeaderBeginsWithSolidIsBinary)
 {
     const TemporaryFolder folder;
-    const PolygonSurface cube = triangulated(unit_cube());
-    const MeshFile read = read_mesh(folder.write("liar.stl", to_binary_stl(cube, "solid facet normal liar")));
+    const mesh::PolygonSurface cube = triangulated(unit_cube());
+    const mesh::MeshFile read =
+        mesh::read_mesh(folder.write("liar.stl", to_binary_stl(cube, "solid facet normal liar")));
     ASSERT_EQ(read.surfaces.size(), 1U);
     EXPECT_EQ(read.surfaces[0].name, "liar");
     EXPECT_EQ(read.surfaces[0].faces.size(), 12U);
@@ -69,14 +70,14 @@ TEST(ReadStl, BinaryWhoseHeaderBeginsWithSolidIsBinary)
 TEST(ReadStl, EverySolidIsAStone)
 {
     const TemporaryFolder folder;
-    const PolygonSurface cube = triangulated(unit_cube());
-    const MeshFile read = read_mesh(folder.write(
+    const mesh::PolygonSurface cube = triangulated(unit_cube());
+    const mesh::MeshFile read = mesh::read_mesh(folder.write(
         "two.stl", to_ascii_stl(cube, "left stone") + to_ascii_stl(cube, "right stone") + to_ascii_stl(cube, "")));
     ASSERT_EQ(read.surfaces.size(), 3U);
     EXPECT_EQ(read.surfaces[0].name, "left stone");
     EXPECT_EQ(read.surfaces[1].name, "right stone");
     EXPECT_EQ(read.surfaces[2].name, "two");
-    const MeshFile whole = read_mesh(folder.path() / "two.stl", {StonesBy::file});
+    const mesh::MeshFile whole = mesh::read_mesh(folder.path() / "two.stl", {mesh::StonesBy::file});
     ASSERT_EQ(whole.surfaces.size(), 1U);
     EXPECT_EQ(whole.surfaces[0].faces.size(), 36U);
 }
@@ -94,7 +95,7 @@ TEST(ReadStl, FaultsNameTheirLine)
 TEST(ReadPly, TakesTriangleStripsAndPassesOverOtherElements)
 {
     const TemporaryFolder folder;
-    const MeshFile read = read_mesh(folder.write(
+    const mesh::MeshFile read = mesh::read_mesh(folder.write(
         "strip.ply",
         "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty double x\nproperty list uchar "
         "int "
@@ -145,7 +146,7 @@ TEST(ReadOff, TakesEveryHeader)
           "COFF\r\n4 4 0\r\n0 0 0 255 0 0 255\r\n1 0 0 1 1 1 1\r\n0 1 0 0 0 0 1\r\n0 0 1 0 0 0 1\r\n" + faces,
           "NOFF\n4 4 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n" + faces,
           "STCNOFF\n4 4 0\n0 0 0 0 0 1 1 1 1 1 0 0\n1 0 0\n0 1 0\n0 0 1\n" + faces}) {
-        const MeshFile read = read_mesh(folder.write("t.off", text));
+        const mesh::MeshFile read = mesh::read_mesh(folder.write("t.off", text));
         ASSERT_EQ(read.surfaces.size(), 1U) << text;
         EXPECT_EQ(read.surfaces[0].vertices[1], Eigen::Vector3d(1, 0, 0)) << text;
         EXPECT_EQ(read.surfaces[0].faces.size(), 4U) << text;
@@ -166,13 +167,13 @@ TEST(ReadObj, IsReadByObjectOrGroupAsAsked)
     const auto file = folder.write("levels.obj",
                                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no left\ng low\nf 1 2 3\ng high\nf 1 2 4\n"
                                    "o right\ng low\nf -4 -3 \\\n -1\nl 1 2\n");
-    EXPECT_EQ(read_mesh(file).surfaces.size(), 2U);
-    EXPECT_EQ(read_mesh(file, {StonesBy::object}).surfaces[1].name, "right");
-    const MeshFile groups = read_mesh(file, {StonesBy::group});
+    EXPECT_EQ(mesh::read_mesh(file).surfaces.size(), 2U);
+    EXPECT_EQ(mesh::read_mesh(file, {mesh::StonesBy::object}).surfaces[1].name, "right");
+    const mesh::MeshFile groups = mesh::read_mesh(file, {mesh::StonesBy::group});
     ASSERT_EQ(groups.surfaces.size(), 2U);
     EXPECT_EQ(groups.surfaces[0].name, "low");
     EXPECT_EQ(groups.surfaces[0].faces.size(), 2U);
-    EXPECT_EQ(read_mesh(file, {StonesBy::file}).surfaces.size(), 1U);
+    EXPECT_EQ(mesh::read_mesh(file, {mesh::StonesBy::file}).surfaces.size(), 1U);
     ASSERT_EQ(groups.repairs.size(), 1U);
     EXPECT_NE(groups.repairs[0].find("1 lines"), std::string::npos);
 }
@@ -180,14 +181,14 @@ TEST(ReadObj, IsReadByObjectOrGroupAsAsked)
 TEST(ReadMesh, JudgesByContentNotByName)
 {
     const TemporaryFolder folder;
-    const PolygonSurface cube = triangulated(unit_cube());
+    const mesh::PolygonSurface cube = triangulated(unit_cube());
     for (const auto& [name, content] :
          std::vector<std::pair<std::string, std::string>>{{"a.ply", to_ascii_stl(cube, "a")},
                                                           {"b.obj", to_binary_stl(cube, "b")},
-                                                          {"c.stl", to_obj({cube}, {"a comment"})},
+                                                          {"c.stl", mesh::to_obj({cube}, {"a comment"})},
                                                           {"d.txt", to_ply(cube, "binary_big_endian")},
                                                           {"e", to_off(cube)}}) {
-        const MeshFile read = read_mesh(folder.write(name, content));
+        const mesh::MeshFile read = mesh::read_mesh(folder.write(name, content));
         EXPECT_EQ(read.surfaces.at(0).faces.size(), 12U) << name;
         EXPECT_EQ(read.repairs.empty(), name[0] > 'c') << name;
     }
@@ -196,9 +197,9 @@ TEST(ReadMesh, JudgesByContentNotByName)
 TEST(ReadMesh, ReadsUtf16WithAndWithoutAMark)
 {
     const TemporaryFolder folder;
-    PolygonSurface cube = unit_cube();
+    mesh::PolygonSurface cube = unit_cube();
     cube.name = "clé 日本 😀";
-    const std::string text = to_obj({cube}, {});
+    const std::string text = mesh::to_obj({cube}, {});
     std::u16string wide = u"# a comment of plain characters at the beginning\no clé 日本 😀\n";
     for (const char c : text.substr(text.find("\nv ") + 1)) wide.push_back(static_cast<unsigned char>(c));
     for (const bool mark : {true, false})
@@ -208,7 +209,7 @@ TEST(ReadMesh, ReadsUtf16WithAndWithoutAMark)
                 const char high = static_cast<char>(unit >> 8), low = static_cast<char>(unit & 0xFF);
                 bytes.append({big ? high : low, big ? low : high});
             }
-            const MeshFile read = read_mesh(folder.write("wide.obj", bytes));
+            const mesh::MeshFile read = mesh::read_mesh(folder.write("wide.obj", bytes));
             ASSERT_EQ(read.surfaces.size(), 1U);
             EXPECT_EQ(read.surfaces[0].name, cube.name);
             EXPECT_EQ(read.surfaces[0].faces.size(), 6U);
@@ -219,7 +220,8 @@ TEST(ReadMesh, ReadsUtf16WithAndWithoutAMark)
 TEST(ReadMesh, NamesThatAreNotUtf8AreTakenForLatin1)
 {
     const TemporaryFolder folder;
-    const MeshFile read = read_mesh(folder.write("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no cl\xE9\nf 1 2 3\n"));
+    const mesh::MeshFile read =
+        mesh::read_mesh(folder.write("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no cl\xE9\nf 1 2 3\n"));
     EXPECT_EQ(read.surfaces[0].name, "clé");
     EXPECT_NE(refusal(folder.write("m.obj", "v 0 0 0\nf 1 2 \xE9\n")).find("é"), std::string::npos);
 }
@@ -232,4 +234,4 @@ TEST(ReadMesh, RefusesCompressedFilesByTheirContent)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

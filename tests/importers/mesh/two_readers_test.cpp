@@ -14,7 +14,7 @@
 
 #include "tests/importers/mesh/read_shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -31,19 +31,19 @@ struct Summary {
     std::string names;  // one a line
 };
 
-Eigen::Vector3d to_model(const MeshFile& file, const Eigen::Vector3d& x)
+Eigen::Vector3d to_model(const mesh::MeshFile& file, const Eigen::Vector3d& x)
 {
     const Eigen::Vector3d scaled = file.metres_per_unit.value_or(1) * x;
     return file.up == 'y' ? Eigen::Vector3d(scaled.x(), -scaled.z(), scaled.y()) : scaled;
 }
 
-Summary summary_of(const MeshFile& file, const Eigen::Vector3d* from)
+Summary summary_of(const mesh::MeshFile& file, const Eigen::Vector3d* from)
 {
     Summary sum;
     sum.outcome = "read";
     sum.stones = file.surfaces.size();
     sum.rounding = file.rounding * file.metres_per_unit.value_or(1);
-    for (const PolygonSurface& surface : file.surfaces) {
+    for (const mesh::PolygonSurface& surface : file.surfaces) {
         sum.names += surface.name + "\n";
         for (const Eigen::Vector3d& x : surface.vertices) {
             sum.lower = sum.lower.cwiseMin(to_model(file, x));
@@ -51,7 +51,7 @@ Summary summary_of(const MeshFile& file, const Eigen::Vector3d* from)
         }
     }
     const Eigen::Vector3d o = from != nullptr ? *from : sum.lower;
-    for (const PolygonSurface& surface : file.surfaces)
+    for (const mesh::PolygonSurface& surface : file.surfaces)
         for (const std::vector<int>& face : surface.faces)
             for (std::size_t i = 1; i + 1 < face.size(); ++i, ++sum.triangles) {
                 const auto corner = [&](std::size_t k) -> Eigen::Vector3d {
@@ -84,7 +84,7 @@ Summary from_text(const std::string& text)
 }
 
 /// Reads in a child process. @param from corner of the cones; null: the lowest corner
-Summary read_apart(const fs::path& file, MeshReader reader, const Eigen::Vector3d* from)
+Summary read_apart(const fs::path& file, mesh::MeshReader reader, const Eigen::Vector3d* from)
 {
     int ends[2];
     if (pipe(ends) != 0) return {};
@@ -96,7 +96,7 @@ Summary read_apart(const fs::path& file, MeshReader reader, const Eigen::Vector3
         if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(1);  // what a crash prints
         std::string text = "refused\n";
         try {
-            text = to_text(summary_of(read_mesh(file, {StonesBy::detect, reader}), from));
+            text = to_text(summary_of(mesh::read_mesh(file, {mesh::StonesBy::detect, reader}), from));
         } catch (const InputError&) {
         }
         const bool written = write(ends[1], text.data(), text.size()) == static_cast<ssize_t>(text.size());
@@ -183,10 +183,10 @@ int compare_all(const std::vector<fs::path>& folders)
 {
     int compared = 0;
     for (const fs::path& file : files_below(folders)) {
-        const Summary own = read_apart(file, MeshReader::own, nullptr);
+        const Summary own = read_apart(file, mesh::MeshReader::own, nullptr);
         EXPECT_NE(own.outcome, "crash") << file;
         if (own.outcome != "read" || file.extension() == ".json") continue;
-        const Summary assimp = read_apart(file, MeshReader::assimp, &own.lower);
+        const Summary assimp = read_apart(file, mesh::MeshReader::assimp, &own.lower);
         const std::string name = file.filename();
         const auto entry = known.find(name);
         const std::set<std::string> expected =
@@ -199,9 +199,9 @@ int compare_all(const std::vector<fs::path>& folders)
 }
 
 /// A cube of 1 m at the coordinates of a survey, to a tenth of a millimetre.
-PolygonSurface surveyed_cube()
+mesh::PolygonSurface surveyed_cube()
 {
-    PolygonSurface cube = triangulated(unit_cube());
+    mesh::PolygonSurface cube = triangulated(unit_cube());
     cube.name = "stone";
     for (Eigen::Vector3d& x : cube.vertices) x += Eigen::Vector3d(500000.1234, 4600000.5678, 241.2);
     return cube;
@@ -213,12 +213,13 @@ PolygonSurface surveyed_cube()
 TEST(TwoReaders, AssimpLosesAQuarterOfAMetreAtANorthingOf4600Km)
 {
     const TemporaryFolder folder;
-    const PolygonSurface cube = surveyed_cube();
+    const mesh::PolygonSurface cube = surveyed_cube();
     for (const fs::path& file :
-         {folder.write("a.obj", to_obj({cube}, {})), folder.write("a.off", to_off(cube)),
+         {folder.write("a.obj", mesh::to_obj({cube}, {})), folder.write("a.off", to_off(cube)),
           folder.write("a.stl", to_ascii_stl(cube, "stone")), folder.write("a.ply", to_ply(cube, "ascii")),
           folder.write("b.ply", to_ply(cube, "binary_little_endian"))}) {
-        const MeshFile own = read_mesh(file), other = read_mesh(file, {StonesBy::detect, MeshReader::assimp});
+        const mesh::MeshFile own = mesh::read_mesh(file),
+                             other = mesh::read_mesh(file, {mesh::StonesBy::detect, mesh::MeshReader::assimp});
         const Eigen::Vector3d known = lowest_of(cube);
         EXPECT_EQ(lowest_of(own.surfaces.at(0)), known) << file;
         EXPECT_EQ(own.rounding, 0) << file;
@@ -241,4 +242,4 @@ TEST(TwoReaders, AgreeOnTheCollection)
     EXPECT_GE(compare_all({data / "meshes"}), 90);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -12,7 +12,7 @@
 #include "libdda/errors.h"
 #include "tests/importers/shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
@@ -25,23 +25,23 @@ std::string read(const std::filesystem::path& file)
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-bool has_vertex(const PolygonSurface& stone, const Vector3d& x)
+bool has_vertex(const mesh::PolygonSurface& stone, const Vector3d& x)
 {
     return std::find(stone.vertices.begin(), stone.vertices.end(), x) != stone.vertices.end();
 }
 
 /// Corners of the near side of voussoir i: left intrados, left extrados, right extrados, right intrados.
-std::array<Vector3d, 4> corners(const PolygonSurface& voussoir)
+std::array<Vector3d, 4> corners(const mesh::PolygonSurface& voussoir)
 {
     return {voussoir.vertices[0], voussoir.vertices[1], voussoir.vertices[2], voussoir.vertices[3]};
 }
 
 TEST(ArchBridge, HasTheSpanRiseAndThicknessThatWereAsked)
 {
-    ArchBridge bridge;
+    patterns::ArchBridge bridge;
     bridge.rise = 1.5;
     bridge.voussoirs = 92;  // even: there is a joint in the crown
-    const std::vector<PolygonSurface> stones = arch_bridge(bridge);
+    const std::vector<mesh::PolygonSurface> stones = patterns::arch_bridge(bridge);
     ASSERT_EQ(stones.size(), 94U);
     EXPECT_EQ(stones[1].name, "voussoir_01");
     EXPECT_EQ(stones[92].name, "voussoir_92");
@@ -57,8 +57,8 @@ TEST(ArchBridge, HasTheSpanRiseAndThicknessThatWereAsked)
 
 TEST(ArchBridge, HasRadialJointsAtEqualAnglesOnTheCircle)
 {
-    const ArchBridge bridge;
-    const std::vector<PolygonSurface> stones = arch_bridge(bridge);
+    const patterns::ArchBridge bridge;
+    const std::vector<mesh::PolygonSurface> stones = patterns::arch_bridge(bridge);
     const double radius = (22.5 * 22.5 + 5.5 * 5.5) / 11;
     const Vector3d centre(0, -6, 5.5 - radius);
     const double step = 2 * std::asin(22.5 / radius) / 93;
@@ -74,9 +74,9 @@ TEST(ArchBridge, HasRadialJointsAtEqualAnglesOnTheCircle)
 TEST(ArchBridge, NeighboursShareTheirJointAndTheMeshIsSymmetricToTheLastBit)
 {
     for (const double rise : {1.5, 5.5, 15.}) {
-        ArchBridge bridge;
+        patterns::ArchBridge bridge;
         bridge.rise = rise;
-        const std::vector<PolygonSurface> stones = arch_bridge(bridge);
+        const std::vector<mesh::PolygonSurface> stones = patterns::arch_bridge(bridge);
         for (std::size_t i = 0; i + 1 < stones.size(); ++i) {
             int shared = 0;
             for (const Vector3d& x : stones[i].vertices) shared += has_vertex(stones[i + 1], x);
@@ -92,13 +92,13 @@ TEST(ArchBridge, NeighboursShareTheirJointAndTheMeshIsSymmetricToTheLastBit)
 
 TEST(ArchBridge, NamesEveryParameterThatMakesNoBridge)
 {
-    ArchBridge bridge;
+    patterns::ArchBridge bridge;
     bridge.rise = 30;
     bridge.voussoirs = 1;
     bridge.width = std::nan("");
     bridge.abutment_length = 1;
     try {
-        arch_bridge(bridge);
+        patterns::arch_bridge(bridge);
         FAIL() << "accepted";
     } catch (const InputError& error) {
         EXPECT_EQ(error.faults.size(), 4U) << error.what();
@@ -111,8 +111,9 @@ class CaseMeshes : public testing::TestWithParam<const char*>
 
 TEST_P(CaseMeshes, AreCertifiedWithoutRepairOrOverlap)
 {
-    const Geometry geometry = import_meshes({{.file = std::filesystem::path(VOUSSOIR_CASE_MESHES) / GetParam()}});
-    const ImportedMesh& mesh = geometry.meshes[0];
+    const helper::Geometry geometry =
+        helper::import_meshes({{.file = std::filesystem::path(VOUSSOIR_CASE_MESHES) / GetParam()}});
+    const helper::ImportedMesh& mesh = geometry.meshes[0];
     EXPECT_TRUE(mesh.accepted) << mesh.reason;
     EXPECT_TRUE(mesh.repairs.empty());
     EXPECT_TRUE(geometry.overlaps.empty());
@@ -121,7 +122,7 @@ TEST_P(CaseMeshes, AreCertifiedWithoutRepairOrOverlap)
     EXPECT_EQ(mesh.stones.front().name, "abutment_left");
     EXPECT_EQ(mesh.stones[47].name, "voussoir_47");
     EXPECT_EQ(mesh.stones.back().name, "abutment_right");
-    for (const Stone& stone : mesh.stones) {
+    for (const helper::Stone& stone : mesh.stones) {
         EXPECT_TRUE(stone.repairs.empty());
         EXPECT_EQ(stone.parts[0].faces.size(), stone.name.starts_with("abutment") ? 7U : 6U) << stone.name;
     }
@@ -146,4 +147,4 @@ INSTANTIATE_TEST_SUITE_P(Each, CaseMeshes,
                                          "mosca_bridge_paper_large.obj"));
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -6,15 +6,15 @@
 
 #include "tests/importers/patterns/masonry_checks.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
 
 /// Inside, n blocks of 0.6 m along x and m along y; `up` courses of 0.3 m; walls of 0.4 m.
-House whole_house(int n, int m, int up)
+patterns::House whole_house(int n, int m, int up)
 {
-    House house;
+    patterns::House house;
     house.length = 0.6 * n + 0.8;
     house.width = 0.6 * m + 0.8;
     house.height = 0.3 * up;
@@ -22,19 +22,19 @@ House whole_house(int n, int m, int up)
 }
 
 /// As cases/house.yaml has it.
-House pierced_house()
+patterns::House pierced_house()
 {
-    House house;
+    patterns::House house;
     house.length = 5;
     house.width = 4;
     house.height = 2.8;
     house.block_height = 0.35;
     house.lintel = {0.35, 0.3};
     house.base = {0.3, 0.2};
-    house.openings = {{Side::south, {0.9, 0, 1, 2.1}},
-                      {Side::south, {2.9, 1.05, 1, 1.05}},
-                      {Side::north, {2, 1.05, 1, 1.05}},
-                      {Side::east, {1.5, 1.05, 1, 1.05}}};
+    house.openings = {{patterns::Side::south, {0.9, 0, 1, 2.1}},
+                      {patterns::Side::south, {2.9, 1.05, 1, 1.05}},
+                      {patterns::Side::north, {2, 1.05, 1, 1.05}},
+                      {patterns::Side::east, {1.5, 1.05, 1, 1.05}}};
     return house;
 }
 
@@ -49,8 +49,8 @@ class WholeHouse : public testing::TestWithParam<Size>
 TEST_P(WholeHouse, HasTheBlocksAndJointsOfRunningBond)
 {
     const auto [n, m, up] = GetParam();
-    const House asked = whole_house(n, m, up);
-    const std::vector<MasonryBlock> blocks = house(asked);
+    const patterns::House asked = whole_house(n, m, up);
+    const std::vector<patterns::MasonryBlock> blocks = patterns::house(asked);
     // A wall that ends at the inner corners has n blocks, one that runs through has n + 1.
     const int in_course = 2 * (n + m + 1);
     ASSERT_EQ(static_cast<int>(blocks.size()), 1 + up * in_course);
@@ -69,17 +69,17 @@ INSTANTIATE_TEST_SUITE_P(Sizes, WholeHouse, testing::Values(Size{1, 1, 2}, Size{
 
 TEST(House, RunsItsWallsThroughTheCornersInTurn)
 {
-    const std::vector<MasonryBlock> blocks = house(whole_house(4, 3, 2));
+    const std::vector<patterns::MasonryBlock> blocks = patterns::house(whole_house(4, 3, 2));
     std::set<std::string> at_corner;  // blocks with a corner at the outer corner (0, 0)
-    for (const MasonryBlock& block : blocks)
+    for (const patterns::MasonryBlock& block : blocks)
         if (block.corners[0].head<2>() == Eigen::Vector2d::Zero()) at_corner.insert(block.name);
     EXPECT_EQ(at_corner, (std::set<std::string>{"house_base", "house_south_c01_b01", "house_west_c02_b01"}));
 }
 
 TEST(House, WithOpeningsHasTheVolumeAndJointsOfItsGeometry)
 {
-    const House asked = pierced_house();
-    const std::vector<MasonryBlock> blocks = house(asked);
+    const patterns::House asked = pierced_house();
+    const std::vector<patterns::MasonryBlock> blocks = patterns::house(asked);
     EXPECT_EQ(blocks.size(), 201U);
     const double plan = 2 * 0.4 * (5 + 4 - 0.8), holes = 2.1 + 3 * 1.05;
     EXPECT_NEAR(volume_of(blocks), plan * 2.8 - 0.4 * holes + 0.3 * 5.4 * 4.4, 1e-11);
@@ -96,7 +96,7 @@ TEST(House, WithOpeningsHasTheVolumeAndJointsOfItsGeometry)
 
 TEST(House, BondsItsJointsByAQuarterBlock)
 {
-    const std::vector<MasonryBlock> blocks = house(pierced_house());
+    const std::vector<patterns::MasonryBlock> blocks = patterns::house(pierced_house());
     for (const char* side : {"house_south", "house_north"})
         EXPECT_GE(smallest_bond(vertical_joints(blocks, side, 0, 0.4, 5)), 0.15 - 1e-5) << side;
     for (const char* side : {"house_east", "house_west"})
@@ -105,10 +105,10 @@ TEST(House, BondsItsJointsByAQuarterBlock)
 
 TEST(House, LeavesNoSliverWhateverItsSize)
 {
-    House asked = whole_house(3, 3, 3);
+    patterns::House asked = whole_house(3, 3, 3);
     for (double length = 2; length < 5; length += 0.0173) {
         asked.length = length;
-        const std::vector<MasonryBlock> blocks = house(asked);
+        const std::vector<patterns::MasonryBlock> blocks = patterns::house(asked);
         EXPECT_GT(smallest_edge(blocks), 0.2 - 1e-5) << length;
         EXPECT_TRUE(overlaps_of(blocks).empty());
         EXPECT_EQ(standing_on_first(joints_of(blocks)), static_cast<int>(blocks.size()));
@@ -120,53 +120,54 @@ TEST(House, LeavesNoSliverWhateverItsSize)
 
 TEST(House, IsTheSameWhereverItStands)
 {
-    const Joints joints = joints_of(house(pierced_house()));
-    House there = pierced_house();
+    const Joints joints = joints_of(patterns::house(pierced_house()));
+    patterns::House there = pierced_house();
     there.placement = {{-20, 30, 400}, 0.7};
-    const std::vector<MasonryBlock> blocks = house(there);
+    const std::vector<patterns::MasonryBlock> blocks = patterns::house(there);
     const Joints turned = joints_of(blocks);
     EXPECT_NEAR(turned.bed, joints.bed, 1e-9);
     EXPECT_NEAR(turned.head, joints.head, 1e-9);
     EXPECT_EQ(turned.touching, joints.touching);
-    EXPECT_NEAR(volume_of(blocks), volume_of(house(pierced_house())), 1e-9);
+    EXPECT_NEAR(volume_of(blocks), volume_of(patterns::house(pierced_house())), 1e-9);
 }
 
 TEST(House, WithImperfectionsOverlapsNowhere)
 {
-    House asked = pierced_house();
+    patterns::House asked = pierced_house();
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         asked.imperfection = {.seed = seed, .size = 0.02, .joint = 0.01, .friction = 0.05};
-        const std::vector<MasonryBlock> blocks = house(asked);
+        const std::vector<patterns::MasonryBlock> blocks = patterns::house(asked);
         EXPECT_TRUE(overlaps_of(blocks).empty());
         EXPECT_EQ(standing_on_first(joints_of(blocks)), 201);
-        EXPECT_LT(volume_of(blocks), volume_of(house(pierced_house())));
+        EXPECT_LT(volume_of(blocks), volume_of(patterns::house(pierced_house())));
     }
     asked.imperfection = {.seed = 5, .size = 0, .joint = 0.01};
-    EXPECT_TRUE(overlaps_of(house(asked)).empty());
-    EXPECT_NEAR(volume_of(house(asked)), volume_of(house(pierced_house())), 1e-11);
+    EXPECT_TRUE(overlaps_of(patterns::house(asked)).empty());
+    EXPECT_NEAR(volume_of(patterns::house(asked)), volume_of(patterns::house(pierced_house())), 1e-11);
 }
 
 TEST(HouseRefusal, NamesWhatMakesNoHouse)
 {
     const auto refusal = [](const auto& change) {
-        House asked = pierced_house();
+        patterns::House asked = pierced_house();
         change(asked);
-        return refusal_of([&] { house(asked); });
+        return refusal_of([&] { patterns::house(asked); });
     };
-    EXPECT_EQ(refusal([](House& house) { house.width = 1; }),
+    EXPECT_EQ(refusal([](patterns::House& house) { house.width = 1; }),
               "width: 1 m; must be at least two wall thicknesses and a block, 1.4 m\n"
               "openings[3]: from 1.5 m to 2.5 m along house_east; it must lie between 0.4 m and 0.6 m");
-    EXPECT_EQ(refusal([](House& house) { house.openings[0].opening.at = 0.3; }),
+    EXPECT_EQ(refusal([](patterns::House& house) { house.openings[0].opening.at = 0.3; }),
               "openings[0]: from 0.3 m to 1.3 m along house_south; it must lie between 0.4 m and 4.6 m");
-    EXPECT_EQ(refusal([](House& house) { house.openings[0].opening.at = 0.5; }),
+    EXPECT_EQ(refusal([](patterns::House& house) { house.openings[0].opening.at = 0.5; }),
               "openings[0]: its lintel would reach from 0.2 m to 1.8 m along house_south; both bearings must lie "
               "between 0.4 m and 4.6 m");
-    EXPECT_EQ(refusal([](House& house) { house.openings[3].opening.sill = 1; }),
+    EXPECT_EQ(refusal([](patterns::House& house) { house.openings[3].opening.sill = 1; }),
               "openings[1]: the sill of openings[3] and the sill of openings[1] lie 0.05 m apart in height; give "
               "them the same level, or separate them by at least a third of a course, 0.116667 m, apart")
         << "all walls have the same courses";
-    EXPECT_EQ(refusal([](House& house) { house.wall_thickness = 0; }), "wall_thickness: 0 m; must be > 0 m");
+    EXPECT_EQ(refusal([](patterns::House& house) { house.wall_thickness = 0; }),
+              "wall_thickness: 0 m; must be > 0 m");
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -14,7 +14,7 @@
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 
 /// All faults of a pattern that must be refused, one a line.
@@ -29,17 +29,17 @@ std::string refusal_of(const Make& make)
     return "accepted";
 }
 
-inline Model model_of(const std::vector<MasonryBlock>& blocks)
+inline Model model_of(const std::vector<patterns::MasonryBlock>& blocks)
 {
     JointMaterial dry;
     dry.name = "dry";
     Model model = make_model(Kinematics::spatial_rigid, {"stone", 2000, 1e9, 0.2}, dry);
-    for (const MasonryBlock& block : blocks)
-        model.blocks.push_back(make_block(block.name, 0, 0, {to_polyhedron(block)}));
+    for (const patterns::MasonryBlock& block : blocks)
+        model.blocks.push_back(make_block(block.name, 0, 0, {patterns::to_polyhedron(block)}));
     return model;
 }
 
-inline double volume_of(const std::vector<MasonryBlock>& blocks)
+inline double volume_of(const std::vector<patterns::MasonryBlock>& blocks)
 {
     double volume = 0;
     for (const Block& block : model_of(blocks).blocks) volume += block.moments.volume;
@@ -52,7 +52,7 @@ struct Joints {
     std::vector<std::vector<int>> touching;  // (blocks) over bed joints
 };
 
-inline Joints joints_of(const std::vector<MasonryBlock>& blocks)
+inline Joints joints_of(const std::vector<patterns::MasonryBlock>& blocks)
 {
     const Model model = model_of(blocks);
     State state = initial_state(model);
@@ -85,24 +85,24 @@ inline int standing_on_first(const Joints& joints)
     return static_cast<int>(reached.size());
 }
 
-inline std::vector<OverlappingPair> overlaps_of(const std::vector<MasonryBlock>& blocks)
+inline std::vector<exact::OverlappingPair> overlaps_of(const std::vector<patterns::MasonryBlock>& blocks)
 {
     std::vector<std::vector<ConvexPolyhedron>> stones;
-    for (const MasonryBlock& block : blocks) stones.push_back({to_polyhedron(block)});
-    return find_overlaps(stones, 1e-12);
+    for (const patterns::MasonryBlock& block : blocks) stones.push_back({patterns::to_polyhedron(block)});
+    return exact::find_overlaps(stones, 1e-12);
 }
 
 /// Vertical joints of the wall whose blocks' names begin with `prefix`: height of the course's foot to places
 /// along `axis` where one block ends and the next begins, or where the other wall of a corner begins.
-inline std::map<double, std::vector<double>> vertical_joints(const std::vector<MasonryBlock>& blocks,
+inline std::map<double, std::vector<double>> vertical_joints(const std::vector<patterns::MasonryBlock>& blocks,
                                                              const std::string& prefix, int axis, double corner,
                                                              double length)
 {
     std::map<double, std::vector<double>> begins, ends, joints;
     std::vector<double> feet;
-    for (const MasonryBlock& block : blocks)
+    for (const patterns::MasonryBlock& block : blocks)
         if (block.name.starts_with(prefix + "_c")) feet.push_back(block.corners[0].z());
-    for (const MasonryBlock& block : blocks)
+    for (const patterns::MasonryBlock& block : blocks)
         if (block.name.starts_with(prefix + "_"))
             for (const double z : feet)
                 if (block.corners[0].z() <= z && z < block.corners[7].z()) {
@@ -133,13 +133,13 @@ inline double smallest_bond(const std::map<double, std::vector<double>>& joints)
 }
 
 /// Shortest edge of any block [m].
-inline double smallest_edge(const std::vector<MasonryBlock>& blocks)
+inline double smallest_edge(const std::vector<patterns::MasonryBlock>& blocks)
 {
     double smallest = INFINITY;
-    for (const MasonryBlock& block : blocks)
+    for (const patterns::MasonryBlock& block : blocks)
         for (const int corner : {1, 2, 4})
             smallest = std::min(smallest, (block.corners[corner] - block.corners[0]).norm());
     return smallest;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

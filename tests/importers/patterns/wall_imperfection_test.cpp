@@ -7,18 +7,18 @@
 #include "tests/importers/patterns/masonry_checks.h"
 #include "tests/importers/patterns/wall_scenes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
 
 TEST(WallImperfection, IsTheSameForTheSameSeed)
 {
-    Wall asked = pierced_wall();
+    patterns::Wall asked = pierced_wall();
     asked.imperfection = {.seed = 7, .size = 0.01, .joint = 0.002, .friction = 0.05};
-    const std::vector<MasonryBlock> one = wall(asked), two = wall(asked);
+    const std::vector<patterns::MasonryBlock> one = patterns::wall(asked), two = patterns::wall(asked);
     asked.imperfection.seed = 8;
-    const std::vector<MasonryBlock> other = wall(asked);
+    const std::vector<patterns::MasonryBlock> other = patterns::wall(asked);
     int different = 0;
     for (std::size_t i = 0; i < one.size(); ++i) {
         EXPECT_EQ(one[i].corners, two[i].corners);
@@ -35,11 +35,11 @@ TEST(WallImperfection, IsTheSameForTheSameSeed)
 
 TEST(WallImperfection, OnlyEverMakesRoom)
 {
-    Wall asked = pierced_wall();
+    patterns::Wall asked = pierced_wall();
     asked.leaves = 2;
-    const std::vector<MasonryBlock> exact = wall(asked);
+    const std::vector<patterns::MasonryBlock> exact = patterns::wall(asked);
     asked.imperfection = {.seed = 3, .size = 0.02, .joint = 0.004, .friction = 0.1};
-    const std::vector<MasonryBlock> real = wall(asked);
+    const std::vector<patterns::MasonryBlock> real = patterns::wall(asked);
     EXPECT_TRUE(overlaps_of(real).empty());
     EXPECT_NEAR(joints_of(real).bed, joints_of(exact).bed, 0.05 * joints_of(exact).bed);
     double least = 1, most = 1, moved = 0;
@@ -68,63 +68,63 @@ TEST(WallImperfection, OnlyEverMakesRoom)
 TEST(WallRefusal, NamesEveryParameterThatMakesNoWall)
 {
     const auto refusal = [](const auto& change) {
-        Wall asked = pierced_wall();
+        patterns::Wall asked = pierced_wall();
         change(asked);
-        return refusal_of([&] { wall(asked); });
+        return refusal_of([&] { patterns::wall(asked); });
     };
-    EXPECT_EQ(refusal([](Wall& wall) { wall.thickness = 0; }), "thickness: 0 m; must be > 0 m");
-    EXPECT_EQ(refusal([](Wall& wall) { wall.length = std::nan(""), wall.height = -1; }),
+    EXPECT_EQ(refusal([](patterns::Wall& wall) { wall.thickness = 0; }), "thickness: 0 m; must be > 0 m");
+    EXPECT_EQ(refusal([](patterns::Wall& wall) { wall.length = std::nan(""), wall.height = -1; }),
               "length: nan m; must be > 0 m\nheight: -1 m; must be > 0 m");
-    EXPECT_EQ(refusal([](Wall& wall) { wall.block_length = 9; }),
+    EXPECT_EQ(refusal([](patterns::Wall& wall) { wall.block_length = 9; }),
               "block: a block 9 m long in a wall of 8 m; the block must fit into the wall");
-    EXPECT_EQ(refusal([](Wall& wall) { wall.block_height = 1e-9; }),
+    EXPECT_EQ(refusal([](patterns::Wall& wall) { wall.block_height = 1e-9; }),
               "block: more than 200000 blocks; give a larger block or a smaller wall");
-    EXPECT_EQ(refusal([](Wall& wall) { wall.length = wall.height = 120, wall.leaves = 99; }),
+    EXPECT_EQ(refusal([](patterns::Wall& wall) { wall.length = wall.height = 120, wall.leaves = 99; }),
               "block: more than 200000 blocks; give a larger block or a smaller wall")
         << "every leaf has its own blocks";
-    EXPECT_EQ(refusal([](Wall& wall) {
+    EXPECT_EQ(refusal([](patterns::Wall& wall) {
                   wall.openings = {{7.5, 0, 1, 3}};
               }),
               "openings[0]: from 7.5 m to 8.5 m along wall; it must lie between 0 m and 8 m");
-    EXPECT_EQ(refusal([](Wall& wall) {
+    EXPECT_EQ(refusal([](patterns::Wall& wall) {
                   wall.openings = {{1, 2.5, 1, 1}};
               }),
               "openings[0]: from 2.5 m to 3.5 m above the foot; it must lie between 0 m and 3 m");
-    EXPECT_EQ(refusal([](Wall& wall) {
+    EXPECT_EQ(refusal([](patterns::Wall& wall) {
                   wall.openings = {{1, 0, 1, 2}, {1.5, 0.5, 1, 1}};
               }),
               "openings[1]: openings[0] and openings[1] overlap; leave some wall between them\n"
               "openings[1]: openings[0] and the lintel over openings[1] overlap; leave some wall between them");
-    EXPECT_EQ(refusal([](Wall& wall) {
+    EXPECT_EQ(refusal([](patterns::Wall& wall) {
                   wall.openings = {{0.2, 0, 1, 2}};
               }),
               "openings[0]: its lintel would reach from -0.05 m to 1.45 m along wall; both bearings must lie "
               "between 0 m and 8 m");
-    EXPECT_EQ(refusal([](Wall& wall) {
+    EXPECT_EQ(refusal([](patterns::Wall& wall) {
                   wall.openings = {{1, 0, 1, 2.9}};
               }),
               "openings[0]: its lintel would reach up to 3.15 m; it must end at the top, 3 m, or below");
-    EXPECT_EQ(refusal([](Wall& wall) {
+    EXPECT_EQ(refusal([](patterns::Wall& wall) {
                   wall.openings = {{1, 0, 1, 2}, {2.3, 0, 1, 2}};
               }),
               "openings[1]: the lintel over openings[0] and the lintel over openings[1] overlap; leave some wall "
               "between them");
-    EXPECT_EQ(refusal([](Wall& wall) {
+    EXPECT_EQ(refusal([](patterns::Wall& wall) {
                   wall.openings = {{1, 0, 1, 2}, {4, 0, 1, 2.05}};
               }),
               "openings[1]: the head of openings[0] and the head of openings[1] lie 0.05 m apart in height; give "
               "them the same level, or separate them by at least a third of a course, 0.0833333 m, apart");
-    EXPECT_EQ(refusal([](Wall& wall) {
+    EXPECT_EQ(refusal([](patterns::Wall& wall) {
                   wall.openings = {{0.1, 0, 1, 3}};
               }),
               "openings: only 0.1 m of wall between 0 m and 0.1 m; leave no wall, or at least a third of a block, "
               "0.166667 m");
-    EXPECT_EQ(refusal([](Wall& wall) { wall.imperfection.joint = 0.1; }),
+    EXPECT_EQ(refusal([](patterns::Wall& wall) { wall.imperfection.joint = 0.1; }),
               "imperfection.joint: 0.1 m; must be >= 0 m and less than a quarter of the thickness of the wall or "
               "leaf");
-    EXPECT_EQ(refusal([](Wall& wall) { wall.header_every = 2; }),
+    EXPECT_EQ(refusal([](patterns::Wall& wall) { wall.header_every = 2; }),
               "header_every: 2; must be > 0, in a wall of several leaves");
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -3,13 +3,13 @@
 
 #include "importers/patterns/wall.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 
 /// `across` blocks of 0.5 m x 0.25 m in a course, `up` courses, 0.3 m thick.
-inline Wall whole_wall(int across, int up)
+inline patterns::Wall whole_wall(int across, int up)
 {
-    Wall wall;
+    patterns::Wall wall;
     wall.length = 0.5 * across;
     wall.height = 0.25 * up;
     wall.thickness = 0.3;
@@ -20,12 +20,12 @@ inline Wall whole_wall(int across, int up)
 }
 
 /// One with a door, a window whose sill and head lie between courses, and an opening up to the top.
-inline Wall pierced_wall()
+inline patterns::Wall pierced_wall()
 {
-    Wall wall = whole_wall(16, 12);
+    patterns::Wall wall = whole_wall(16, 12);
     wall.openings = {{1, 0, 1, 1.75}, {3.3, 0.85, 0.9, 0.8}, {6, 1.5, 1, 1.5}};
     wall.base = {0.3, 0.1};
     return wall;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -14,15 +14,15 @@
 #include "tests/importers/patterns/wall_scenes.h"
 #include "tests/importers/shapes.h"
 
-namespace voussoir
+namespace voussoir::importers
 {
 namespace
 {
 
-double holes(const Wall& wall)
+double holes(const patterns::Wall& wall)
 {
     double area = 0;
-    for (const Opening& opening : wall.openings) area += opening.width * opening.height;
+    for (const patterns::Opening& opening : wall.openings) area += opening.width * opening.height;
     return area;
 }
 
@@ -33,7 +33,7 @@ class WholeWall : public testing::TestWithParam<std::pair<int, int>>
 TEST_P(WholeWall, HasTheBlocksAndJointsOfRunningBond)
 {
     const auto [across, up] = GetParam();
-    const std::vector<MasonryBlock> blocks = wall(whole_wall(across, up));
+    const std::vector<patterns::MasonryBlock> blocks = patterns::wall(whole_wall(across, up));
     const int count = across * up + up / 2;  // one more in every second course, for its half blocks
     ASSERT_EQ(static_cast<int>(blocks.size()), count);
     EXPECT_NEAR(volume_of(blocks), 0.5 * across * 0.25 * up * 0.3, 1e-12 * count);
@@ -50,10 +50,10 @@ INSTANTIATE_TEST_SUITE_P(Sizes, WholeWall,
 
 TEST(Wall, CutsTheLastBlockAndTheLastCourse)
 {
-    Wall asked = whole_wall(4, 3);
+    patterns::Wall asked = whole_wall(4, 3);
     asked.length = 2.2;   // four blocks and 0.2 m, more than a third of a block
     asked.height = 0.85;  // three courses and 0.1 m, more than a third of a course
-    const std::vector<MasonryBlock> cut = wall(asked);
+    const std::vector<patterns::MasonryBlock> cut = patterns::wall(asked);
     ASSERT_EQ(cut.size(), 5U + 5U + 5U + 5U);  // odd courses: a half block, three and 0.45 m
     EXPECT_EQ(cut[0].name, "wall_c01_b01");
     EXPECT_EQ(cut[4].corners[0].x(), 2.0);
@@ -68,10 +68,10 @@ TEST(Wall, CutsTheLastBlockAndTheLastCourse)
 
 TEST(Wall, LeavesNoPieceShorterThanAThird)
 {
-    Wall asked = whole_wall(4, 3);
+    patterns::Wall asked = whole_wall(4, 3);
     asked.length = 2.1;  // four blocks and 0.1 m: the last is 0.6 m long
     asked.height = 0.8;  // three courses and 0.05 m: the last is 0.3 m high
-    const std::vector<MasonryBlock> merged = wall(asked);
+    const std::vector<patterns::MasonryBlock> merged = patterns::wall(asked);
     ASSERT_EQ(merged.size(), 4U + 5U + 4U);
     EXPECT_EQ(merged[3].corners[0].x(), 1.5);
     EXPECT_EQ(merged[3].corners[7].x(), 2.1);
@@ -79,26 +79,28 @@ TEST(Wall, LeavesNoPieceShorterThanAThird)
     EXPECT_EQ(merged[12].corners[7].z(), 0.8);
     for (double length = 1; length < 3; length += 0.0137) {
         asked.length = length;
-        EXPECT_GT(smallest_edge(wall(asked)), 0.25 / 3 - 1e-5) << length;
+        EXPECT_GT(smallest_edge(patterns::wall(asked)), 0.25 / 3 - 1e-5) << length;
     }
 }
 
 TEST(Wall, MakesWayForOpeningsAndBearsOnLintels)
 {
-    const Wall asked = pierced_wall();
-    const std::vector<MasonryBlock> blocks = wall(asked);
+    const patterns::Wall asked = pierced_wall();
+    const std::vector<patterns::MasonryBlock> blocks = patterns::wall(asked);
     EXPECT_EQ(blocks[0].name, "wall_base");
     EXPECT_EQ(blocks[0].corners[0], Eigen::Vector3d(-0.1, -0.1, -0.3));
     EXPECT_EQ(blocks[0].corners[7], Eigen::Vector3d(8.1, 0.4, 0));
     EXPECT_NEAR(volume_of(blocks), (8 * 3 - holes(asked)) * 0.3 + 8.2 * 0.5 * 0.3, 1e-12);
-    const auto lintel = std::find_if(blocks.begin(), blocks.end(),
-                                     [](const MasonryBlock& block) { return block.name == "wall_lintel_2"; });
+    const auto lintel = std::find_if(blocks.begin(), blocks.end(), [](const patterns::MasonryBlock& block) {
+        return block.name == "wall_lintel_2";
+    });
     ASSERT_NE(lintel, blocks.end());
     EXPECT_NEAR((lintel->corners[0] - Eigen::Vector3d(3.05, 0, 1.65)).norm(), 0, 1e-15);
     EXPECT_NEAR((lintel->corners[7] - Eigen::Vector3d(4.45, 0.3, 1.9)).norm(), 0, 1e-15);
-    EXPECT_EQ(std::count_if(blocks.begin(), blocks.end(),
-                            [](const MasonryBlock& block) { return block.name.starts_with("wall_lintel"); }),
-              2)
+    EXPECT_EQ(
+        std::count_if(blocks.begin(), blocks.end(),
+                      [](const patterns::MasonryBlock& block) { return block.name.starts_with("wall_lintel"); }),
+        2)
         << "the opening that reaches the top has none";
     EXPECT_TRUE(overlaps_of(blocks).empty());
     EXPECT_EQ(standing_on_first(joints_of(blocks)), static_cast<int>(blocks.size()));
@@ -106,27 +108,27 @@ TEST(Wall, MakesWayForOpeningsAndBearsOnLintels)
 
 TEST(Wall, BondsItsJointsByAQuarterBlockRoundOpenings)
 {
-    Wall asked = pierced_wall();
+    patterns::Wall asked = pierced_wall();
     asked.openings.erase(asked.openings.begin() +
                          1);  // its lintel reaches through two courses, and so do its ends
     for (double at = 0.7; at < 3.5; at += 0.0319) {
         asked.openings[0].at = at;
-        EXPECT_GE(smallest_bond(vertical_joints(wall(asked), "wall", 0, 0, 0)), 0.125 - 1e-5) << at;
+        EXPECT_GE(smallest_bond(vertical_joints(patterns::wall(asked), "wall", 0, 0, 0)), 0.125 - 1e-5) << at;
     }
 }
 
 TEST(Wall, HasTheBedsOfEveryLevel)
 {
-    const Wall asked = pierced_wall();
-    const std::vector<MasonryBlock> blocks = wall(asked);
+    const patterns::Wall asked = pierced_wall();
+    const std::vector<patterns::MasonryBlock> blocks = patterns::wall(asked);
     // Without the openings every bed is 8 m long; at each bed an opening takes its width away, from sill to head.
     std::set<double> levels;
-    for (const MasonryBlock& block : blocks)
+    for (const patterns::MasonryBlock& block : blocks)
         if (block.name.starts_with("wall_c")) levels.insert(block.corners[0].z());
     double length = 0;
     for (const double z : levels) {
         length += 8;
-        for (const Opening& opening : asked.openings)
+        for (const patterns::Opening& opening : asked.openings)
             if (z > opening.sill - 1e-9 && z < opening.sill + opening.height + 1e-9) length -= opening.width;
     }
     // Inside the lintels, 1.65 m to 1.9 m and 1.75 m to 2 m, there is no bed at 1.75 m and 1.9 m.
@@ -135,21 +137,22 @@ TEST(Wall, HasTheBedsOfEveryLevel)
 
 TEST(Wall, HasLeavesThatHeadersHoldTogether)
 {
-    Wall asked = whole_wall(8, 6);
+    patterns::Wall asked = whole_wall(8, 6);
     asked.thickness = 0.6;
     asked.leaves = 2;
     asked.header_every = 3;
-    const std::vector<MasonryBlock> blocks = wall(asked);
+    const std::vector<patterns::MasonryBlock> blocks = patterns::wall(asked);
     EXPECT_EQ(blocks[0].name, "wall_c01_l1_b01");
     EXPECT_NEAR(volume_of(blocks), 4 * 1.5 * 0.6, 1e-12);
     EXPECT_TRUE(overlaps_of(blocks).empty());
     int headers = 0;
-    for (const MasonryBlock& block : blocks)
+    for (const patterns::MasonryBlock& block : blocks)
         if (block.corners[7].y() - block.corners[0].y() == 0.6) ++headers;
     EXPECT_GE(headers, 2 * 8);
-    EXPECT_EQ(std::count_if(blocks.begin(), blocks.end(),
-                            [](const MasonryBlock& block) { return block.name.starts_with("wall_c03_b"); }),
-              8)
+    EXPECT_EQ(
+        std::count_if(blocks.begin(), blocks.end(),
+                      [](const patterns::MasonryBlock& block) { return block.name.starts_with("wall_c03_b"); }),
+        8)
         << "its joints lie a quarter off those of both leaves";
     EXPECT_NEAR(joints_of(blocks).bed, 5 * 4 * 0.6, 1e-12);
     EXPECT_EQ(standing_on_first(joints_of(blocks)), static_cast<int>(blocks.size()));
@@ -157,13 +160,13 @@ TEST(Wall, HasLeavesThatHeadersHoldTogether)
 
 TEST(Wall, IsTheSameWhereverItStands)
 {
-    const Wall here = pierced_wall();
-    const Joints joints = joints_of(wall(here));
-    const double volume = volume_of(wall(here));
+    const patterns::Wall here = pierced_wall();
+    const Joints joints = joints_of(patterns::wall(here));
+    const double volume = volume_of(patterns::wall(here));
     for (const double angle : {0.3, std::numbers::pi / 2, 2.5, std::numbers::pi}) {
-        Wall there = here;
+        patterns::Wall there = here;
         there.placement = {{100, -50, 7}, angle};
-        const std::vector<MasonryBlock> blocks = wall(there);
+        const std::vector<patterns::MasonryBlock> blocks = patterns::wall(there);
         EXPECT_NEAR(volume_of(blocks), volume, 1e-10);
         const Joints turned = joints_of(blocks);
         EXPECT_NEAR(turned.bed, joints.bed, 1e-9);
@@ -174,9 +177,10 @@ TEST(Wall, IsTheSameWhereverItStands)
 
 TEST(Wall, AQuarterTurnKeepsEveryBit)
 {
-    Wall turned = pierced_wall();
+    patterns::Wall turned = pierced_wall();
     turned.placement.direction = std::numbers::pi / 2;
-    const std::vector<MasonryBlock> along_y = wall(turned), along_x = wall(pierced_wall());
+    const std::vector<patterns::MasonryBlock> along_y = patterns::wall(turned),
+                                              along_x = patterns::wall(pierced_wall());
     for (std::size_t i = 0; i < along_x.size(); ++i)
         for (int corner = 0; corner < 8; ++corner) {
             const Eigen::Vector3d& x = along_x[i].corners[corner];
@@ -186,7 +190,7 @@ TEST(Wall, AQuarterTurnKeepsEveryBit)
 
 TEST(Wall, OfTenThousandBlocksIsMadeAndCertified)
 {
-    const std::vector<MasonryBlock> blocks = wall(whole_wall(200, 50));
+    const std::vector<patterns::MasonryBlock> blocks = patterns::wall(whole_wall(200, 50));
     ASSERT_EQ(blocks.size(), 200U * 50 + 25);
     const Joints joints = joints_of(blocks);
     EXPECT_NEAR(joints.bed, 49 * 100 * 0.3, 1e-7);
@@ -197,22 +201,24 @@ TEST(Wall, OfTenThousandBlocksIsMadeAndCertified)
 TEST(Wall, IsCertifiedFromItsObjWithoutRepair)
 {
     const TemporaryFolder folder;
-    Wall asked = pierced_wall();
+    patterns::Wall asked = pierced_wall();
     asked.placement = {{5, 6, 7}, 0.4};
-    std::vector<PolygonSurface> surfaces;
-    for (const MasonryBlock& block : wall(asked)) surfaces.push_back(to_surface(block));
-    const Geometry geometry = import_meshes({{.file = folder.write("wall.obj", to_obj(surfaces, {}))}});
-    const ImportedMesh& mesh = geometry.meshes.at(0);
+    std::vector<mesh::PolygonSurface> surfaces;
+    for (const patterns::MasonryBlock& block : patterns::wall(asked))
+        surfaces.push_back(patterns::to_surface(block));
+    const helper::Geometry geometry =
+        helper::import_meshes({{.file = folder.write("wall.obj", mesh::to_obj(surfaces, {}))}});
+    const helper::ImportedMesh& mesh = geometry.meshes.at(0);
     EXPECT_TRUE(mesh.accepted) << mesh.reason;
     EXPECT_TRUE(mesh.repairs.empty());
     EXPECT_TRUE(geometry.overlaps.empty());
     ASSERT_EQ(mesh.stones.size(), surfaces.size());
     double volume = 0;
-    for (const Stone& stone : mesh.stones) {
+    for (const helper::Stone& stone : mesh.stones) {
         EXPECT_TRUE(stone.repairs.empty()) << stone.name;
         volume += stone.moments.volume;
     }
-    EXPECT_NEAR(volume, volume_of(wall(asked)), 1e-10);
+    EXPECT_NEAR(volume, volume_of(patterns::wall(asked)), 1e-10);
 }
 
 std::string contents(const std::filesystem::path& file)
@@ -244,12 +250,12 @@ TEST(Generate, WritesWallsAndHousesWithTheCommandThatMakesThemAgain)
 
 TEST(Wall, ThatIsAllOpeningIsRefused)
 {
-    Wall nothing;
+    patterns::Wall nothing;
     nothing.length = 3;
     nothing.height = 1.5;
     nothing.openings = {{0, 0, 3, 1.5}};
-    EXPECT_THROW(wall(nothing), InputError);
+    EXPECT_THROW(patterns::wall(nothing), InputError);
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::importers

@@ -44,7 +44,7 @@ TEST(BroadPhase, FindsThePairsThatBruteForceFinds)
     std::size_t found = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
         const Cloud cloud = random_boxes(seed, 60, 4);
-        const std::vector<PlacedPart> parts = placed(cloud.model, cloud.state);
+        const std::vector<contact::PlacedPart> parts = placed(cloud.model, cloud.state);
         std::vector<std::pair<int, int>> expected;
         for (int i = 0; i < static_cast<int>(parts.size()); ++i)
             for (int j = i + 1; j < static_cast<int>(parts.size()); ++j) {
@@ -56,7 +56,7 @@ TEST(BroadPhase, FindsThePairsThatBruteForceFinds)
                               parts[j].lower[k] - grow <= parts[i].upper[k];
                 if (overlap) expected.emplace_back(i, j);
             }
-        EXPECT_EQ(candidate_pairs(parts, cloud.reach, cloud.held), expected) << "seed " << seed;
+        EXPECT_EQ(contact::candidate_pairs(parts, cloud.reach, cloud.held), expected) << "seed " << seed;
         found += expected.size();
     }
     EXPECT_GT(found, 1000U);
@@ -67,13 +67,13 @@ TEST(BroadPhase, MissesNothingThatTouches)
     std::size_t touching = 0;
     for (unsigned seed = 1; seed <= 5; ++seed) {
         const Cloud cloud = random_boxes(seed, 50, 3);
-        const std::vector<PlacedPart> parts = placed(cloud.model, cloud.state);
+        const std::vector<contact::PlacedPart> parts = placed(cloud.model, cloud.state);
         const std::vector<bool> all_free(parts.size(), false);
-        const auto pairs = candidate_pairs(parts, cloud.reach, all_free);
+        const auto pairs = contact::candidate_pairs(parts, cloud.reach, all_free);
         for (int i = 0; i < static_cast<int>(parts.size()); ++i)
             for (int j = i + 1; j < static_cast<int>(parts.size()); ++j) {
                 const double margin = cloud.reach[i] + cloud.reach[j];
-                if (!contact_polygon(parts[i], parts[j], margin, {})) continue;
+                if (!contact::contact_polygon(parts[i], parts[j], margin, {})) continue;
                 ++touching;
                 EXPECT_TRUE(std::binary_search(pairs.begin(), pairs.end(), std::pair(i, j)));
             }
@@ -88,7 +88,7 @@ TEST(BroadPhase, PartsOfOneBlockAreNoPair)
         make_block("L", 0, 0, {make_box({0, 0, 0}, {1, 1, 1}), make_box({1, 0, 0}, {2, 1, 1})}));
     add_box(model, "box", {0, 0, 1}, {1.5, 1, 2});
     const State state = initial_state(model);
-    const auto pairs = candidate_pairs(placed(model, state), {0.01, 0.01}, {false, false});
+    const auto pairs = contact::candidate_pairs(placed(model, state), {0.01, 0.01}, {false, false});
     EXPECT_EQ(pairs, (std::vector<std::pair<int, int>>{{0, 2}, {1, 2}}));
 }
 
@@ -99,7 +99,7 @@ TEST(BroadPhase, PlacedPartsFollowTheMap)
     add_box(model, "box", {-1, -0.5, -0.5}, {1, 0.5, 0.5});
     State state = initial_state(model);
     set_pose(model, state, 0, {10, 0, 0}, 1.1 * turned(90 * degrees, {0, 0, 1}));
-    const PlacedPart part = placed(model, state).front();
+    const contact::PlacedPart part = placed(model, state).front();
     EXPECT_LT((part.lower - Eigen::Vector3d(10 - 0.55, -1.1, -0.55)).norm(), 1e-14);
     EXPECT_LT((part.upper - Eigen::Vector3d(10 + 0.55, 1.1, 0.55)).norm(), 1e-14);
     EXPECT_NEAR(part.support(Eigen::Vector3d(1, 1, 0)), 10 + 0.55 + 1.1, 1e-14);

@@ -34,18 +34,18 @@ TEST(ContactHistory, LastFaceKeepsItsContactAgainstASlightlyBetterOne)
 {
     // Two unit cubes overlapping at an edge: 1 mm in x, a little more or less in z.
     BoxOnFloor scene({1, 1, 1});
-    const auto face_at = [&](double depth_z, const std::optional<LastContact>& last) {
+    const auto face_at = [&](double depth_z, const std::optional<contact::LastContact>& last) {
         scene.put({1 - 1e-3, 0, 1 - depth_z});
-        const std::vector<PlacedPart> parts = placed(scene.model, scene.state);
-        return contact_polygon(parts[0], parts[1], 1e-2, last);
+        const std::vector<contact::PlacedPart> parts = placed(scene.model, scene.state);
+        return contact::contact_polygon(parts[0], parts[1], 1e-2, last);
     };
     const auto sideways = face_at(3e-3, {}), upwards = face_at(0.2e-3, {});
     ASSERT_TRUE(sideways && upwards);
     EXPECT_NEAR(std::abs(sideways->normal.x()), 1, 1e-12);
     EXPECT_NEAR(std::abs(upwards->normal.z()), 1, 1e-12);
 
-    const LastContact x{sideways->second_is_reference, false, sideways->reference_feature};
-    const LastContact z{upwards->second_is_reference, false, upwards->reference_feature};
+    const contact::LastContact x{sideways->second_is_reference, false, sideways->reference_feature};
+    const contact::LastContact z{upwards->second_is_reference, false, upwards->reference_feature};
     // Within 1e-3 of the size the last face stays, whichever it was; beyond, the better one wins.
     for (const double depth_z : {0.5e-3, 0.9e-3, 1.1e-3, 1.5e-3}) {
         EXPECT_NEAR(std::abs(face_at(depth_z, x)->normal.x()), 1, 1e-12) << depth_z;

@@ -30,24 +30,24 @@ struct Pair {
     {
         set_pose(model, state, block, centre, rotation);
     }
-    std::optional<ContactPolygon> contact(double margin = 1e-2) const
+    std::optional<contact::ContactPolygon> contact(double margin = 1e-2) const
     {
-        const std::vector<PlacedPart> parts = placed(model, state);
-        return contact_polygon(parts[0], parts[1], margin, {});
+        const std::vector<contact::PlacedPart> parts = placed(model, state);
+        return contact::contact_polygon(parts[0], parts[1], margin, {});
     }
 };
 
-double area_of(const ContactPolygon& polygon)
+double area_of(const contact::ContactPolygon& polygon)
 {
     double area = 0;
-    for (const PolygonPoint& p : polygon.points) area += p.area;
+    for (const contact::PolygonPoint& p : polygon.points) area += p.area;
     return area;
 }
 
-Vector3d centre_of(const ContactPolygon& polygon)
+Vector3d centre_of(const contact::ContactPolygon& polygon)
 {
     Vector3d sum = Vector3d::Zero();
-    for (const PolygonPoint& p : polygon.points) sum += p.area * p.position;
+    for (const contact::PolygonPoint& p : polygon.points) sum += p.area * p.position;
     return sum / area_of(polygon);
 }
 
@@ -75,14 +75,14 @@ TEST(TributaryAreas, KeepAreaAndFirstMomentOfRandomConvexPolygons)
         }
         const Matrix3d frame = random.rotation();
         const Vector3d origin = random.vector(10);
-        std::vector<PolygonPoint> points(n);
+        std::vector<contact::PolygonPoint> points(n);
         for (int i = 0; i < n; ++i) points[i].position = origin + frame.leftCols<2>() * flat[i];
         const double sign = trial % 2 ? 1 : -1;  // seen from either side
-        assign_tributary_areas(points, sign * frame.col(2));
+        contact::assign_tributary_areas(points, sign * frame.col(2));
 
         double sum = 0;
         Vector3d first = Vector3d::Zero();
-        for (const PolygonPoint& p : points) {
+        for (const contact::PolygonPoint& p : points) {
             EXPECT_GE(p.area, 0);
             sum += p.area;
             first += p.area * (p.position - origin);
@@ -95,11 +95,11 @@ TEST(TributaryAreas, KeepAreaAndFirstMomentOfRandomConvexPolygons)
 // A regular polygon shares its area equally.
 TEST(TributaryAreas, OfASquareAreQuarters)
 {
-    std::vector<PolygonPoint> points(4);
+    std::vector<contact::PolygonPoint> points(4);
     const Vector3d corners[4] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
     for (int i = 0; i < 4; ++i) points[i].position = corners[i];
-    assign_tributary_areas(points, Vector3d::UnitZ());
-    for (const PolygonPoint& p : points) EXPECT_NEAR(p.area, 1, 1e-15);
+    contact::assign_tributary_areas(points, Vector3d::UnitZ());
+    for (const contact::PolygonPoint& p : points) EXPECT_NEAR(p.area, 1, 1e-15);
 }
 
 TEST(FaceContact, ShiftedBoxTouchesWhereTheFacesOverlap)
@@ -114,7 +114,7 @@ TEST(FaceContact, ShiftedBoxTouchesWhereTheFacesOverlap)
         EXPECT_LT((centre_of(*contact) - Vector3d(shift - 0.5 + width / 2, 0.2, 0.5 - 1e-4)).norm(), 1e-12);
         EXPECT_FALSE(contact->second_is_reference);
         EXPECT_LT((contact->normal - Vector3d::UnitZ()).norm(), 1e-14);
-        for (const PolygonPoint& p : contact->points) EXPECT_NEAR(p.gap, -1e-4, 1e-13);
+        for (const contact::PolygonPoint& p : contact->points) EXPECT_NEAR(p.gap, -1e-4, 1e-13);
     }
 }
 
@@ -126,7 +126,8 @@ TEST(FaceContact, TurnedBoxTouchesInAnOctagon)
     const auto contact = pair.contact();
     ASSERT_TRUE(contact);
     ASSERT_EQ(contact->points.size(), 8U);
-    for (const PolygonPoint& p : contact->points) EXPECT_NEAR(p.area, 2 * (std::numbers::sqrt2 - 1) / 8, 1e-12);
+    for (const contact::PolygonPoint& p : contact->points)
+        EXPECT_NEAR(p.area, 2 * (std::numbers::sqrt2 - 1) / 8, 1e-12);
 }
 
 TEST(FaceContact, TiltedBoxHasAGapThatFollowsItsFace)
@@ -138,7 +139,7 @@ TEST(FaceContact, TiltedBoxHasAGapThatFollowsItsFace)
     const auto contact = pair.contact(0.1);
     ASSERT_TRUE(contact);
     ASSERT_EQ(contact->points.size(), 4U);
-    for (const PolygonPoint& p : contact->points) {
+    for (const contact::PolygonPoint& p : contact->points) {
         const double x = p.position.x() > 0 ? 0.5 : -0.5;
         EXPECT_NEAR(p.gap, 0.5 + 1e-3 - 0.5 * std::cos(tilt) - x * std::sin(tilt), 1e-13);
     }
@@ -159,7 +160,7 @@ TEST(FaceContact, BoxOnItsVertexTouchesWithThatVertex)
                                          [](const auto& p, const auto& q) { return p.gap < q.gap; });
     EXPECT_NEAR(lowest->gap, -1e-3, 1e-12);
     EXPECT_LT((lowest->position - Vector3d(0.3, 0.1, 0.5 - 1e-3)).norm(), 1e-12);
-    for (const PolygonPoint& p : contact->points) EXPECT_TRUE(&p == &*lowest || p.gap > 0.3);
+    for (const contact::PolygonPoint& p : contact->points) EXPECT_TRUE(&p == &*lowest || p.gap > 0.3);
 }
 
 TEST(EdgeContact, CrossingEdgesTouchInOnePoint)
@@ -222,7 +223,7 @@ TEST(FaceContact, TheSideOfAFlushFloorIsNotTouched)
         const auto contact = pair.contact();
         if (!contact) continue;
         double push = 0;
-        for (const PolygonPoint& p : contact->points) push += p.area * std::max(-p.gap, 0.0);
+        for (const contact::PolygonPoint& p : contact->points) push += p.area * std::max(-p.gap, 0.0);
         if (std::abs(contact->normal.z()) > 0.99)
             ++on_top;
         else
@@ -259,10 +260,11 @@ std::uint32_t incident_face(double bend, double tilt, std::optional<std::uint32_
     model.blocks.push_back(make_block("bent", 0, 0, {box_with_bent_bottom(bend)}));
     State state = initial_state(model);
     set_pose(model, state, 1, {0, 0, 0.5}, Eigen::AngleAxisd(tilt, Vector3d::UnitY()).toRotationMatrix());
-    const std::vector<PlacedPart> parts = placed(model, state);
-    std::optional<LastContact> history;
-    if (last) history = LastContact{false, false, 5, *last};  // reference: the floor's top
-    const std::optional<ContactPolygon> found = contact_polygon(parts[0], parts[1], 1e-2, history);
+    const std::vector<contact::PlacedPart> parts = placed(model, state);
+    std::optional<contact::LastContact> history;
+    if (last) history = contact::LastContact{false, false, 5, *last};  // reference: the floor's top
+    const std::optional<contact::ContactPolygon> found =
+        contact::contact_polygon(parts[0], parts[1], 1e-2, history);
     EXPECT_TRUE(found && !found->second_is_reference);
     return found ? found->incident_feature : 99;
 }
@@ -295,11 +297,11 @@ TEST(FaceContact, GluedFacesAreNeverTouched)
         model.blocks.resize(1);
         add_box(model, "box", {0.5 - reach, -0.2, -depth}, {1, 0.2, 1});
         const State state = initial_state(model);
-        const std::vector<PlacedPart> parts = placed(model, state);
-        return contact_polygon(parts[0], parts[1], 1e-3, {});
+        const std::vector<contact::PlacedPart> parts = placed(model, state);
+        return contact::contact_polygon(parts[0], parts[1], 1e-3, {});
     };
     EXPECT_FALSE(contact(1e-5, 1e-4));
-    const std::optional<ContactPolygon> top = contact(1e-3, 1e-4);
+    const std::optional<contact::ContactPolygon> top = contact(1e-3, 1e-4);
     ASSERT_TRUE(top);
     EXPECT_GT(std::abs(top->normal.z()), 0.99);
     ConvexPolyhedron core = part;  // all faces glued: the inside of a stone
@@ -307,8 +309,8 @@ TEST(FaceContact, GluedFacesAreNeverTouched)
     model.blocks[0] = make_block("core", 0, 0, {core});
     model.blocks[1].parts[0].glued.assign(model.blocks[1].parts[0].faces.size(), true);
     const State state = initial_state(model);
-    const std::vector<PlacedPart> parts = placed(model, state);
-    EXPECT_FALSE(contact_polygon(parts[0], parts[1], 1e-3, {}));
+    const std::vector<contact::PlacedPart> parts = placed(model, state);
+    EXPECT_FALSE(contact::contact_polygon(parts[0], parts[1], 1e-3, {}));
 }
 
 TEST(FaceContact, IsTheSameInEveryFrame)
@@ -333,7 +335,7 @@ TEST(FaceContact, IsTheSameInEveryFrame)
         EXPECT_LT((frame * here->normal - there->normal).norm(), 1e-12);
         ASSERT_EQ(here->points.size(), there->points.size());
         for (std::size_t i = 0; i < here->points.size(); ++i) {
-            const PolygonPoint &p = here->points[i], &q = there->points[i];
+            const contact::PolygonPoint &p = here->points[i], &q = there->points[i];
             EXPECT_LT((frame * p.position + offset - q.position).norm(), 1e-12);
             EXPECT_NEAR(p.gap, q.gap, 1e-12);
             EXPECT_NEAR(p.area, q.area, 1e-12);

@@ -104,7 +104,7 @@ TEST(RestGap, AJointIsBondedIfItIsClosedAtEveryCorner)
 // to.
 TEST(RestGap, AContactThatChangesItsFaceGivesNoEnergy)
 {
-    constexpr NewOverlap forgiven = NewOverlap::forgiven;
+    constexpr contact::NewOverlap forgiven = contact::NewOverlap::forgiven;
     for (const double share : {1e-6, 0.02, 0.5, 50.0}) {  // of the area that the contact had on the other face
         BoxOnFloor scene;
         scene.put({0, 0, 1 - 1e-3});
@@ -141,7 +141,7 @@ TEST(RestGap, AForgivenOverlapOutlivesAChangeToAStageWhereOverlapsPress)
     for (const int turned : {0, 1}) {
         BoxOnFloor scene;
         scene.put({0, 0, 1 - 1e-3});
-        scene.remember(scene.find(NewOverlap::forgiven));  // found late: nothing was stored
+        scene.remember(scene.find(contact::NewOverlap::forgiven));  // found late: nothing was stored
         for (const ContactPoint& p : scene.state.contacts.points) {
             EXPECT_NEAR(p.gap, 0, 1e-15);
             EXPECT_NEAR(p.rest_gap, -1e-3, 1e-12);
@@ -149,21 +149,22 @@ TEST(RestGap, AForgivenOverlapOutlivesAChangeToAStageWhereOverlapsPress)
         ContactPatch& patch = scene.state.contacts.patches[0];
         patch.feature_b = (patch.feature_b + turned) % 6;
         scene.put({0, 0, 1 - 1.2e-3});
-        scene.remember(scene.find(NewOverlap::presses));
+        scene.remember(scene.find(contact::NewOverlap::presses));
         for (const ContactPoint& p : scene.state.contacts.points) {
             EXPECT_NEAR(p.gap, -0.2e-3, 1e-12);
             EXPECT_NEAR(p.rest_gap, -1e-3, 1e-12);
         }
         scene.put({0, 0, 1 - 0.3e-3});
-        scene.remember(scene.find(NewOverlap::presses));
+        scene.remember(scene.find(contact::NewOverlap::presses));
         for (const ContactPoint& p : scene.state.contacts.points) {
             EXPECT_NEAR(p.gap, 0, 1e-15);
             EXPECT_NEAR(p.rest_gap, -0.3e-3, 1e-12);
         }
         scene.put({0, 0, 1 + 1e-4});
-        scene.remember(scene.find(NewOverlap::presses));
+        scene.remember(scene.find(contact::NewOverlap::presses));
         scene.put({0, 0, 1 - 1e-3});
-        for (const ContactPoint& p : scene.find(NewOverlap::presses).points) EXPECT_NEAR(p.gap, -1e-3, 1e-12);
+        for (const ContactPoint& p : scene.find(contact::NewOverlap::presses).points)
+            EXPECT_NEAR(p.gap, -1e-3, 1e-12);
     }
 }
 
@@ -181,7 +182,7 @@ TEST(RestGap, RestGapsOfJointsThatBreakStayWhatTheyWere)
             p.rest_gap = 3e-5;
             p.gap = -4e-5;
         }
-        for (const ContactPoint& p : scene.find(NewOverlap::forgiven).points) {
+        for (const ContactPoint& p : scene.find(contact::NewOverlap::forgiven).points) {
             EXPECT_NEAR(p.rest_gap, 3e-5, 1e-15) << intact;
             EXPECT_NEAR(p.gap, -4e-5, 1e-15) << intact;
         }

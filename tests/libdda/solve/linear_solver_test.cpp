@@ -23,14 +23,14 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 /// The block matrix and the same numbers densely.
 struct System {
-    BlockMatrix blocks;
+    solve::BlockMatrix blocks;
     MatrixXd dense;
     VectorXd right_hand_side;
 
     System(int block_size, int rows, Pairs pairs, unsigned seed, double shift = 1)
     {
         Random random(seed);
-        set_pattern(blocks, block_size, rows, pairs);
+        solve::set_pattern(blocks, block_size, rows, pairs);
         dense = shift * MatrixXd::Identity(block_size * rows, block_size * rows);
         for (const auto& [i, j] : pairs) add_spring(i, j, random);
         for (int i = 0; i < rows; ++i)
@@ -82,17 +82,17 @@ Pairs chain(int rows)
 
 TEST(BlockMatrix, PatternIsSortedWithoutRepeatsAndEndsOnTheDiagonal)
 {
-    BlockMatrix matrix;
+    solve::BlockMatrix matrix;
     Pairs pairs{{3, 1}, {2, 0}, {3, 1}, {3, 0}};
-    EXPECT_TRUE(set_pattern(matrix, 6, 4, pairs));
+    EXPECT_TRUE(solve::set_pattern(matrix, 6, 4, pairs));
     EXPECT_EQ(matrix.row_start, (std::vector<int>{0, 1, 2, 4, 7}));
     EXPECT_EQ(matrix.columns, (std::vector<int>{0, 1, 0, 2, 0, 1, 3}));
     EXPECT_EQ(matrix.position(3, 1), 5);
     for (int row = 0; row < 4; ++row) EXPECT_EQ(matrix.columns[matrix.diagonal(row)], row);
     matrix.values[0] = 1;
-    EXPECT_FALSE(set_pattern(matrix, 6, 4, pairs));
+    EXPECT_FALSE(solve::set_pattern(matrix, 6, 4, pairs));
     EXPECT_EQ(matrix.values[0], 0);
-    EXPECT_TRUE(set_pattern(matrix, 12, 4, pairs));
+    EXPECT_TRUE(solve::set_pattern(matrix, 12, 4, pairs));
     EXPECT_EQ(matrix.values.size(), 7U * 144);
 }
 
@@ -101,13 +101,14 @@ TEST(LinearSolver, AgreesWithDenseForEveryBlockSize)
     for (const int n : {12, 6, 3}) {
         const System system(n, 20, random_pairs(20, 40, 5), 11);
         VectorXd x;
-        const LinearReport direct = make_cholmod_solver()->solve(system.blocks, system.right_hand_side, x);
+        const solve::LinearReport direct =
+            solve::make_cholmod_solver()->solve(system.blocks, system.right_hand_side, x);
         EXPECT_TRUE(direct.solved);
         EXPECT_EQ(direct.factorisations, 1);
         EXPECT_GT(direct.factor_entries, 20 * n * (n + 1) / 2 - 1);
         EXPECT_LT(system.error_of(x), 1e-11) << n;
-        const LinearReport krylov =
-            make_conjugate_gradient_solver(1e-12)->solve(system.blocks, system.right_hand_side, x);
+        const solve::LinearReport krylov =
+            solve::make_conjugate_gradient_solver(1e-12)->solve(system.blocks, system.right_hand_side, x);
         EXPECT_TRUE(krylov.solved);
         EXPECT_GT(krylov.iterations, 2);
         EXPECT_LT(system.error_of(x), 1e-9) << n;
@@ -120,8 +121,8 @@ TEST(LinearSolver, ConjugateGradientsStopAtTheirTolerance)
     int last = 0;
     for (const double tolerance : {1e-2, 1e-5, 1e-9}) {
         VectorXd x;
-        const LinearReport report =
-            make_conjugate_gradient_solver(tolerance)->solve(system.blocks, system.right_hand_side, x);
+        const solve::LinearReport report =
+            solve::make_conjugate_gradient_solver(tolerance)->solve(system.blocks, system.right_hand_side, x);
         EXPECT_TRUE(report.solved);
         EXPECT_GT(report.iterations, last);
         last = report.iterations;
@@ -136,8 +137,8 @@ TEST(LinearSolver, ConjugateGradientsSolveAChainAtOnce)
     for (const int n : {12, 6, 3}) {
         const System system(n, 40, chain(40), 17, 0.1);
         VectorXd x;
-        const LinearReport report =
-            make_conjugate_gradient_solver(1e-10)->solve(system.blocks, system.right_hand_side, x);
+        const solve::LinearReport report =
+            solve::make_conjugate_gradient_solver(1e-10)->solve(system.blocks, system.right_hand_side, x);
         EXPECT_TRUE(report.solved);
         EXPECT_LE(report.iterations, 2);
         EXPECT_LT(system.error_of(x), 1e-8);
@@ -147,7 +148,7 @@ TEST(LinearSolver, ConjugateGradientsSolveAChainAtOnce)
 // One solver sees many patterns in a run; what it keeps must not show.
 TEST(LinearSolver, AChangeOfPatternOrBlockSizeDoesNotMatter)
 {
-    const auto direct = make_cholmod_solver(), krylov = make_conjugate_gradient_solver(1e-12);
+    const auto direct = solve::make_cholmod_solver(), krylov = solve::make_conjugate_gradient_solver(1e-12);
     const System systems[] = {System(6, 20, random_pairs(20, 40, 1), 1),
                               System(6, 20, random_pairs(20, 40, 2), 2),
                               System(6, 25, chain(25), 3),
@@ -155,14 +156,14 @@ TEST(LinearSolver, AChangeOfPatternOrBlockSizeDoesNotMatter)
                               System(3, 25, chain(25), 5),
                               System(6, 20, random_pairs(20, 40, 1), 1)};
     for (const System& system : systems)
-        for (LinearSolver* solver : {direct.get(), krylov.get()}) {
+        for (solve::LinearSolver* solver : {direct.get(), krylov.get()}) {
             VectorXd x, fresh;
             ASSERT_TRUE(solver->solve(system.blocks, system.right_hand_side, x).solved);
             EXPECT_LT(system.error_of(x), 1e-9);
             if (solver == direct.get())
-                make_cholmod_solver()->solve(system.blocks, system.right_hand_side, fresh);
+                solve::make_cholmod_solver()->solve(system.blocks, system.right_hand_side, fresh);
             else
-                make_conjugate_gradient_solver(1e-12)->solve(system.blocks, system.right_hand_side, fresh);
+                solve::make_conjugate_gradient_solver(1e-12)->solve(system.blocks, system.right_hand_side, fresh);
             EXPECT_EQ((x - fresh).cwiseAbs().maxCoeff(), 0);
         }
 }
@@ -174,7 +175,8 @@ TEST(LinearSolver, AnIndefiniteMatrixIsNotSolved)
     for (const LinearSolverKind kind :
          {LinearSolverKind::cholmod, LinearSolverKind::conjugate_gradients, LinearSolverKind::automatic}) {
         VectorXd x;
-        EXPECT_FALSE(make_linear_solver(kind, 1e-8)->solve(system.blocks, system.right_hand_side, x).solved);
+        EXPECT_FALSE(
+            solve::make_linear_solver(kind, 1e-8)->solve(system.blocks, system.right_hand_side, x).solved);
     }
 }
 
@@ -185,7 +187,8 @@ TEST(LinearSolver, NumbersThatAreNoneAreNotSolved)
     for (const LinearSolverKind kind :
          {LinearSolverKind::cholmod, LinearSolverKind::conjugate_gradients, LinearSolverKind::automatic}) {
         VectorXd x;
-        EXPECT_FALSE(make_linear_solver(kind, 1e-8)->solve(system.blocks, system.right_hand_side, x).solved);
+        EXPECT_FALSE(
+            solve::make_linear_solver(kind, 1e-8)->solve(system.blocks, system.right_hand_side, x).solved);
     }
 }
 
@@ -194,9 +197,9 @@ TEST(LinearSolver, AutomaticFallsBackOnTheDirectSolver)
     // A tolerance of zero: the iteration cannot reach it, Cholesky does not ask.
     const System system(12, 20, random_pairs(20, 60, 4), 21, 1e-6);
     VectorXd x;
-    EXPECT_FALSE(make_conjugate_gradient_solver(0)->solve(system.blocks, system.right_hand_side, x).solved);
-    const LinearReport report =
-        make_linear_solver(LinearSolverKind::automatic, 0)->solve(system.blocks, system.right_hand_side, x);
+    EXPECT_FALSE(solve::make_conjugate_gradient_solver(0)->solve(system.blocks, system.right_hand_side, x).solved);
+    const solve::LinearReport report =
+        solve::make_linear_solver(LinearSolverKind::automatic, 0)->solve(system.blocks, system.right_hand_side, x);
     EXPECT_TRUE(report.solved);
     EXPECT_EQ(report.factorisations, 2);
     EXPECT_LT(system.error_of(x), 1e-6);
@@ -207,8 +210,8 @@ TEST(LinearSolver, NothingAskedNothingMoves)
     System system(6, 10, chain(10), 9);
     system.right_hand_side.setZero();
     VectorXd x;
-    const LinearReport report =
-        make_linear_solver(LinearSolverKind::automatic, 1e-3)->solve(system.blocks, system.right_hand_side, x);
+    const solve::LinearReport report = solve::make_linear_solver(LinearSolverKind::automatic, 1e-3)
+                                           ->solve(system.blocks, system.right_hand_side, x);
     EXPECT_TRUE(report.solved);
     EXPECT_EQ(x.norm(), 0);
 }

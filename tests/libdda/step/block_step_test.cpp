@@ -19,7 +19,7 @@ template <class K>
 class BlockStepping : public ::testing::Test
 {
 };
-using AllKinematics = ::testing::Types<SpatialDeformable, SpatialRigid>;
+using AllKinematics = ::testing::Types<step::SpatialDeformable, step::SpatialRigid>;
 TYPED_TEST_SUITE(BlockStepping, AllKinematics);
 
 /// Kinetic energy of a box whose points move at T(y) V, by two Gauss points an axis: exact for quadratics.
@@ -50,9 +50,9 @@ TYPED_TEST(BlockStepping, MassMatrixIsTheKineticEnergyOfThePoints)
         State state = initial_state(model);
         Matrix3d map = random.rotation();
         set_pose(model, state, 0, {7, 8, 9}, map);
-        BlockStep<TypeParam> block;
+        step::BlockStep<TypeParam> block;
         const double h = 0.01;
-        begin_block(model, dynamic_stage(1, h), state, 0, h, h, block);
+        step::begin_block(model, dynamic_stage(1, h), state, 0, h, h, block);
         typename TypeParam::Unknowns rates;
         random.fill(rates, 1);
         const double quadratic = 0.5 * rates.dot(h * h / 2 * block.inertia * rates);
@@ -95,12 +95,12 @@ TYPED_TEST(BlockStepping, UpdateKeepsTheMomentum)
         set_velocity(model, state, 0, velocity, random.vector(10));
         const Vector3d before = angular_momentum(model, state, 0), place = centroid(model, state, 0);
         const double h = 0.01;
-        BlockStep<TypeParam> block;
-        begin_block(model, dynamic_stage(1, h), state, 0, h, h, block);
+        step::BlockStep<TypeParam> block;
+        step::begin_block(model, dynamic_stage(1, h), state, 0, h, h, block);
         typename TypeParam::Unknowns d;
         random.fill(d, 1e-2);
         const Vector3d moment = random.vector(1e3);
-        update_block(block, d, moment, h, 0, state);
+        step::update_block(block, d, moment, h, 0, state);
         const Vector3d after = angular_momentum(model, state, 0), expected = before + h * moment;
         EXPECT_LT((after - expected).norm(), 1e-13 * (before.norm() + expected.norm()));
         const Vector3d u = d.template head<3>();
@@ -118,8 +118,8 @@ TYPED_TEST(BlockStepping, PredictionCarriesTheMomentum)
     State state = initial_state(model);
     set_pose(model, state, 0, {0, 0, 0}, random.rotation());
     set_velocity(model, state, 0, {1, 2, 3}, {4, -5, 6});
-    BlockStep<TypeParam> block;
-    begin_block(model, dynamic_stage(1, 0.01), state, 0, 0.01, 0.01, block);
+    step::BlockStep<TypeParam> block;
+    step::begin_block(model, dynamic_stage(1, 0.01), state, 0, 0.01, 0.01, block);
     const Vector3d momentum = angular_momentum(model, state, 0);
     const Matrix3d inertia = block.spread.trace() * Matrix3d::Identity() - block.spread;
     EXPECT_LT((inertia * block.predicted_spin - momentum).norm(), 1e-13 * momentum.norm());

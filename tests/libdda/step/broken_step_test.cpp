@@ -18,10 +18,13 @@ namespace
 /// What may be done wrongly, at the place in the step where it would be.
 template <class K>
 struct Mistake {
-    std::function<void(StepSystem<K>&)> in_equations = [](StepSystem<K>&) {};  // between assembly and solution
-    std::function<void(StepSystem<K>&)> in_forces = [](StepSystem<K>&) {};     // between solution and update
-    std::function<void(const StepSystem<K>&, State&)> in_update = [](const StepSystem<K>&, State&) {};
-    std::function<void(StepSystem<K>&)> in_the_book = [](StepSystem<K>&) {};  // between update and audit
+    std::function<void(step::StepSystem<K>&)> in_equations = [](step::StepSystem<K>&) {
+    };  // between assembly and solution
+    std::function<void(step::StepSystem<K>&)> in_forces = [](step::StepSystem<K>&) {
+    };  // between solution and update
+    std::function<void(const step::StepSystem<K>&, State&)> in_update = [](const step::StepSystem<K>&, State&) {};
+    std::function<void(step::StepSystem<K>&)> in_the_book = [](step::StepSystem<K>&) {
+    };  // between update and audit
 };
 
 /// The step of libdda/step/advance.cpp without cutting and division, with a mistake in it.
@@ -34,27 +37,27 @@ EnergyLedger run_with(const Mistake<K>& mistake)
     stage.control.force_tolerance = 1e-8;
     EnergyLedger energy = open_ledger(scene.model, scene.state);
     State& state = scene.state;
-    StepSystem<K> system;
-    std::vector<PlacedPartIn<K::dimension>> parts;
+    step::StepSystem<K> system;
+    std::vector<contact::PlacedPartIn<K::dimension>> parts;
     ContactSetIn<K::dimension> contacts;
     const double h = stage.control.time_step;
     const std::vector<double> reach(scene.model.blocks.size(), 0.05);
     StepReport report;
     for (int step = 0; step < 300; ++step) {
-        find_contacts(scene.model, state, reach, 1, parts, contacts,
-                      step > 0 ? NewOverlap::forgiven : NewOverlap::presses);
-        assemble_blocks(scene.model, stage, state, contacts, h, system);
+        contact::find_contacts(scene.model, state, reach, 1, parts, contacts,
+                               step > 0 ? contact::NewOverlap::forgiven : contact::NewOverlap::presses);
+        step::assemble_blocks(scene.model, stage, state, contacts, h, system);
         mistake.in_equations(system);
-        EXPECT_TRUE(iterate_newton(scene.model, stage, contacts, system, report)) << "step " << step;
-        energy.redetection += energy.contact - spring_energy(scene.model, contacts);
+        EXPECT_TRUE(step::iterate_newton(scene.model, stage, contacts, system, report)) << "step " << step;
+        energy.redetection += energy.contact - contact::spring_energy(scene.model, contacts);
         mistake.in_forces(system);
-        update_blocks(system, state);
+        step::update_blocks(system, state);
         mistake.in_update(system, state);
         mistake.in_the_book(system);
-        book_step(state, system, contacts, energy);
-        update_contacts(stage, system, contacts, state, report);
+        step::book_step(state, system, contacts, energy);
+        step::update_contacts(stage, system, contacts, state, report);
         state.stage_time += h;
-        damp_velocities(scene.model, stage, system, state, energy);
+        step::damp_velocities(scene.model, stage, system, state, energy);
     }
     return energy;
 }
@@ -71,7 +74,8 @@ class BrokenStep : public ::testing::Test
         EXPECT_GT(energy.relative_residual(), residual_worth_a_warning) << name;
     }
 };
-using All = ::testing::Types<SpatialDeformable, SpatialRigid, PlanarDeformable, PlanarRigid>;
+using All =
+    ::testing::Types<step::SpatialDeformable, step::SpatialRigid, step::PlanarDeformable, step::PlanarRigid>;
 TYPED_TEST_SUITE(BrokenStep, All);
 
 }  // namespace
@@ -83,8 +87,8 @@ TYPED_TEST(BrokenStep, ThatIsNotBrokenLeavesNothing)
 
 TYPED_TEST(BrokenStep, WithoutWeight)
 {
-    this->expect_noticed("weight dropped", {.in_equations = [](StepSystem<TypeParam>& system) {
-                             for (BlockStep<TypeParam>& block : system.blocks) block.steady.setZero();
+    this->expect_noticed("weight dropped", {.in_equations = [](step::StepSystem<TypeParam>& system) {
+                             for (step::BlockStep<TypeParam>& block : system.blocks) block.steady.setZero();
                          }});
 }
 
@@ -92,36 +96,37 @@ TYPED_TEST(BrokenStep, WithoutWeight)
 TYPED_TEST(BrokenStep, WithoutTheMomentOfContactForces)
 {
     Eigen::VectorXd whole;
-    this->expect_noticed("moments of contacts dropped",
-                         {.in_forces =
-                              [&](StepSystem<TypeParam>& system) {
-                                  constexpr int n = TypeParam::unknowns, dimension = TypeParam::dimension;
-                                  whole = system.contact_force;
-                                  for (std::size_t row = 0; row < system.block_of_row.size(); ++row)
-                                      system.contact_force.segment(n * row + dimension, n - dimension).setZero();
-                              },
-                          .in_the_book = [&](StepSystem<TypeParam>& system) { system.contact_force = whole; }});
+    this->expect_noticed(
+        "moments of contacts dropped",
+        {.in_forces =
+             [&](step::StepSystem<TypeParam>& system) {
+                 constexpr int n = TypeParam::unknowns, dimension = TypeParam::dimension;
+                 whole = system.contact_force;
+                 for (std::size_t row = 0; row < system.block_of_row.size(); ++row)
+                     system.contact_force.segment(n * row + dimension, n - dimension).setZero();
+             },
+         .in_the_book = [&](step::StepSystem<TypeParam>& system) { system.contact_force = whole; }});
 }
 
 TYPED_TEST(BrokenStep, WithHalfTheFrictionWork)
 {
-    this->expect_noticed("friction work halved", {.in_the_book = [](StepSystem<TypeParam>& system) {
-                             for (PointStep<TypeParam::dimension>& point : system.contacts.points)
+    this->expect_noticed("friction work halved", {.in_the_book = [](step::StepSystem<TypeParam>& system) {
+                             for (step::PointStep<TypeParam::dimension>& point : system.contacts.points)
                                  point.shear *= 0.5;
                          }});
 }
 
 TYPED_TEST(BrokenStep, WithoutTheForceOfDashpots)
 {
-    this->expect_noticed("dashpots not booked", {.in_the_book = [](StepSystem<TypeParam>& system) {
-                             for (PointStep<TypeParam::dimension>& point : system.contacts.points)
+    this->expect_noticed("dashpots not booked", {.in_the_book = [](step::StepSystem<TypeParam>& system) {
+                             for (step::PointStep<TypeParam::dimension>& point : system.contacts.points)
                                  point.normal = point.elastic_normal;
                          }});
 }
 
 TYPED_TEST(BrokenStep, WithASpinThatGainsMomentum)
 {
-    this->expect_noticed("spin gained", {.in_update = [](const StepSystem<TypeParam>& system, State& state) {
+    this->expect_noticed("spin gained", {.in_update = [](const step::StepSystem<TypeParam>& system, State& state) {
                              constexpr int n = TypeParam::unknowns, dimension = TypeParam::dimension;
                              for (std::size_t b = 0; b < system.blocks.size(); ++b)
                                  state.velocities[b * n + dimension + TypeParam::deformable] += 0.05;
@@ -131,7 +136,7 @@ TYPED_TEST(BrokenStep, WithASpinThatGainsMomentum)
 TYPED_TEST(BrokenStep, ThatMovesBlocksFartherThanItsForces)
 {
     this->expect_noticed("centroids moved too far",
-                         {.in_update = [](const StepSystem<TypeParam>& system, State& state) {
+                         {.in_update = [](const step::StepSystem<TypeParam>& system, State& state) {
                              const int size = coordinates_per_block(TypeParam::kinematics);
                              for (const int b : system.block_of_row)
                                  state.coordinates[b * size + TypeParam::dimension - 1] += 1e-5;

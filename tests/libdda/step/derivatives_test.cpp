@@ -29,8 +29,8 @@ struct ContactScene {
     Stage stage = dynamic_stage(1, 1e-3);
     State state;
     ContactSet found;
-    std::vector<BlockStep<K>> blocks;
-    ContactStep<K> contacts;
+    std::vector<step::BlockStep<K>> blocks;
+    step::ContactStep<K> contacts;
 
     ContactScene(double friction, double dashpot, Integrator integrator)
     {
@@ -45,28 +45,28 @@ struct ContactScene {
         state = initial_state(model);
         set_pose(model, state, 1, {0.2, 0.1, 0.5 - 1e-3}, turned(5e-4, {1, 0.5, 0.2}));
         set_velocity(model, state, 1, {0.1, -0.05, -0.3}, {0.2, 0.1, -0.1});
-        std::vector<PlacedPart> parts;
-        find_contacts(model, state, {1e-2, 1e-2}, 1, parts, found);
+        std::vector<contact::PlacedPart> parts;
+        contact::find_contacts(model, state, {1e-2, 1e-2}, 1, parts, found);
         for (ContactPoint& p : found.points) p.status = ContactStatus::locked;
         blocks.resize(2);
         for (int b = 0; b < 2; ++b) {
-            begin_block(model, stage, state, b, 1e-3, 1e-3, blocks[b]);
+            step::begin_block(model, stage, state, b, 1e-3, 1e-3, blocks[b]);
             blocks[b].row = b;
         }
-        begin_contacts(model, stage, 1e-3, found, blocks, contacts);
+        step::begin_contacts(model, stage, 1e-3, found, blocks, contacts);
     }
     /// Generalised contact forces on both blocks at D.
-    VectorXd force(const VectorXd& d, FrictionBound bound)
+    VectorXd force(const VectorXd& d, step::FrictionBound bound)
     {
-        evaluate_contacts(d, bound, 1, contacts);
+        step::evaluate_contacts(d, bound, 1, contacts);
         VectorXd sum = VectorXd::Zero(2 * n);
-        for (const PatchStep<K>& patch : contacts.patches) {
+        for (const step::PatchStep<K>& patch : contacts.patches) {
             sum.segment<n>(n * patch.row_a) += patch.force_a;
             sum.segment<n>(n * patch.row_b) += patch.force_b;
         }
         return sum;
     }
-    MatrixXd differences(const VectorXd& d, FrictionBound bound)
+    MatrixXd differences(const VectorXd& d, step::FrictionBound bound)
     {
         MatrixXd k(2 * n, 2 * n);
         const double step = 1e-7;
@@ -80,10 +80,10 @@ struct ContactScene {
     }
     MatrixXd stiffness(const VectorXd& d)
     {
-        evaluate_contacts(d, FrictionBound::exact, 1, contacts);
-        contact_stiffness(false, 1, contacts);
+        step::evaluate_contacts(d, step::FrictionBound::exact, 1, contacts);
+        step::contact_stiffness(false, 1, contacts);
         MatrixXd k = MatrixXd::Zero(2 * n, 2 * n);
-        for (const PatchStep<K>& patch : contacts.patches) {
+        for (const step::PatchStep<K>& patch : contacts.patches) {
             k.block<n, n>(n * patch.row_a, n * patch.row_a) += patch.aa;
             k.block<n, n>(n * patch.row_b, n * patch.row_b) += patch.bb;
             k.block<n, n>(n * patch.row_a, n * patch.row_b) += patch.ab;
@@ -94,11 +94,11 @@ struct ContactScene {
     /// -mu d (dN/dg) n^T of the sliding points: what the symmetric stiffness leaves out.
     MatrixXd normal_coupling(const VectorXd& d)
     {
-        evaluate_contacts(d, FrictionBound::exact, 1, contacts);
+        step::evaluate_contacts(d, step::FrictionBound::exact, 1, contacts);
         MatrixXd k = MatrixXd::Zero(2 * n, 2 * n);
-        for (const PatchStep<K>& patch : contacts.patches)
+        for (const step::PatchStep<K>& patch : contacts.patches)
             for (int i = patch.first; i < patch.first + patch.count; ++i) {
-                const PointStep<3>& p = contacts.points[i];
+                const step::PointStep<3>& p = contacts.points[i];
                 if (p.status != ContactStatus::sliding) continue;
                 VectorXd tangent = VectorXd::Zero(2 * n), normal = VectorXd::Zero(2 * n);
                 const auto spread = [&](const Vector3d& direction, VectorXd& row) {
@@ -117,7 +117,7 @@ struct ContactScene {
     int count(ContactStatus status) const
     {
         int sum = 0;
-        for (const PointStep<3>& p : contacts.points) sum += p.status == status;
+        for (const step::PointStep<3>& p : contacts.points) sum += p.status == status;
         return sum;
     }
 };
@@ -139,7 +139,7 @@ template <class K>
 class Derivatives : public ::testing::Test
 {
 };
-using AllKinematics = ::testing::Types<SpatialDeformable, SpatialRigid>;
+using AllKinematics = ::testing::Types<step::SpatialDeformable, step::SpatialRigid>;
 TYPED_TEST_SUITE(Derivatives, AllKinematics);
 
 struct Variant {
@@ -158,7 +158,7 @@ TYPED_TEST(Derivatives, StickingContactHasTheStiffnessOfItsForce)
         const VectorXd d = small_unknowns(2 * TypeParam::unknowns, 3);
         const MatrixXd k = scene.stiffness(d);
         ASSERT_EQ(scene.count(ContactStatus::locked), 4);
-        EXPECT_LT(relative(scene.differences(d, FrictionBound::exact), k), 1e-7);
+        EXPECT_LT(relative(scene.differences(d, step::FrictionBound::exact), k), 1e-7);
         EXPECT_LT(relative(k, k.transpose()), 1e-14);
     }
 }
@@ -171,10 +171,10 @@ TYPED_TEST(Derivatives, SlidingContactHasItUpToTheNormalCoupling)
         const MatrixXd k = scene.stiffness(d), coupling = scene.normal_coupling(d);
         ASSERT_EQ(scene.count(ContactStatus::sliding), 4);
         EXPECT_GT(coupling.norm(), 1e-3 * k.norm());
-        EXPECT_LT(relative(scene.differences(d, FrictionBound::exact), k + coupling), 1e-6);
+        EXPECT_LT(relative(scene.differences(d, step::FrictionBound::exact), k + coupling), 1e-6);
         // With the bound frozen, as in the line search, the step is a minimisation: nothing is left out.
         scene.stiffness(d);
-        EXPECT_LT(relative(scene.differences(d, FrictionBound::frozen), k), 1e-6);
+        EXPECT_LT(relative(scene.differences(d, step::FrictionBound::frozen), k), 1e-6);
     }
 }
 
@@ -183,7 +183,7 @@ TYPED_TEST(Derivatives, ContactForcesAreInBalance)
     ContactScene<TypeParam> scene(0.05, 1e-3, Integrator::newmark);
     const VectorXd d = small_unknowns(2 * TypeParam::unknowns, 4);
     constexpr int n = TypeParam::unknowns;
-    const VectorXd f = scene.force(d, FrictionBound::exact);
+    const VectorXd f = scene.force(d, step::FrictionBound::exact);
     const Vector3d on_a = f.head<3>(), on_b = f.segment<3>(n);
     EXPECT_GT(on_a.norm(), 1e4);
     EXPECT_LT((on_a + on_b).norm(), 1e-12 * on_a.norm());
@@ -206,15 +206,15 @@ TEST(Elasticity, ForceHasTheStiffnessOfTheBlock)
         set_pose(model, state, 0, {0, 0, 0}, Random(5).rotation());
         Stage stage = dynamic_stage(1, 1e-3);
         stage.control.integrator = integrator;
-        BlockStep<SpatialDeformable> block;
-        begin_block(model, stage, state, 0, 1e-3, 1e-3, block);
+        step::BlockStep<step::SpatialDeformable> block;
+        step::begin_block(model, stage, state, 0, 1e-3, 1e-3, block);
         const MatrixXd elastic = block.base - block.inertia;
         MatrixXd k(12, 12);
         for (int i = 0; i < 12; ++i) {
-            SpatialDeformable::Unknowns more = SpatialDeformable::Unknowns::Zero(), less = more;
+            step::SpatialDeformable::Unknowns more = step::SpatialDeformable::Unknowns::Zero(), less = more;
             more[i] = 1e-6;
             less[i] = -1e-6;
-            k.col(i) = (internal_force(block, more).force - internal_force(block, less).force) / 2e-6;
+            k.col(i) = (step::internal_force(block, more).force - step::internal_force(block, less).force) / 2e-6;
         }
         EXPECT_LT(relative(k, elastic), 1e-8);
         // Six rigid modes: translation and rotation cost nothing.
@@ -238,15 +238,16 @@ TEST(Elasticity, WorkOfTheForceIsEnergyPlusLoss)
         set_velocity(model, state, 0, {0, 0, 0}, {0.5, -0.2, 0.3});
         Stage stage = dynamic_stage(1, 1e-3);
         stage.control.integrator = theta == 1 ? Integrator::newmark : Integrator::energy_decaying;
-        BlockStep<SpatialDeformable> block;
-        begin_block(model, stage, state, 0, 1e-3, 1e-3, block);
-        SpatialDeformable::Unknowns d;
+        step::BlockStep<step::SpatialDeformable> block;
+        step::begin_block(model, stage, state, 0, 1e-3, 1e-3, block);
+        step::SpatialDeformable::Unknowns d;
         random.fill(d, 0.02);
-        const InternalForce<SpatialDeformable> internal = internal_force(block, d);
+        const step::InternalForce<step::SpatialDeformable> internal = step::internal_force(block, d);
         // The path the strain takes: from the start turned by the prediction, to the end.
-        const Matrix3d end = (Matrix3d::Identity() + SpatialDeformable::gradient(d)) * block.predicted.map;
+        const Matrix3d end = (Matrix3d::Identity() + step::SpatialDeformable::gradient(d)) * block.predicted.map;
         const Matrix3d path = end - block.step_rotation * block.start.map;
-        const Matrix3d g = SpatialDeformable::gradient(internal.force) * block.predicted.map.inverse().transpose();
+        const Matrix3d g =
+            step::SpatialDeformable::gradient(internal.force) * block.predicted.map.inverse().transpose();
         const double work = g.cwiseProduct(path).sum();
         const double gained = internal.energy - block.elasticity.energy(block.start_strain);
         EXPECT_NEAR(work, gained + internal.loss, 1e-12 * (internal.energy + std::abs(work)));
@@ -259,25 +260,25 @@ TEST(Elasticity, WorkOfTheForceIsEnergyPlusLoss)
 TEST(Elasticity, EnergyAndForceTurnWithTheBlock)
 {
     const Matrix3d turn = Random(8).rotation();
-    BlockStep<SpatialDeformable> blocks[2];
-    SpatialDeformable::Unknowns d[2];
+    step::BlockStep<step::SpatialDeformable> blocks[2];
+    step::SpatialDeformable::Unknowns d[2];
     Random(9).fill(d[0], 0.01);
-    const Matrix3d gradient = SpatialDeformable::gradient(d[0]);
+    const Matrix3d gradient = step::SpatialDeformable::gradient(d[0]);
     d[1].head<3>() = turn * d[0].head<3>();
     Eigen::Map<Matrix3d>(d[1].data() + 3) = turn * gradient * turn.transpose();
-    InternalForce<SpatialDeformable> internal[2];
+    step::InternalForce<step::SpatialDeformable> internal[2];
     for (int i = 0; i < 2; ++i) {
         Model model = make_model(Kinematics::spatial_deformable, stone(young), dry(30));
         add_box(model, "box", {-0.5, -0.3, -0.2}, {0.5, 0.3, 0.2});
         State state = initial_state(model);
         const Matrix3d stretched = Vector3d(1.01, 0.98, 1.005).asDiagonal();
         set_pose(model, state, 0, {0, 0, 0}, i ? Matrix3d(turn * stretched) : stretched);
-        begin_block(model, dynamic_stage(1, 1e-3), state, 0, 1e-3, 1e-3, blocks[i]);
-        internal[i] = internal_force(blocks[i], d[i]);
+        step::begin_block(model, dynamic_stage(1, 1e-3), state, 0, 1e-3, 1e-3, blocks[i]);
+        internal[i] = step::internal_force(blocks[i], d[i]);
     }
     EXPECT_NEAR(internal[1].energy, internal[0].energy, 1e-13 * internal[0].energy);
-    const Matrix3d first = SpatialDeformable::gradient(internal[0].force),
-                   second = SpatialDeformable::gradient(internal[1].force);
+    const Matrix3d first = step::SpatialDeformable::gradient(internal[0].force),
+                   second = step::SpatialDeformable::gradient(internal[1].force);
     EXPECT_LT((turn * first * turn.transpose() - second).norm(), 1e-12 * first.norm());
 }
 
@@ -285,12 +286,12 @@ TEST(Elasticity, ABlockTurnedInsideOutIsRefused)
 {
     Model model = make_model(Kinematics::spatial_deformable, stone(young), dry(30));
     add_box(model, "box", {-0.5, -0.3, -0.2}, {0.5, 0.3, 0.2});
-    BlockStep<SpatialDeformable> block;
-    begin_block(model, dynamic_stage(1, 1e-3), initial_state(model), 0, 1e-3, 1e-3, block);
-    SpatialDeformable::Unknowns d = SpatialDeformable::Unknowns::Zero();
-    EXPECT_TRUE(internal_force(block, d).admissible);
+    step::BlockStep<step::SpatialDeformable> block;
+    step::begin_block(model, dynamic_stage(1, 1e-3), initial_state(model), 0, 1e-3, 1e-3, block);
+    step::SpatialDeformable::Unknowns d = step::SpatialDeformable::Unknowns::Zero();
+    EXPECT_TRUE(step::internal_force(block, d).admissible);
     d[3] = -1.1;  // x -> -0.1 x
-    EXPECT_FALSE(internal_force(block, d).admissible);
+    EXPECT_FALSE(step::internal_force(block, d).admissible);
 }
 
 }  // namespace voussoir::testing

@@ -31,16 +31,16 @@ double twice_area(const ConvexPolygon& polygon)
 }
 
 /// Two rectangles, the upper one turned and moved.
-std::optional<ContactSegment> contact_of(const Vector2d& place, double angle, double margin = 0.1)
+std::optional<contact::ContactSegment> contact_of(const Vector2d& place, double angle, double margin = 0.1)
 {
     Model model = make_model(Kinematics::planar_rigid, stone(), dry(30));
     add_box(model, "lower", {-2, 0, -1}, {2, 1, 0});
     add_box(model, "upper", {-0.5, 0, -0.25}, {0.5, 1, 0.25});
     State state = initial_state(model);
     set_pose(model, state, 1, to_space(place), to_space(Matrix2d(Eigen::Rotation2Dd(angle)), 1));
-    std::vector<PlacedOutline> parts;
-    place_parts(model, state, parts);
-    return contact_polygon(parts[0], parts[1], margin, std::nullopt);
+    std::vector<contact::PlacedOutline> parts;
+    contact::place_parts(model, state, parts);
+    return contact::contact_polygon(parts[0], parts[1], margin, std::nullopt);
 }
 
 /// A running-bond wall one stone thick on a base that shakes sideways and up and down: all in one plane.

@@ -5,7 +5,7 @@
 #include "records/formats/format.h"
 #include "tests/records/expected.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -113,11 +113,11 @@ TEST_F(RealRecords, BhrcFiles)
 
 TEST_F(RealRecords, NoFormatClaimsAnothersFile)
 {
-    const std::vector<std::pair<const Format*, std::string>> readers{
-        {&peer_at2, "peer_at2"}, {&corrected_acc, "smtk_cor_acc"},
-        {&csmip, "csmip_v"},     {&cosmos, "cosmos"},
-        {&smc, "smc"},           {&usc, "usc"},
-        {&geonet, "geonet_v"},   {&bhrc, "bhrc"}};
+    const std::vector<std::pair<const formats::Format*, std::string>> readers{
+        {&formats::peer_at2, "peer_at2"}, {&formats::corrected_acc, "smtk_cor_acc"},
+        {&formats::csmip, "csmip_v"},     {&formats::cosmos, "cosmos"},
+        {&formats::smc, "smc"},           {&formats::usc, "usc"},
+        {&formats::geonet, "geonet_v"},   {&formats::bhrc, "bhrc"}};
     for (const auto& [name, record] : expected_.items()) {
         const std::string format = record.value("format", "");
         if (!std::filesystem::is_regular_file(data_folder() / name)) continue;
@@ -130,4 +130,4 @@ TEST_F(RealRecords, NoFormatClaimsAnothersFile)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::records
 {
 
 /// The numbers in Fortran's way: `per_line` on a line, each by the printf format.
@@ -28,4 +28,4 @@ inline std::string with(std::string text, const std::string& from, const std::st
     return at == std::string::npos ? "\"" + from + "\" is not in the text" : text.replace(at, from.size(), to);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -3,7 +3,7 @@
 #include "tests/records/formats/composed.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -172,4 +172,4 @@ TEST(Cosmos, RefusesDamage)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -3,7 +3,7 @@
 #include "tests/records/formats/composed.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -136,4 +136,4 @@ TEST(Csmip, LeavesAnUnknownUnitOpen)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -44,7 +44,7 @@ TEST(Direction, ReadsAzimuthsAndBearings)
         {"22.5 degrees", 22.5},
     };
     for (const auto& [text, azimuth] : spellings) {
-        const Direction direction = parse_direction(text);
+        const formats::Direction direction = formats::parse_direction(text);
         ASSERT_TRUE(direction.azimuth.has_value()) << text;
         EXPECT_DOUBLE_EQ(*direction.azimuth, azimuth) << text;
         EXPECT_FALSE(direction.is_vertical || direction.points_down) << text;
@@ -54,18 +54,18 @@ TEST(Direction, ReadsAzimuthsAndBearings)
 TEST(Direction, TellsUpFromDown)
 {
     for (const std::string text : {"UP", "Up    Vertical Accelerometer Axis", "V", "vert.", "Z", "U-D"}) {
-        EXPECT_TRUE(parse_direction(text).is_vertical) << text;
-        EXPECT_FALSE(parse_direction(text).azimuth) << text;
+        EXPECT_TRUE(formats::parse_direction(text).is_vertical) << text;
+        EXPECT_FALSE(formats::parse_direction(text).azimuth) << text;
     }
-    EXPECT_TRUE(parse_direction("DOWN").points_down);
-    EXPECT_FALSE(parse_direction("DOWN").is_vertical);
+    EXPECT_TRUE(formats::parse_direction("DOWN").points_down);
+    EXPECT_FALSE(formats::parse_direction("DOWN").is_vertical);
 }
 
 TEST(Direction, DoesNotGuess)
 {
     for (const std::string text :
          {"", "  ", "Long", "T3", "N95W", "400", "nan", "1e9 deg", "90 m", "Northridge", "N28", "(90)"}) {
-        const Direction direction = parse_direction(text);
+        const formats::Direction direction = formats::parse_direction(text);
         EXPECT_FALSE(direction.azimuth || direction.is_vertical || direction.points_down) << text;
     }
 }
@@ -74,14 +74,14 @@ TEST(Direction, OfADownwardChannelIsLeftOutWithARemark)
 {
     Channel channel;
     std::vector<std::string> remarks;
-    set_direction(channel, parse_direction("down"), remarks);
+    formats::set_direction(channel, formats::parse_direction("down"), remarks);
     EXPECT_FALSE(channel.is_vertical);
     EXPECT_EQ(remarks.size(), 1);
-    set_direction(channel, parse_direction("up"), remarks);
+    formats::set_direction(channel, formats::parse_direction("up"), remarks);
     EXPECT_TRUE(channel.is_vertical);
     EXPECT_EQ(remarks.size(), 1);
 }
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -5,7 +5,7 @@
 #include "tests/records/expected.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -84,4 +84,4 @@ TEST(Dyna, WithoutAUnitIsListedAsStored)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

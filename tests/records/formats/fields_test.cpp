@@ -5,7 +5,7 @@
 #include "records/formats/samples.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -14,7 +14,7 @@ namespace
 std::vector<double> fields(const std::string& line, std::size_t width)
 {
     std::vector<double> numbers;
-    return parse_fields(line, width, numbers) ? numbers : std::vector<double>{};
+    return formats::parse_fields(line, width, numbers) ? numbers : std::vector<double>{};
 }
 
 TEST(Fields, TellsNumbersThatTouchApart)
@@ -36,20 +36,21 @@ TEST(Fields, TellsNumbersThatTouchApart)
 
 TEST(Fields, ReadsTheWidthOfAFortranFormat)
 {
-    EXPECT_EQ(format_width("13400 Accelerogram points at 200 pts/sec in units of g. Format: (8f9.6)"), 9);
-    EXPECT_EQ(format_width(" 100 Integer-header values follow on  10 lines, Format= (10I8)"), 8);
-    EXPECT_EQ(format_width("units=cm/sec2(04),Format=(1E15.6)"), 15);
-    EXPECT_EQ(format_width("8(1PE10.4E1)"), 10);
-    EXPECT_EQ(format_width(" 3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)"), 0);
+    EXPECT_EQ(formats::format_width("13400 Accelerogram points at 200 pts/sec in units of g. Format: (8f9.6)"), 9);
+    EXPECT_EQ(formats::format_width(" 100 Integer-header values follow on  10 lines, Format= (10I8)"), 8);
+    EXPECT_EQ(formats::format_width("units=cm/sec2(04),Format=(1E15.6)"), 15);
+    EXPECT_EQ(formats::format_width("8(1PE10.4E1)"), 10);
+    EXPECT_EQ(
+        formats::format_width(" 3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)"), 0);
 }
 
 TEST(Fields, ReadsWordsOfHeaders)
 {
-    EXPECT_DOUBLE_EQ(number_after("No. of Points =  3500  Record Length = 35.0", "points").value(), 3500);
-    EXPECT_FALSE(number_after("No. of Points =  many", "points"));
-    EXPECT_EQ(text_after("Units of uncor data are sec and g .        Max", " and "), "g");
-    EXPECT_EQ(text_after("SPACED AT .02 SEC. (UNITS: CM/SEC/SEC)", "units:"), "CM/SEC/SEC");
-    EXPECT_EQ(text_after("nothing of it", "units:"), "");
+    EXPECT_DOUBLE_EQ(formats::number_after("No. of Points =  3500  Record Length = 35.0", "points").value(), 3500);
+    EXPECT_FALSE(formats::number_after("No. of Points =  many", "points"));
+    EXPECT_EQ(formats::text_after("Units of uncor data are sec and g .        Max", " and "), "g");
+    EXPECT_EQ(formats::text_after("SPACED AT .02 SEC. (UNITS: CM/SEC/SEC)", "units:"), "CM/SEC/SEC");
+    EXPECT_EQ(formats::text_after("nothing of it", "units:"), "");
 }
 
 TEST(Fields, SpreadsTimesThatArePrintedAlike)
@@ -58,7 +59,8 @@ TEST(Fields, SpreadsTimesThatArePrintedAlike)
     load_source_bytes("film", "10.00 1 10.00 2 10.01 3\n10.02 4 10.02 5\n", file);
     std::vector<std::string> remarks;
     FaultList faults;
-    const TimedSamples samples = split_pairs(file, read_block(file, 0, 0), remarks, faults);
+    const formats::TimedSamples samples =
+        formats::split_pairs(file, formats::read_block(file, 0, 0), remarks, faults);
     ASSERT_TRUE(faults.empty());
     EXPECT_EQ(remarks.size(), 1);
     const std::vector<double> times{10, 10.005, 10.01, 10.02, 10.03};
@@ -69,4 +71,4 @@ TEST(Fields, SpreadsTimesThatArePrintedAlike)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

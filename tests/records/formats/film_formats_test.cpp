@@ -3,7 +3,7 @@
 #include "tests/records/formats/composed.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -140,4 +140,4 @@ TEST(Bhrc, RefusesDamage)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

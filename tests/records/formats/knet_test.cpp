@@ -5,7 +5,7 @@
 #include "tests/records/expected.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -74,4 +74,4 @@ TEST(Knet, AcceptsASampleMoreThanAnnounced)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -7,7 +7,7 @@
 #include "tests/records/expected.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -130,4 +130,4 @@ TEST(Miniseed, RefusesDamage)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

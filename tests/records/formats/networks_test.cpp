@@ -5,7 +5,7 @@
 #include "tests/records/expected.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -152,4 +152,4 @@ TEST(Eqsig, ReadsLabelCountAndStep)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

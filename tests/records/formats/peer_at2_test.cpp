@@ -4,7 +4,7 @@
 
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -83,4 +83,4 @@ TEST(PeerStyles, LinesAroundTheCount)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

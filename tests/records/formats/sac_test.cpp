@@ -8,7 +8,7 @@
 #include "tests/records/expected.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -156,4 +156,4 @@ TEST(Sac, TakesTheSensitivityOfTheEpochThatCoversItsStart)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -3,7 +3,7 @@
 #include "tests/records/formats/composed.h"
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -112,4 +112,4 @@ TEST(Smc, RefusesSpectraAndDamage)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -7,7 +7,7 @@
 
 #include "tests/records/reading.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -200,4 +200,4 @@ TEST(TextTable, NamesTheFirstFaultsAndCountsTheRest)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

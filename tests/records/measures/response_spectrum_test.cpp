@@ -14,7 +14,7 @@
 #include "tests/records/channels.h"
 #include "tests/records/expected.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -71,7 +71,7 @@ Peaks runge_kutta(const Channel& channel, double period, double damping, int div
 
 void expect_as_runge_kutta(const Channel& channel, const std::vector<double>& periods, double damping)
 {
-    const ResponseSpectrum spectrum = response_spectrum(channel, periods, damping);
+    const measures::ResponseSpectrum spectrum = measures::response_spectrum(channel, periods, damping);
     for (std::size_t i = 0; i < periods.size(); ++i) {
         SCOPED_TRACE("period " + std::to_string(periods[i]) + " damping " + std::to_string(damping));
         const double finest = std::min(channel.time_step, periods[i] / (10 * std::max(1.0, damping))) / 60;
@@ -105,7 +105,7 @@ TEST(ResponseSpectrum, GrowsAtResonanceAsTheClosedForm)
     const double amplitude = 2, period = 0.5, w = 2 * pi / period;
     const Channel sine =
         sampled([&](double t) { return amplitude * std::sin(w * t); }, 1e-4, 50001);  // 10 periods
-    const ResponseSpectrum spectrum = response_spectrum(sine, {period}, 0);
+    const measures::ResponseSpectrum spectrum = measures::response_spectrum(sine, {period}, 0);
     EXPECT_NEAR(spectrum.displacement[0], amplitude * pi * 10 / (w * w), 2e-6 * spectrum.displacement[0]);
     EXPECT_NEAR(spectrum.pseudo_acceleration[0], amplitude * pi * 10, 2e-6 * amplitude * pi * 10);
     EXPECT_NEAR(spectrum.absolute_acceleration[0], spectrum.pseudo_acceleration[0], 1e-9 * amplitude * pi * 10);
@@ -120,7 +120,7 @@ TEST(ResponseSpectrum, OfALongHarmonicIsTheSteadyState)
     const Channel sine =
         sampled([&](double t) { return amplitude * envelope(t) * std::sin(w * t); }, 1e-3, 100001);
     const std::vector<double> periods{0.3, 0.8, 1, 1.25, 3};
-    const ResponseSpectrum spectrum = response_spectrum(sine, periods, damping);
+    const measures::ResponseSpectrum spectrum = measures::response_spectrum(sine, periods, damping);
     for (std::size_t i = 0; i < periods.size(); ++i) {
         const double ratio = periods[i];  // of the motion's frequency (1 Hz) to the oscillator's
         const double dynamic = 1 / std::hypot(1 - ratio * ratio, 2 * damping * ratio);
@@ -132,13 +132,13 @@ TEST(ResponseSpectrum, OfALongHarmonicIsTheSteadyState)
 TEST(ResponseSpectrum, OfASuddenLoadIsTwiceTheStaticOne)
 {
     const Channel step = of_samples(std::vector<double>(2001, 3.0), 0.001);
-    EXPECT_NEAR(response_spectrum(step, {0.3}, 0).pseudo_acceleration[0], 6, 1e-12);
+    EXPECT_NEAR(measures::response_spectrum(step, {0.3}, 0).pseudo_acceleration[0], 6, 1e-12);
 }
 
 TEST(ResponseSpectrum, HasThePeaksOfTheGroundAtItsEnds)
 {
     const Channel channel = noise(2000, 0.01, 4);
-    const ResponseSpectrum spectrum = response_spectrum(channel, {1e-4, 1000}, 0.05);
+    const measures::ResponseSpectrum spectrum = measures::response_spectrum(channel, {1e-4, 1000}, 0.05);
     EXPECT_NEAR(spectrum.absolute_acceleration[0], peak(channel), 1e-3 * peak(channel));
     const GroundMotion motion = to_ground_motion(channel, "");
     double ground = 0;  // a very soft oscillator stays where it was
@@ -158,8 +158,8 @@ TEST(ResponseSpectrum, DoesNotDependOnTheDivisionOfTheRecord)
             fine.samples.push_back(std::lerp(channel.samples[i], channel.samples[i + 1], k / 10.0));
     fine.samples.push_back(channel.samples.back());
     const std::vector<double> periods{0.01, 0.05, 0.2, 1, 5};
-    const ResponseSpectrum coarse_spectrum = response_spectrum(channel, periods);
-    const ResponseSpectrum fine_spectrum = response_spectrum(fine, periods);
+    const measures::ResponseSpectrum coarse_spectrum = measures::response_spectrum(channel, periods);
+    const measures::ResponseSpectrum fine_spectrum = measures::response_spectrum(fine, periods);
     for (std::size_t i = 0; i < periods.size(); ++i) {
         EXPECT_NEAR(coarse_spectrum.displacement[i] / fine_spectrum.displacement[i], 1, 1e-10);
         EXPECT_NEAR(coarse_spectrum.absolute_acceleration[i] / fine_spectrum.absolute_acceleration[i], 1, 1e-10);
@@ -172,8 +172,8 @@ TEST(RotatedSpectrum, OfOneDirectionFallsWithTheCosine)
     Channel across = along;
     for (double& sample : across.samples) sample *= std::tan(30 * pi / 180);  // polarised at 30 deg
     const std::vector<double> periods{0.05, 0.3, 1};
-    const RotatedSpectrum found = rotd(along, across, periods);
-    const ResponseSpectrum one = response_spectrum(along, periods);
+    const measures::RotatedSpectrum found = measures::rotd(along, across, periods);
+    const measures::ResponseSpectrum one = measures::response_spectrum(along, periods);
     std::vector<double> cosines;
     for (int angle = 0; angle < 180; ++angle) cosines.push_back(std::abs(std::cos(angle * pi / 180)));
     std::sort(cosines.begin(), cosines.end());
@@ -191,14 +191,14 @@ TEST(RotatedSpectrum, IsTheSpectrumOfEveryRotatedComponent)
 {
     const Channel x = noise(400, 0.01, 21), y = noise(400, 0.01, 22);
     const std::vector<double> periods{0.02, 0.15, 0.9, 5};
-    const RotatedSpectrum found = rotd(x, y, periods);
+    const measures::RotatedSpectrum found = measures::rotd(x, y, periods);
     std::array<std::vector<double>, 4> by_angle;
     for (int degrees = 0; degrees < 180; ++degrees) {
         Channel turned = x;
         for (std::size_t i = 0; i < x.samples.size(); ++i)
             turned.samples[i] =
                 x.samples[i] * std::cos(degrees * pi / 180) + y.samples[i] * std::sin(degrees * pi / 180);
-        const ResponseSpectrum spectrum = response_spectrum(turned, periods);
+        const measures::ResponseSpectrum spectrum = measures::response_spectrum(turned, periods);
         for (std::size_t k = 0; k < periods.size(); ++k) by_angle[k].push_back(spectrum.pseudo_acceleration[k]);
     }
     for (std::size_t k = 0; k < periods.size(); ++k) {
@@ -211,14 +211,14 @@ TEST(RotatedSpectrum, IsTheSpectrumOfEveryRotatedComponent)
 TEST(ResponseSpectrum, RefusesWhatHasNone)
 {
     const Channel channel = noise(50, 0.01, 2);
-    EXPECT_THROW(response_spectrum(channel, {0}), InputError);
-    EXPECT_THROW(response_spectrum(channel, {-1}), InputError);
-    EXPECT_THROW(response_spectrum(channel, {1e-9}), InputError);
-    EXPECT_THROW(response_spectrum(channel, {1}, -0.1), InputError);
-    EXPECT_THROW(rotd(channel, noise(51, 0.01, 2), {1}), InputError);
-    EXPECT_THROW(rotd(channel, noise(50, 0.02, 2), {1}), InputError);
+    EXPECT_THROW(measures::response_spectrum(channel, {0}), InputError);
+    EXPECT_THROW(measures::response_spectrum(channel, {-1}), InputError);
+    EXPECT_THROW(measures::response_spectrum(channel, {1e-9}), InputError);
+    EXPECT_THROW(measures::response_spectrum(channel, {1}, -0.1), InputError);
+    EXPECT_THROW(measures::rotd(channel, noise(51, 0.01, 2), {1}), InputError);
+    EXPECT_THROW(measures::rotd(channel, noise(50, 0.02, 2), {1}), InputError);
 }
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -11,7 +11,7 @@
 
 #include "tests/records/channels.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -30,7 +30,7 @@ std::complex<double> gain(std::vector<double> response, std::size_t origin, doub
     return sum;
 }
 
-double butterworth_gain(const Butterworth& filter, double frequency, double time_step)
+double butterworth_gain(const processing::Butterworth& filter, double frequency, double time_step)
 {
     const auto warped = [&](double f) { return std::tan(pi * f * time_step); };
     const double w = warped(frequency);
@@ -44,12 +44,12 @@ double butterworth_gain(const Butterworth& filter, double frequency, double time
     return 1 / std::sqrt(1 + std::pow(q, 2 * filter.order));
 }
 
-void expect_butterworth(const Butterworth& filter, double time_step)
+void expect_butterworth(const processing::Butterworth& filter, double time_step)
 {
     std::vector<double> pulse(60001, 0.0);
     const std::size_t origin = filter.zero_phase ? 30000 : 0;
     pulse[origin] = 1;
-    const std::vector<double> response = filtered(filter, time_step, pulse);
+    const std::vector<double> response = processing::filtered(filter, time_step, pulse);
     ASSERT_EQ(response.size(), pulse.size());
     for (const double frequency : {0.1, 0.2, 0.5, 1.0, 5.0, 17.0, 25.0, 40.0, 49.0}) {
         SCOPED_TRACE(std::to_string(frequency) + " Hz, order " + std::to_string(filter.order));
@@ -80,7 +80,7 @@ TEST(ButterworthFilter, IsThreeDecibelsDownAtACornerAndSixBothWays)
     EXPECT_NEAR(20 * std::log10(butterworth_gain({4, 0.5, 25}, 0.5, 0.01)), -3.0103, 1e-4);
     std::vector<double> pulse(60001, 0.0);
     pulse[30000] = 1;
-    const std::vector<double> twice = filtered({4, 0.5, 25, true}, 0.01, pulse);
+    const std::vector<double> twice = processing::filtered({4, 0.5, 25, true}, 0.01, pulse);
     EXPECT_NEAR(20 * std::log10(std::abs(gain(twice, 30000, 0.5, 0.01))), -6.0206, 1e-4);
     EXPECT_NEAR(20 * std::log10(std::abs(gain(twice, 30000, 25, 0.01))), -6.0206, 1e-4);
 }
@@ -89,11 +89,11 @@ TEST(ButterworthFilter, ZeroPhaseKeepsASymmetricPulseSymmetricAboutItsCentre)
 {
     const auto shape = [](double t) { return std::exp(-std::pow((t - 20) / 0.1, 2)); };
     const Channel pulse = sampled(shape, 0.01, 4001);
-    const std::vector<double> out = filtered({4, 0.2, 10, true}, 0.01, pulse.samples);
+    const std::vector<double> out = processing::filtered({4, 0.2, 10, true}, 0.01, pulse.samples);
     EXPECT_EQ(std::max_element(out.begin(), out.end()) - out.begin(), 2000);
     for (std::size_t k = 1; k <= 1000; ++k) EXPECT_NEAR(out[2000 - k], out[2000 + k], 1e-9) << k;
     // The causal one is late.
-    const std::vector<double> late = filtered({4, 0.2, 10, false}, 0.01, pulse.samples);
+    const std::vector<double> late = processing::filtered({4, 0.2, 10, false}, 0.01, pulse.samples);
     EXPECT_GT(std::max_element(late.begin(), late.end()) - late.begin(), 2001);
     for (std::size_t i = 0; i < 1900; ++i) ASSERT_NEAR(late[i], 0, 1e-15);  // and never early
 }
@@ -101,12 +101,13 @@ TEST(ButterworthFilter, ZeroPhaseKeepsASymmetricPulseSymmetricAboutItsCentre)
 TEST(ButterworthFilter, EndsDoNotRing)
 {
     const std::vector<double> constant(2000, 5.0);
-    for (const double sample : filtered({4, std::nullopt, 10, true}, 0.01, constant)) ASSERT_NEAR(sample, 5, 0.01);
-    for (const double sample : filtered({4, 0.2, std::nullopt, true}, 0.01, constant))
+    for (const double sample : processing::filtered({4, std::nullopt, 10, true}, 0.01, constant))
+        ASSERT_NEAR(sample, 5, 0.01);
+    for (const double sample : processing::filtered({4, 0.2, std::nullopt, true}, 0.01, constant))
         ASSERT_NEAR(sample, 0, 0.05);
     // A filter that starts in the middle of a step rings with all of it.
     std::vector<double> bare = constant;
-    run_forward(butterworth_sections({4, 0.2, std::nullopt, false}, 0.01), bare);
+    processing::run_forward(processing::butterworth_sections({4, 0.2, std::nullopt, false}, 0.01), bare);
     EXPECT_NEAR(bare.front(), 5, 0.1);
 }
 
@@ -114,10 +115,10 @@ TEST(ButterworthFilter, EndsDoNotRing)
 TEST(ButterworthFilter, IsSoundAtVeryLowCorners)
 {
     const Channel wave = sampled([](double t) { return std::sin(2 * pi * t); }, 0.001, 100001);
-    const std::vector<double> out = filtered({8, 0.02, 50, true}, 0.001, wave.samples);
+    const std::vector<double> out = processing::filtered({8, 0.02, 50, true}, 0.001, wave.samples);
     for (std::size_t i = 30000; i < 70000; ++i) ASSERT_NEAR(out[i], wave.samples[i], 2e-3);
 }
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

@@ -10,7 +10,7 @@
 #include "libdda/errors.h"
 #include "records/synthetic/noise.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -41,20 +41,20 @@ double pseudo_acceleration(const Channel& channel, double period, double damping
 
 Channel noise(double duration, std::uint64_t seed)
 {
-    SyntheticMotion motion;
+    synthetic::SyntheticMotion motion;
     motion.duration = duration;
     motion.seed = seed;
     Channel channel;
     channel.time_step = motion.time_step;
-    channel.samples = synthetic_acceleration(motion);
+    channel.samples = synthetic::synthetic_acceleration(motion);
     channel.unit_in_file = "m/s2";
     return channel;
 }
 
-void expect_match(const Channel& seed, const TargetSpectrum& target)
+void expect_match(const Channel& seed, const synthetic::TargetSpectrum& target)
 {
-    MatchReport report;
-    const Channel matched = match_spectrum(seed, target, {}, report);
+    synthetic::MatchReport report;
+    const Channel matched = synthetic::match_spectrum(seed, target, {}, report);
     double worst = 0, at = 0;
     for (int i = 0; i <= 300; ++i) {  // between the periods that were matched too
         const double period = 0.05 * std::pow(80.0, i / 300.0);
@@ -78,10 +78,10 @@ void expect_match(const Channel& seed, const TargetSpectrum& target)
 
 TEST(Matching, NoiseToEurocode8)
 {
-    expect_match(noise(24, 1), eurocode_8({.type = 1, .ground = 'B', .acceleration = 0.25 * 9.80665}));
-    expect_match(noise(20, 4), eurocode_8({.type = 2, .acceleration = 2, .vertical = true}));
+    expect_match(noise(24, 1), synthetic::eurocode_8({.type = 1, .ground = 'B', .acceleration = 0.25 * 9.80665}));
+    expect_match(noise(20, 4), synthetic::eurocode_8({.type = 2, .acceleration = 2, .vertical = true}));
 }
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

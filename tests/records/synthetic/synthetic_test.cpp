@@ -12,7 +12,7 @@
 #include "records/write_at2.h"
 #include "tests/records/test_files.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 
 namespace
@@ -43,7 +43,7 @@ double energy_share(const std::vector<double>& samples, double time_step, double
 
 TEST(SplitMix64, GivesThePublishedSequence)
 {
-    SplitMix64 random(1234567);  // first values of the reference implementation for this seed
+    synthetic::SplitMix64 random(1234567);  // first values of the reference implementation for this seed
     EXPECT_EQ(random.next(), 6457827717110365317U);
     EXPECT_EQ(random.next(), 3203168211198807973U);
     EXPECT_EQ(random.next(), 9817491932198370423U);
@@ -51,7 +51,7 @@ TEST(SplitMix64, GivesThePublishedSequence)
 
 TEST(SplitMix64, NormalHasMeanZeroAndVarianceOne)
 {
-    SplitMix64 random(42);
+    synthetic::SplitMix64 random(42);
     double sum = 0, squares = 0;
     const int count = 100000;
     for (int i = 0; i < count; ++i) {
@@ -66,10 +66,10 @@ TEST(SplitMix64, NormalHasMeanZeroAndVarianceOne)
 TEST(Synthetic, HasItsPeakAndEndsAtRest)
 {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        SyntheticMotion parameters;
+        synthetic::SyntheticMotion parameters;
         parameters.seed = seed;
         parameters.peak_acceleration = 2.5;
-        const std::vector<double> samples = synthetic_acceleration(parameters);
+        const std::vector<double> samples = synthetic::synthetic_acceleration(parameters);
         ASSERT_EQ(samples.size(), 2001);
         EXPECT_EQ(samples.front(), 0);
         EXPECT_EQ(samples.back(), 0);
@@ -86,43 +86,43 @@ TEST(Synthetic, HasItsPeakAndEndsAtRest)
 
 TEST(Synthetic, ShakesWhereTheGroundResonates)
 {
-    SyntheticMotion parameters;
+    synthetic::SyntheticMotion parameters;
     parameters.ground_damping = 0.15;
     parameters.duration = 20;
     for (const double frequency : {2.0, 4.0, 8.0}) {
         parameters.ground_frequency = frequency;
-        const std::vector<double> samples = synthetic_acceleration(parameters);
+        const std::vector<double> samples = synthetic::synthetic_acceleration(parameters);
         EXPECT_GT(energy_share(samples, parameters.time_step, 0.7 * frequency, 1.3 * frequency), 0.6) << frequency;
     }
 }
 
 TEST(Synthetic, ASeedIsOneRecordAndAnotherSeedAnother)
 {
-    SyntheticMotion parameters;
-    const std::vector<double> first = synthetic_acceleration(parameters);
-    EXPECT_EQ(first, synthetic_acceleration(parameters));
+    synthetic::SyntheticMotion parameters;
+    const std::vector<double> first = synthetic::synthetic_acceleration(parameters);
+    EXPECT_EQ(first, synthetic::synthetic_acceleration(parameters));
     parameters.seed = 2;
-    EXPECT_NE(first, synthetic_acceleration(parameters));
+    EXPECT_NE(first, synthetic::synthetic_acceleration(parameters));
 }
 
 TEST(Synthetic, BadParametersAreRefusedAllAtOnce)
 {
-    SyntheticMotion parameters;
+    synthetic::SyntheticMotion parameters;
     parameters.peak_acceleration = -1;
     parameters.ground_damping = 0;
     parameters.duration = 1e9;
     try {
-        synthetic_acceleration(parameters);
+        synthetic::synthetic_acceleration(parameters);
         FAIL() << "accepted";
     } catch (const InputError& error) {
         EXPECT_EQ(error.faults.size(), 3);
     }
     parameters = {};
     parameters.time_step = 0;
-    EXPECT_THROW(synthetic_acceleration(parameters), InputError);
+    EXPECT_THROW(synthetic::synthetic_acceleration(parameters), InputError);
     parameters = {};
     parameters.ground_frequency = std::nan("");
-    EXPECT_THROW(synthetic_acceleration(parameters), InputError);
+    EXPECT_THROW(synthetic::synthetic_acceleration(parameters), InputError);
 }
 
 TEST(WriteAt2, IsReadBackAsItWas)
@@ -183,4 +183,4 @@ TEST(ShippedRecords, AreWhatTheirDescriptionSays)
 
 }  // namespace
 
-}  // namespace voussoir
+}  // namespace voussoir::records

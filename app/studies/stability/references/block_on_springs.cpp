@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::stability::references
 {
 namespace
 {
@@ -130,4 +130,4 @@ std::vector<SpringBlockPoint> block_on_springs(const SpringBlock& block, const s
     return points;
 }
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::stability::references

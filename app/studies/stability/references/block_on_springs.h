@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::stability::references
 {
 
 /// A block in the x-z plane. The ground accelerates along x by amplitude sin(2 pi t / period) until `pulse_end`.
@@ -42,4 +42,4 @@ struct SpringBlockPoint {
 /// @param times ascending, the first > 0 [s]. @returns one point each
 std::vector<SpringBlockPoint> block_on_springs(const SpringBlock& block, const std::vector<double>& times);
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::stability::references

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 double displacement_with_factor(double acceleration, double factor, double time_step, long steps)
@@ -18,4 +18,4 @@ double displacement_with_rate(double acceleration, double rate, double time)
     return acceleration / rate * (time + std::expm1(-rate * time) / rate);
 }
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

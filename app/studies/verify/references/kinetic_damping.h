@@ -1,7 +1,7 @@
 // A mass under a constant force, damped by a factor per step or by a rate.
 #pragma once
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 /// Displacement after `steps` steps of h when the velocity is multiplied by k at the end of each:
@@ -12,4 +12,4 @@ double displacement_with_factor(double acceleration, double factor, double time_
 /// Displacement of u'' = a - c u' from rest. @param rate c [1/s]
 double displacement_with_rate(double acceleration, double rate, double time);
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

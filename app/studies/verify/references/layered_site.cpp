@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 using Complex = std::complex<double>;
@@ -50,4 +50,4 @@ Complex fourier(const std::vector<double>& samples, double time_step, double fre
     return sum * time_step;
 }
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

@@ -4,7 +4,7 @@
 #include <complex>
 #include <vector>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 /// A layer, and the joint below it. Listed from the base upwards.
@@ -33,4 +33,4 @@ std::vector<Peak> peaks_of(const std::vector<double>& values, double first, doub
 /// Finite Fourier integral of a sampled record at a frequency (rectangle rule). @returns [unit of samples x s]
 std::complex<double> fourier(const std::vector<double>& samples, double time_step, double frequency);
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

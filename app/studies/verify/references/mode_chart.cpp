@@ -3,7 +3,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 const char* name_of(Mode mode)
@@ -59,4 +59,4 @@ void first_accelerations(const ChartPoint& p, Mode mode, double& slip, double& t
     slip = std::sin(p.psi) - friction * (std::cos(p.psi) + s * turn) - c * turn;
 }
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

@@ -1,7 +1,7 @@
 // First motion of a rigid block on an incline: the chart of its four modes.
 #pragma once
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 enum class Mode { stable, sliding, toppling, both };
@@ -34,4 +34,4 @@ bool within_of_a_boundary(const ChartPoint& point, double angle);
 /// times half the diagonal, by solving the equations of the mode. @returns through the arguments [-]
 void first_accelerations(const ChartPoint& point, Mode mode, double& slip, double& turn);
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

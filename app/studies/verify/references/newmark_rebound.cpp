@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 using Eigen::Matrix3d;
@@ -69,4 +69,4 @@ double newmark_loss(const DroppedCube& cube, double time_step)
     }
 }
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

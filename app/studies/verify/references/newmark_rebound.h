@@ -3,7 +3,7 @@
 
 #include "app/studies/verify/references/rebound.h"
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 /// Share of the drop lost in the first bounce when the linear cube (centroid height, vertical and lateral strain)
@@ -11,4 +11,4 @@ namespace voussoir::reference
 /// Source: [Li2017], equations 7 to 9
 double newmark_loss(const DroppedCube& cube, double time_step);
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

@@ -5,7 +5,7 @@
 
 #include "app/studies/verify/references/smooth_ode.h"
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 using Eigen::VectorXd;
@@ -65,4 +65,4 @@ double settled_penetration(const DroppedCube& cube)
     return cube.density * std::pow(cube.side, 3) * cube.gravity / cube.stiffness;
 }
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

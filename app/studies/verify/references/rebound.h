@@ -1,7 +1,7 @@
 // A block that falls flat on springs and bounces: its exact motion, without any loss.
 #pragma once
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 /// A cube of constant strain (affine, St Venant-Kirchhoff) above a frictionless plane, springs under its corners.
@@ -28,4 +28,4 @@ Rebound first_rebound(const DroppedCube& cube, double tolerance = 1e-11);
 /// Settled penetration of a block on springs, weight / stiffness [m].
 double settled_penetration(const DroppedCube& cube);
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

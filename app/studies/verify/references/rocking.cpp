@@ -6,7 +6,7 @@
 
 #include "app/studies/verify/references/smooth_ode.h"
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 using Eigen::VectorXd;
@@ -155,4 +155,4 @@ double restitution_between(const RockingBlock& block, double before, double afte
     return std::sqrt(energy(after) / energy(before));
 }
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

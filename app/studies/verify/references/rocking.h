@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 /// A free-standing block whose ground moves with a_p sin(2 pi f t) for half a cycle; no sliding.
@@ -40,4 +40,4 @@ double overturning_threshold(RockingBlock block);
 /// @param before, after |angle| of the apexes [rad]
 double restitution_between(const RockingBlock& block, double before, double after);
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 double shear_wave(const std::function<double(double)>& base, double speed, double layer, double height,
@@ -47,4 +47,4 @@ double lag_of(const std::vector<double>& trace, const std::function<double(doubl
     return best;
 }
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 /// d'Alembert with a base of given motion and a free surface:
@@ -21,4 +21,4 @@ double jointed_shear_modulus(double shear_modulus, double joint_stiffness, doubl
 /// to a hundredth of a sample by cubic interpolation. @param both sampled at multiples of `time_step`
 double lag_of(const std::vector<double>& trace, const std::function<double(double)>& original, double time_step);
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

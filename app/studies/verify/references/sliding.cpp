@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::app::studies::verify::references
 {
 namespace
 {
@@ -177,4 +177,4 @@ double sum_of_sines_displacement(const std::vector<Vector2d>& amplitude_and_omeg
     return sum;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify::references

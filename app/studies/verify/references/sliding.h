@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace voussoir
+namespace voussoir::app::studies::verify::references
 {
 
 /// A rigid block on a plane, seen from the plane: w' = driving - friction x pressing x w/|w| while it slips; it
@@ -42,4 +42,4 @@ double wedge_friction(double left, double right, double friction_angle);
 /// sum a_i / w_i^2 (w_i t - sin w_i t). Source: [Tsesarsky2002], equation 7 with theta = 0.
 double sum_of_sines_displacement(const std::vector<Eigen::Vector2d>& amplitude_and_omega, double time);
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify::references

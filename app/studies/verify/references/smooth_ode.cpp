@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 using Eigen::VectorXd;
@@ -85,4 +85,4 @@ bool integrate(const Derivative& f, double end, double tolerance, const Event& e
     return false;
 }
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-namespace voussoir::reference
+namespace voussoir::app::studies::verify::references
 {
 
 /// y' = f(t, y), smooth until the event.
@@ -25,4 +25,4 @@ struct OdePoint {
 /// Source: [DormandPrince1980]
 bool integrate(const Derivative& f, double end, double tolerance, const Event& event, OdePoint& point);
 
-}  // namespace voussoir::reference
+}  // namespace voussoir::app::studies::verify::references

@@ -3,7 +3,7 @@
 
 #include "tests/app/command_test.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -101,4 +101,4 @@ TEST_F(ConvergeCommand, InterruptedLeavesNothingAndSaysSo)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

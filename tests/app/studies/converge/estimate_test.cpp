@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -153,4 +153,4 @@ TEST(Estimate, OfHistoriesThatPartShowsNoOrder)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -13,7 +13,7 @@
 #include "libdda/model/state.h"
 #include "tests/app/test_files.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -24,7 +24,7 @@ class Measures : public ::testing::Test
 {
  protected:
     TemporaryFolder folder_;
-    Case case_ = read_case(folder_.write("case.yaml", two_boxes), {});
+    Case case_ = reader::read_case(folder_.write("case.yaml", two_boxes), {});
 
     std::vector<std::string> names(const std::vector<std::string>& words) const
     {
@@ -171,10 +171,10 @@ TEST_F(Measures, PlansHoldOnlyStepsThatCanBeRun)
 
 TEST(Words, StepsAreInMillisecondsBelowASecond)
 {
-    EXPECT_EQ(step_in_words(2e-3), "2 ms");
-    EXPECT_EQ(step_in_words(0.5), "500 ms");
-    EXPECT_EQ(step_in_words(20), "20 s");
+    EXPECT_EQ(words::step_in_words(2e-3), "2 ms");
+    EXPECT_EQ(words::step_in_words(0.5), "500 ms");
+    EXPECT_EQ(words::step_in_words(20), "20 s");
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

@@ -15,7 +15,7 @@
 #include "libdda/errors.h"
 #include "tests/app/test_files.h"
 
-namespace voussoir
+namespace voussoir::app::studies::converge
 {
 namespace
 {
@@ -48,7 +48,7 @@ double oscillator(double t)
 TEST(Study, OfAnOscillatorEstimatesItsTrueErrorAndTheOrderOfTheMethod)
 {
     const TemporaryFolder folder;
-    const Case the_case = read_case(folder.write("case.yaml", oscillator_case), {});
+    const Case the_case = reader::read_case(folder.write("case.yaml", oscillator_case), {});
     const std::vector<Quantity> quantities = read_quantities({"top.dz", "top.dz:end"}, the_case);
     const std::vector<double> factors{2, 1, 0.5, 0.25, 0.125};
     std::vector<Sample> samples;
@@ -79,7 +79,7 @@ TEST(Study, OfAnOscillatorEstimatesItsTrueErrorAndTheOrderOfTheMethod)
 TEST(Study, NamesTheCheapestSettingAndTheSensitivity)
 {
     const TemporaryFolder folder;
-    const Case the_case = read_case(folder.write("case.yaml", oscillator_case), {});
+    const Case the_case = reader::read_case(folder.write("case.yaml", oscillator_case), {});
     const SettingList list = list_settings(plan_of({{"1 ms", "0.5 ms", "0.25 ms"}, {1, 2, 4, 8}, {}}, the_case));
     EXPECT_EQ(list.settings.size(), 6u);  // the case's own is in both series and runs once
     const ConvergeStudy study = run_study(the_case, list, read_quantities({"top.dz:peak"}, the_case), {}, {});
@@ -106,7 +106,7 @@ Case incline(const std::vector<std::string>& overrides)
 {
     std::vector<std::string> rigid{"kinematics=spatial_rigid"};
     rigid.insert(rigid.end(), overrides.begin(), overrides.end());
-    return read_case(VOUSSOIR_CASES "/incline.yaml", rigid);
+    return reader::read_case(VOUSSOIR_CASES "/incline.yaml", rigid);
 }
 
 // g (sin 45 - cos 45 tan phi) t^2 / 2 reaches 1 cm in the case's 1 s at this angle.
@@ -118,7 +118,8 @@ TEST(Threshold, OfAnInclineIsFoundWithinItsBracket)
     const Threshold threshold = read_threshold("joints.dry.friction=50..42 deg");
     EXPECT_EQ(threshold.unit, "deg");
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms"}, {1, 4}, {}}, the_case));
-    const ConvergeStudy study = run_threshold_study(the_case, list, threshold, {{}, 0.01}, 1, {}, case_reader);
+    const ConvergeStudy study =
+        run_threshold_study(the_case, list, threshold, {{}, 0.01}, 1, {}, reader::case_reader);
     ASSERT_EQ(study.quantities.size(), 1u);
     for (const Series& series : study.quantities[0].series) {
         EXPECT_GT(series.uncertainty, 0.001);
@@ -135,7 +136,7 @@ TEST(Threshold, ThatIsNotBetweenTheValuesIsAFailureOfTheSetting)
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms"}, {1}, {}}, the_case));
     const auto failure = [&](const std::string& text) {
         const ConvergeStudy study =
-            run_threshold_study(the_case, list, read_threshold(text), {{}, 0.01}, 1, {}, case_reader);
+            run_threshold_study(the_case, list, read_threshold(text), {{}, 0.01}, 1, {}, reader::case_reader);
         const Series& series = study.quantities[0].series[0];
         EXPECT_FALSE(series.reference);
         EXPECT_EQ(cheapest(series, 0.05), nullptr);
@@ -153,7 +154,8 @@ TEST(Threshold, NextToZeroEnds)
     const Case the_case = incline({"joints.dry.friction=44 deg", "joints.dry.tensile_strength=1 MPa"});
     const SettingList list = list_settings(plan_of({{"4 ms", "2 ms"}, {1}, {}}, the_case));
     const Threshold threshold = read_threshold("joints.dry.cohesion=1 MPa..0 MPa");
-    const ConvergeStudy study = run_threshold_study(the_case, list, threshold, {{}, 0.001}, 1, {}, case_reader);
+    const ConvergeStudy study =
+        run_threshold_study(the_case, list, threshold, {{}, 0.001}, 1, {}, reader::case_reader);
     for (const SeriesRow& row : study.quantities[0].series[0].rows) {
         ASSERT_TRUE(row.value) << row.failure;
         EXPECT_LT(*row.value, 0.01);
@@ -221,4 +223,4 @@ TEST(Study, KeepsRunsThatGiveUpAsRows)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::converge

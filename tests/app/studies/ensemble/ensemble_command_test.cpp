@@ -6,7 +6,7 @@
 #include "tests/app/program_start.h"
 #include "tests/app/studies/ensemble/scenes.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 namespace
@@ -79,4 +79,4 @@ TEST_F(EnsembleCommand, RefusesWhatItCannotUseBeforeItRuns)
     expect_refusal({}, "none.yaml");
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

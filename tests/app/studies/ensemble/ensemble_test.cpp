@@ -12,7 +12,7 @@
 #include "tests/app/studies/ensemble/scenes.h"
 #include "tests/app/test_files.h"
 
-namespace voussoir
+namespace voussoir::app::studies::ensemble
 {
 
 namespace
@@ -26,13 +26,13 @@ using testing::vary_friction;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const double unknown = std::nan("");
 
-EnsembleStudy study_of(const std::string& text, const std::string& vary = vary_friction,
+EnsembleStudy study_of(const std::string& text, const std::string& vary = testing::vary_friction,
                        const EnsembleChoices& choices = {})
 {
     const TemporaryFolder folder;
     const Variation variation = read_variation(vary);
-    return run_ensemble(read_members(folder.write("case.yaml", text), {}, variation, case_reader), variation,
-                        choices, {});
+    return run_ensemble(read_members(folder.write("case.yaml", text), {}, variation, reader::case_reader),
+                        variation, choices, {});
 }
 
 const MeasureStudy& measure(const EnsembleStudy& study, const std::string& part)
@@ -85,10 +85,10 @@ TEST(EnsembleVariation, IsAKeyAndDifferentValues)
 // away it must say so.
 TEST(Ensemble, TellsAStepThatIsSmallEnoughFromOneThatIsNot)
 {
-    const EnsembleStudy fine = study_of(shaken_stone(gentle_wave, "1 ms"));
+    const EnsembleStudy fine = study_of(testing::shaken_stone(testing::gentle_wave, "1 ms"));
     EXPECT_TRUE(fine.agrees()) << verdict_of(fine);
     EXPECT_EQ(measure(fine, "peak drift").ranges[1], 0);
-    const EnsembleStudy coarse = study_of(shaken_stone(gentle_wave, "40 ms"));
+    const EnsembleStudy coarse = study_of(testing::shaken_stone(testing::gentle_wave, "40 ms"));
     EXPECT_FALSE(measure(coarse, "peak drift").agrees);
     EXPECT_FALSE(coarse.agrees());
     EXPECT_NE(verdict_of(coarse).find("top: peak drift"), std::string::npos) << verdict_of(coarse);
@@ -99,34 +99,40 @@ TEST(Ensemble, ReportsTheStiffnessAsASensitivity)
 {
     EnsembleChoices choices;
     choices.stiffness_factor = 8;
-    const EnsembleStudy study = study_of(shaken_stone(gentle_wave, "1 ms"), vary_friction, choices);
+    const EnsembleStudy study =
+        study_of(testing::shaken_stone(testing::gentle_wave, "1 ms"), testing::vary_friction, choices);
     ASSERT_EQ(study.settings.size(), 3u);
     const MeasureStudy& peak = measure(study, "peak drift");
     EXPECT_GT(peak.medians[0] / peak.medians[2], 5);
     EXPECT_LT(peak.medians[0] / peak.medians[2], 16);
     EXPECT_TRUE(study.agrees()) << "it is not judged";
     choices.stiffness_factor = 1;
-    EXPECT_EQ(study_of(shaken_stone(gentle_wave, "1 ms"), vary_friction, choices).settings.size(), 2u);
+    EXPECT_EQ(study_of(testing::shaken_stone(testing::gentle_wave, "1 ms"), testing::vary_friction, choices)
+                  .settings.size(),
+              2u);
 }
 
 // A block that is lifted straight up opens its joint by what it rises.
 TEST(Ensemble, CountsOpenJoints)
 {
-    const EnsembleStudy study = study_of(shaken_stone(lifting_wave, "1 ms"));
+    const EnsembleStudy study = study_of(testing::shaken_stone(testing::lifting_wave, "1 ms"));
     EXPECT_EQ(study.runs[0][0].joints, 1);
     EXPECT_EQ(measure(study, "joints that were open").medians[0], 1);
     const double opening = measure(study, "largest opening").medians[0];
     EXPECT_GT(opening, 5);
     EXPECT_NEAR(opening, measure(study, "peak drift").medians[0], 0.1 * opening);
-    EXPECT_EQ(measure(study_of(shaken_stone(gentle_wave, "1 ms")), "joints that were open").medians[0], 0);
+    EXPECT_EQ(
+        measure(study_of(testing::shaken_stone(testing::gentle_wave, "1 ms")), "joints that were open").medians[0],
+        0);
 }
 
 TEST(Ensemble, DoesNotDependOnHowManyRunsGoSideBySide)
 {
     EnsembleChoices one, three;
     three.jobs = 3;
-    const std::string text = shaken_stone("x: {sine: {acceleration: 9 m/s2, frequency: 4 Hz}}", "2 ms");
-    const EnsembleStudy a = study_of(text, vary_friction, one), b = study_of(text, vary_friction, three);
+    const std::string text = testing::shaken_stone("x: {sine: {acceleration: 9 m/s2, frequency: 4 Hz}}", "2 ms");
+    const EnsembleStudy a = study_of(text, testing::vary_friction, one),
+                        b = study_of(text, testing::vary_friction, three);
     ASSERT_EQ(a.measures.size(), b.measures.size());
     for (std::size_t i = 0; i < a.measures.size(); ++i) EXPECT_EQ(a.measures[i].values, b.measures[i].values);
     EXPECT_GT(measure(a, "residual drift").ranges[0], 0) << "more friction, less sliding";
@@ -136,7 +142,7 @@ TEST(Ensemble, DoesNotDependOnHowManyRunsGoSideBySide)
 
 TEST(Ensemble, ARunThatGivesUpLeavesNothingToJudge)
 {
-    std::string text = shaken_stone(lifting_wave, "1 ms");
+    std::string text = testing::shaken_stone(testing::lifting_wave, "1 ms");
     text.replace(text.find("type: static"), 12, "type: static, max_static_steps: 1");
     const EnsembleStudy study = study_of(text);
     EXPECT_FALSE(study.agrees());
@@ -150,7 +156,7 @@ TEST(Ensemble, ARunThatGivesUpLeavesNothingToJudge)
 TEST(Ensemble, PassesOnWhatItsRunsWarnOf)
 {
     const EnsembleStudy study =
-        study_of(shaken_stone("z: {sine: {acceleration: 20 m/s2, frequency: 3 Hz}}", "1 ms"));
+        study_of(testing::shaken_stone("z: {sine: {acceleration: 20 m/s2, frequency: 3 Hz}}", "1 ms"));
     const std::string page = ensemble_page(study, "", {}), table = ensemble_table(study);
     const nlohmann::json json = nlohmann::json::parse(ensemble_json(study));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -162,7 +168,7 @@ TEST(Ensemble, PassesOnWhatItsRunsWarnOf)
         EXPECT_NE(table.find("warning: " + run.warnings[0]), std::string::npos);
         EXPECT_EQ(json["runs"][i]["warnings"], nlohmann::json{run.warnings[0]});
     }
-    const EnsembleStudy quiet = study_of(shaken_stone(gentle_wave, "1 ms"));
+    const EnsembleStudy quiet = study_of(testing::shaken_stone(testing::gentle_wave, "1 ms"));
     EXPECT_EQ(ensemble_page(quiet, "", {}).find("arning"), std::string::npos);
     EXPECT_EQ(ensemble_table(quiet).find("arning"), std::string::npos);
 }
@@ -170,9 +176,10 @@ TEST(Ensemble, PassesOnWhatItsRunsWarnOf)
 TEST(Ensemble, PassesOnWhatItsCaseWarnsOf)
 {
     const TemporaryFolder folder;
-    const Variation variation = read_variation(vary_friction);
+    const Variation variation = read_variation(testing::vary_friction);
     std::vector<Case> members =
-        read_members(folder.write("case.yaml", shaken_stone(gentle_wave, "1 ms")), {}, variation, case_reader);
+        read_members(folder.write("case.yaml", testing::shaken_stone(testing::gentle_wave, "1 ms")), {}, variation,
+                     reader::case_reader);
     for (Case& member : members) member.warnings = {"arch.obj: a hole was closed"};
     const EnsembleStudy study = run_ensemble(members, variation, {}, {});
     EXPECT_NE(ensemble_page(study, "", {}).find("- arch.obj: a hole was closed\n"), std::string::npos);
@@ -201,7 +208,7 @@ TEST(Ensemble, ACollapseWidensNoTolerance)
 
 TEST(Ensemble, MembersThatCannotBeComparedAreRefused)
 {
-    const std::string text = shaken_stone(gentle_wave, "1 ms");
+    const std::string text = testing::shaken_stone(testing::gentle_wave, "1 ms");
     EXPECT_THROW(study_of(text, "stages[1].time_step=1 ms,2 ms"), InputError);
     EXPECT_THROW(study_of(text, "stages[1].min_time_step=0.1 ms,0.9 ms"), InputError);
 }
@@ -209,15 +216,16 @@ TEST(Ensemble, MembersThatCannotBeComparedAreRefused)
 TEST(Ensemble, EndsWhenItIsToldTo)
 {
     const TemporaryFolder folder;
-    const Variation variation = read_variation(vary_friction);
+    const Variation variation = read_variation(testing::vary_friction);
     const auto members =
-        read_members(folder.write("case.yaml", shaken_stone(gentle_wave, "1 ms")), {}, variation, case_reader);
+        read_members(folder.write("case.yaml", testing::shaken_stone(testing::gentle_wave, "1 ms")), {}, variation,
+                     reader::case_reader);
     int finished = 0;
     EnsembleWatch watch;
     watch.finished = [&](const MemberRun&, int, int) { ++finished; };
     watch.stop = [&] { return finished == 2; };
-    EXPECT_THROW(run_ensemble(members, variation, {}, watch), Interrupted);
+    EXPECT_THROW(run_ensemble(members, variation, {}, watch), converge::Interrupted);
     EXPECT_EQ(finished, 2);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::ensemble

@@ -13,14 +13,14 @@
 #include "app/studies/stability/sound_range.h"
 #include "libdda/errors.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
 
 StabilityCell cell_named(const std::string& name)
 {
-    for (const StabilityScene& scene : stability_scenes(case_reader))
+    for (const StabilityScene& scene : stability_scenes(reader::case_reader))
         for (const StabilityCell& cell : scene.cells)
             if (cell.name == name) return cell;
     ADD_FAILURE() << name;
@@ -38,7 +38,7 @@ TEST(StabilityCells, AreTwoHundredWithNamesOfTheirOwnAndAReferenceEach)
 {
     std::set<std::string> names;
     std::size_t count = 0;
-    for (const StabilityScene& scene : stability_scenes(case_reader))
+    for (const StabilityScene& scene : stability_scenes(reader::case_reader))
         for (const StabilityCell& cell : scene.cells) {
             names.insert(cell.name);
             ++count;
@@ -56,7 +56,7 @@ TEST(StabilityCells, AreTwoHundredWithNamesOfTheirOwnAndAReferenceEach)
 TEST(StabilityCells, TheMapsSpanTenDecadesOfStiffnessAndThreeOfTimeStep)
 {
     int maps = 0;
-    for (const StabilityScene& scene : stability_scenes(case_reader)) {
+    for (const StabilityScene& scene : stability_scenes(reader::case_reader)) {
         if (!scene.over_stiffness_and_step) continue;
         ++maps;
         std::set<double> stiffnesses, steps;
@@ -228,10 +228,10 @@ TEST(StabilityMaps, AWrongCellIsRedAndNamedOnThePage)
     bad.run.error = 0.5;
     bad.outcome = CellOutcome::wrong;
     bad.diagnosis = "error 50 % is beyond 2 %";
-    const std::vector<StabilityScene> scenes = stability_scenes(case_reader);
-    const std::vector<Figure> figures = stability_figures(scenes, {good, bad});
+    const std::vector<StabilityScene> scenes = stability_scenes(reader::case_reader);
+    const std::vector<plots::Figure> figures = stability_figures(scenes, {good, bad});
     ASSERT_EQ(figures.size(), 1u);
-    const TileMap& map = figures[0].maps.at(0);
+    const plots::TileMap& map = figures[0].maps.at(0);
     EXPECT_EQ(map.tiles.size(), 2u);
     EXPECT_EQ(map.tiles[1].text, "50 %");
     EXPECT_GT(map.tiles[1].color[0], 2 * map.tiles[1].color[1]);
@@ -246,7 +246,7 @@ TEST(StabilityMaps, EverySceneIsOnThePageThatShips)
 {
     std::ostringstream page;
     page << std::ifstream(VOUSSOIR_DOCS "/stability.md").rdbuf();
-    for (const StabilityScene& scene : stability_scenes(case_reader)) {
+    for (const StabilityScene& scene : stability_scenes(reader::case_reader)) {
         EXPECT_NE(page.str().find("\n## " + scene.name + "\n"), std::string::npos)
             << scene.name << ": rerun voussoir stability -o docs";
         const bool holds = page.str().find(", " + scene.name + " works from ") != std::string::npos;
@@ -255,4 +255,4 @@ TEST(StabilityMaps, EverySceneIsOnThePageThatShips)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

@@ -24,9 +24,9 @@ std::vector<double> times_to(double end, int count)
     return times;
 }
 
-SpringBlock flat_block(double stiffness)
+app::studies::stability::references::SpringBlock flat_block(double stiffness)
 {
-    SpringBlock block;
+    app::studies::stability::references::SpringBlock block;
     block.half_width = 0.5;
     block.half_height = 0.05;
     block.mass = 200;
@@ -44,12 +44,14 @@ SpringBlock flat_block(double stiffness)
 TEST(BlockOnSprings, SlidesAsARigidBlockWhenTheSpringsAreStiff)
 {
     const std::vector<double> times = times_to(2, 40);
-    SlidingProblem rigid;
+    app::studies::verify::references::SlidingProblem rigid;
     rigid.friction = 0.2;
     rigid.pressing = [](double) { return gravity; };
     rigid.driving = [](double t) { return Eigen::Vector2d(-5 * std::sin(std::numbers::pi * t), 0); };
-    const std::vector<SlidingPoint> exact = slide(rigid, times);
-    const std::vector<SpringBlockPoint> ours = block_on_springs(flat_block(1e9), times);
+    const std::vector<app::studies::verify::references::SlidingPoint> exact =
+        app::studies::verify::references::slide(rigid, times);
+    const std::vector<app::studies::stability::references::SpringBlockPoint> ours =
+        app::studies::stability::references::block_on_springs(flat_block(1e9), times);
     double largest = 0, worst = 0;
     for (std::size_t i = 0; i < times.size(); ++i) {
         largest = std::max(largest, std::abs(exact[i].displacement.x()));
@@ -63,24 +65,25 @@ TEST(BlockOnSprings, SoftSpringsLagByTheirOwnCompliance)
 {
     // A pulse too weak to slide: the block follows the ground but for the stretch of its shear springs,
     // m a / (2 k_t), once the pulse is slow against the springs.
-    SpringBlock block = flat_block(1e6);
+    app::studies::stability::references::SpringBlock block = flat_block(1e6);
     block.amplitude = 1;
     block.period = 4;
     block.pulse_end = 4;
     const double stretch = block.mass * 1 / (2 * block.shear_stiffness);
-    const SpringBlockPoint at_peak = block_on_springs(block, {1.0}).front();
+    const app::studies::stability::references::SpringBlockPoint at_peak =
+        app::studies::stability::references::block_on_springs(block, {1.0}).front();
     EXPECT_NEAR(at_peak.x, -stretch, 0.05 * stretch);
 }
 
 TEST(BlockOnSprings, RocksAsARigidBlockUntilItLands)
 {
-    RockingBlock rigid;
+    app::studies::verify::references::RockingBlock rigid;
     rigid.half_width = 0.5;
     rigid.half_height = 1.5;
     rigid.gravity = gravity;
     rigid.amplitude = 5;
     rigid.frequency = 1;
-    SpringBlock block;
+    app::studies::stability::references::SpringBlock block;
     block.half_width = rigid.half_width;
     block.half_height = rigid.half_height;
     block.mass = 1200;
@@ -92,10 +95,11 @@ TEST(BlockOnSprings, RocksAsARigidBlockUntilItLands)
     block.amplitude = 5;
     block.period = 1;
     block.pulse_end = 0.5;
-    const double landing = first_impact(rigid).value();
+    const double landing = app::studies::verify::references::first_impact(rigid).value();
     const std::vector<double> times = times_to(0.95 * landing, 20);
-    const std::vector<double> exact = rocking_angles(rigid, times);
-    const std::vector<SpringBlockPoint> ours = block_on_springs(block, times);
+    const std::vector<double> exact = app::studies::verify::references::rocking_angles(rigid, times);
+    const std::vector<app::studies::stability::references::SpringBlockPoint> ours =
+        app::studies::stability::references::block_on_springs(block, times);
     double largest = 0, worst = 0;
     for (std::size_t i = 0; i < times.size(); ++i) {
         largest = std::max(largest, std::abs(exact[i]));
@@ -107,7 +111,7 @@ TEST(BlockOnSprings, RocksAsARigidBlockUntilItLands)
 
 TEST(BlockOnSprings, LetGoOnAStiffEdgeTurnsAboutItAsItsWeightFalls)
 {
-    SpringBlock block;
+    app::studies::stability::references::SpringBlock block;
     block.half_width = 1;
     block.half_height = 3;
     block.mass = 2400;
@@ -118,7 +122,8 @@ TEST(BlockOnSprings, LetGoOnAStiffEdgeTurnsAboutItAsItsWeightFalls)
     block.gravity = gravity;
     block.start_lean = 0.2;
     const double t = 0.6, dt = 1e-3;
-    const std::vector<SpringBlockPoint> points = block_on_springs(block, {t - dt, t, t + dt});
+    const std::vector<app::studies::stability::references::SpringBlockPoint> points =
+        app::studies::stability::references::block_on_springs(block, {t - dt, t, t + dt});
     const double spin = (points[2].lean - points[0].lean) / (2 * dt);
     const double radius = std::hypot(1.0, 3.0), alpha = std::atan2(1.0, 3.0);
     const double fall = radius * (std::cos(alpha - block.start_lean) - std::cos(alpha - points[1].lean));

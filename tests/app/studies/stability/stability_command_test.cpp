@@ -3,7 +3,7 @@
 
 #include "tests/app/command_test.h"
 
-namespace voussoir
+namespace voussoir::app::studies::stability
 {
 namespace
 {
@@ -89,4 +89,4 @@ TEST_F(StabilityCommand, WritesPageFiguresAndMaps)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::stability

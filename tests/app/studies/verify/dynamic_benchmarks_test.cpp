@@ -3,7 +3,7 @@
 
 #include "app/studies/verify/families.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 
 namespace
@@ -61,4 +61,4 @@ TEST(DynamicBenchmarks, KineticDamping)
     run_and_judge(kinetic_damping_benchmarks());
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

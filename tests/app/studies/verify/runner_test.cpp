@@ -13,7 +13,7 @@
 #include "app/studies/verify/table.h"
 #include "app/studies/verify/verify_json.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
@@ -25,7 +25,7 @@ Benchmark second_order()
     benchmark.name = "second-order";
     benchmark.tolerance = 2e-4;
     benchmark.sweep = standard_sweep({1e-2, 5e-3, 2e-3, 1e-3, 5e-4});
-    benchmark.run = [](const SceneSetting& setting) {
+    benchmark.run = [](const scenes::SceneSetting& setting) {
         if (setting.time_step == 5e-3) throw std::runtime_error("no such thing");
         VerifyResult result;
         result.error = 100 * setting.time_step * setting.time_step;
@@ -60,7 +60,7 @@ TEST(Runner, AnErrorAboveTheToleranceOrNoneAtAllDoesNotPass)
     benchmark.setting.time_step = 5e-3;
     benchmark.tolerance = 1;
     EXPECT_FALSE(run_benchmark(benchmark, false).pass);
-    benchmark.run = [](const SceneSetting&) {
+    benchmark.run = [](const scenes::SceneSetting&) {
         VerifyResult result;
         result.error = std::nan("");
         return result;
@@ -85,14 +85,14 @@ TEST(Runner, JsonHasWhatDesignNamesAndNullForAnErrorThatIsNone)
 TEST(Runner, DrawsWhatWasSweptAndNothingWhereEveryErrorIsNone)
 {
     Benchmark benchmark = second_order();
-    const Figure swept = work_precision(run_benchmark(benchmark, true));
+    const plots::Figure swept = work_precision(run_benchmark(benchmark, true));
     ASSERT_EQ(swept.diagrams.size(), 2u);  // no stiffness was varied
     EXPECT_EQ(swept.diagrams[0].curves.size(), 4u);
     EXPECT_EQ(swept.notes.size(), 8u) << "two steps of each method fail";
     EXPECT_TRUE(picture(run_benchmark(benchmark, false)).diagrams.empty());
     benchmark.tolerance = 0;
-    benchmark.run = [](const SceneSetting&) { return VerifyResult{}; };
-    const Figure none = work_precision(run_benchmark(benchmark, true));
+    benchmark.run = [](const scenes::SceneSetting&) { return VerifyResult{}; };
+    const plots::Figure none = work_precision(run_benchmark(benchmark, true));
     EXPECT_TRUE(none.diagrams.empty());
     EXPECT_EQ(none.notes.size(), 20u) << "each row is one without error";
 }
@@ -102,7 +102,7 @@ TEST(Runner, TheSameSceneInOtherUnknownsMustPassAndAgree)
     Benchmark benchmark = second_order();
     benchmark.also = {Kinematics::planar_rigid, Kinematics::planar_deformable, Kinematics::spatial_deformable};
     double apart = 1e-6;
-    benchmark.run = [&](const SceneSetting& setting) {
+    benchmark.run = [&](const scenes::SceneSetting& setting) {
         VerifyResult result;
         const double place = is_deformable(setting.kinematics) ? 2 : 1;
         result.answer = {place * (is_planar(setting.kinematics) ? 1 + apart : 1)};
@@ -142,7 +142,7 @@ TEST(Benchmarks, HaveNamesOfTheirOwnTolerancesAndSweepsOfFourSteps)
         EXPECT_GE(benchmark.tolerance, 0) << benchmark.name;
         EXPECT_LE(benchmark.tolerance, 1) << benchmark.name;
         std::set<double> steps;
-        for (const SceneSetting& setting : benchmark.sweep) steps.insert(setting.time_step);
+        for (const scenes::SceneSetting& setting : benchmark.sweep) steps.insert(setting.time_step);
         EXPECT_TRUE(steps.empty() || steps.size() >= 4) << benchmark.name;
         swept += !steps.empty();
     }
@@ -151,4 +151,4 @@ TEST(Benchmarks, HaveNamesOfTheirOwnTolerancesAndSweepsOfFourSteps)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -6,7 +6,7 @@
 #include "app/studies/verify/runner.h"
 #include "app/studies/verify/table.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
@@ -42,4 +42,4 @@ TEST_P(SlidingBenchmark, IsWithinItsToleranceAndFarBelowThePapersError)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify

@@ -3,7 +3,7 @@
 
 #include "tests/app/command_test.h"
 
-namespace voussoir
+namespace voussoir::app::studies::verify
 {
 namespace
 {
@@ -82,4 +82,4 @@ TEST_F(VerifyCommand, WritesThePageAndTheDiagram)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::app::studies::verify
