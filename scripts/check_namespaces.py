@@ -58,7 +58,7 @@ MODULES = ("libdda", "importers", "records", "app")
 OPENING = re.compile(r"^(?:inline )?namespace(?: ((?:\w+::)*\w+))?\s*$")
 CLOSING = re.compile(r"^}  // namespace\b")
 TYPE = re.compile(r"^(?:template <[^;]*>\s*)?(?:struct|class|enum(?: class)?) (\w+)(?: final)?(?: : [^;]*)?(?: \{.*)?$")
-FORWARD = re.compile(r"^(?:struct|class) \w+;")
+FORWARD = re.compile(r"^(?:struct|class) \w+;(?: *//.*)?$")
 
 
 def namespace_of(path):
@@ -104,7 +104,7 @@ def check(root):
 def announces_only(file, line):
     """Whether a namespace holds nothing but forward declarations: another module's types, by name."""
     for text in file.read_text(encoding="utf-8").splitlines()[line:]:
-        if CLOSING.match(text):
+        if CLOSING.match(text) or text == "}":
             return True
         if text.strip() not in ("", "{") and not FORWARD.match(text):
             return False

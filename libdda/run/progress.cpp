@@ -6,6 +6,7 @@
 #include "libdda/analysis/diagnosis.h"
 #include "libdda/analysis/overlaps.h"
 #include "libdda/step/advance.h"
+#include "libdda/step/part_timer.h"
 
 namespace voussoir
 {
@@ -44,6 +45,13 @@ void note_damage(const Stage& stage, RunProgress& progress)
         note_fallen(progress.model, progress.watch, stage.gravity, progress.state, progress.report);
 }
 
+void frame(RunProgress& progress)
+{
+    if (!progress.observer.frame) return;
+    const PartTimer timer(progress.report.seconds, Part::output);
+    progress.observer.frame(progress.state, progress.report);
+}
+
 }  // namespace
 
 bool give_up(Diagnosis diagnosis, RunProgress& progress)
@@ -71,18 +79,25 @@ bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& 
     return true;
 }
 
+void save(RunProgress& progress)
+{
+    if (!progress.observer.save) return;
+    const PartTimer timer(progress.report.seconds, Part::output);
+    progress.observer.save(progress.state, progress.position);
+}
+
 void show(RunProgress& progress)
 {
     ++progress.position.frames;
     progress.shown = true;
-    if (progress.observer.frame) progress.observer.frame(progress.state, progress.report);
-    if (progress.observer.save) progress.observer.save(progress.state, progress.position);
+    frame(progress);
+    save(progress);
 }
 
 void show_end(RunProgress& progress)
 {
-    if (progress.observer.frame && !progress.shown) progress.observer.frame(progress.state, progress.report);
-    if (progress.observer.save) progress.observer.save(progress.state, progress.position);
+    if (!progress.shown) frame(progress);
+    save(progress);
 }
 
 bool goes_on(RunProgress& progress)

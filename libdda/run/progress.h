@@ -38,6 +38,9 @@ bool give_up(Diagnosis diagnosis, RunProgress& progress);
 /// One step of at most h [s], judged and counted; false when it gave up.
 bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step);
 
+/// Lets the caller keep the state as a place to go on from. What that takes is output.
+void save(RunProgress& progress);
+
 /// A frame of the run, counted, and a place to go on from.
 void show(RunProgress& progress);
 

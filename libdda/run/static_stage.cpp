@@ -40,7 +40,7 @@ bool step_at_rest(const Stage& stage, Stage& loaded, RunProgress& progress)
     at.quiet_steps = balanced ? at.quiet_steps + 1 : 0;
     ++at.static_steps;
     if (progress.observer.step) progress.observer.step(state, step, progress.report);
-    if (progress.observer.save) progress.observer.save(state, at);
+    save(progress);
     return goes_on(progress);
 }
 
