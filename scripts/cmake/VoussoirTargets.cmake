@@ -62,10 +62,17 @@ option(VOUSSOIR_PCH "Precompile the headers of Eigen and the standard library" O
 set(voussoir_precompiled_headers <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <map> <memory> <optional>
     <string> <vector>)
 if(VOUSSOIR_PCH)
-  # With precompiled headers g++ 12 sees copies without end in std::string (GCC bug 105329 again), in many guises:
-  # there warnings are no errors. The build without them is the strict one.
+  # With precompiled headers g++ 12 also sees copies that leave the buffer of a std::string: past its end (GCC bug
+  # 109299: stringop-overflow, array-bounds; read_ply.cpp shows it) and past what is read (GCC bug 98465:
+  # stringop-overread). All other warnings are errors of a release build, which has none. Compiling everything without
+  # precompiled headers as well takes half an hour of one core (g++ -O1, 3.2 s a file): the preset strict does it, and
+  # scripts/check_strict --changed does what it takes after a change. At the optimisation levels of the other presets
+  # nobody has sorted out g++'s false alarms; there warnings are no errors.
   target_compile_options(voussoir_flags INTERFACE
-    "$<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds;-Wno-error>")
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
+  if(NOT CMAKE_BUILD_TYPE STREQUAL Release)
+    target_compile_options(voussoir_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-error>)
+  endif()
   add_library(voussoir_precompiled OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
   target_link_libraries(voussoir_precompiled PRIVATE voussoir_flags Eigen3::Eigen)
   target_precompile_headers(voussoir_precompiled PRIVATE ${voussoir_precompiled_headers})

@@ -120,10 +120,10 @@ TEST_F(CaseSchema, HasTheWordsThatTheReaderTakes)
     EXPECT_GT(heard.size(), 20);
 }
 
-bool are_steps(const std::string& text)
+bool are_steps(const std::pair<std::string, std::string>& around, const std::string& word)
 {
     try {
-        parse_processing_steps(text, "steps");
+        parse_processing_steps(around.first + word + around.second, "steps");
         return true;
     } catch (const InputError&) {
         return false;
@@ -145,8 +145,7 @@ TEST_F(CaseSchema, HasTheWordsOfProcessing)
             if (path.size() < end.size() || path.substr(path.size() - end.size()) != end) continue;
             ++probed;
             for (const std::string& word : vocabulary)
-                EXPECT_EQ(words.count(word) == 1, are_steps(text.first + word + text.second))
-                    << path << ": " << word;
+                EXPECT_EQ(words.count(word) == 1, are_steps(text, word)) << path << ": " << word;
         }
     EXPECT_GE(probed, around.size());
 }

@@ -22,6 +22,11 @@ std::string as_word(const json& value)
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+std::string below(const std::string& path, const std::string& key)
+{
+    return path.empty() ? key : path + "." + key;
+}
+
 /// Walks through a schema, or makes samples of it.
 class Schema
 {
@@ -35,7 +40,7 @@ class Schema
         const json properties = schema.value("properties", json::object());
         for (const auto& [key, value] : properties.items()) {
             (is_deprecated(value) ? found.deprecated : found.keys)[path].insert(key);
-            gather(value, path.empty() ? key : path + "." + key, found);
+            gather(value, below(path, key), found);
         }
         const json others = schema.value("additionalProperties", json());
         if (others.is_object()) gather(others, path + ".*", found);

@@ -141,29 +141,6 @@ TEST(WriteAt2, IsReadBackAsItWas)
     }
 }
 
-/// The command in the second line of a shipped record, run by the program that wrote it, makes the same bytes.
-TEST(ShippedRecords, AreMadeAgainByteForByte)
-{
-    for (const std::string component : {"x", "y", "z"}) {
-        const std::string name = "synthetic_" + component + ".at2";
-        const std::string shipped = read_text(repository() / "cases" / "records" / name);
-        const std::size_t start = shipped.find("voussoir-generate-record "), end = shipped.find(" -o " + name);
-        ASSERT_TRUE(start != std::string::npos && end != std::string::npos && start < end);
-        const std::string arguments = shipped.substr(start + 25, end - start - 25);
-        const TemporaryFile again("", name);
-        const std::string command = std::string("\"") + VOUSSOIR_GENERATE_RECORD + "\" " + arguments + " -o \"" +
-                                    again.path().string() + "\"";
-        ASSERT_EQ(std::system(command.c_str()), 0) << command;
-        // The header repeats the name of the file, which here carries a prefix.
-        std::string made = read_text(again.path());
-        const std::string written_name = again.path().filename().string();
-        const std::size_t at = made.find(written_name);
-        ASSERT_NE(at, std::string::npos);
-        made.replace(at, written_name.size(), name);
-        EXPECT_TRUE(made == shipped) << name << " differs from what its command makes";
-    }
-}
-
 TEST(ShippedRecords, AreWhatTheirDescriptionSays)
 {
     const std::pair<const char*, double> records[] = {{"x", 0.35}, {"y", 0.28}, {"z", 0.20}};
