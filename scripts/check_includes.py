@@ -10,9 +10,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-ROOMS = ("libdda", "importers", "records", "app", "tests")
+MODULES = ("libdda", "importers", "records", "app", "tests")
 
-# What files of a room may include from the repository, by the beginning of the path.
+# What files of a module may include from the repository, by the beginning of the path.
 PROJECT_RULES = {
     "libdda/": ("libdda/",),
     "importers/": ("importers/", "libdda/geometry/", "libdda/errors.h"),
@@ -22,7 +22,7 @@ PROJECT_RULES = {
 }
 
 # Foreign libraries: how their includes look, the folders that may include them, and whether headers may.
-# A test may use the library of the room it tests.
+# A test may use the library of the module it tests.
 FOREIGN_RULES = (
     ("Eigen", r"(unsupported/)?Eigen/", ("libdda/", "importers/", "records/", "app/", "tests/"), True),
     ("GoogleTest", r"g(test|mock)/", ("tests/",), True),
@@ -75,13 +75,13 @@ def project_fault(root, path, included):
     """The fault of including our own header from `path`, or None."""
     if not (root / included).is_file():
         return f'"{included}": no such file; write the path from the repository root'
-    room = path.split("/")[0] + "/"
-    allowed = PROJECT_RULES[room]
-    # Another room's .cpp is nobody's to include.
+    module = path.split("/")[0] + "/"
+    allowed = PROJECT_RULES[module]
+    # Another module's .cpp is nobody's to include.
     if not included.endswith(".h"):
         return f'"{included}": only headers are included'
     if not included.startswith(allowed):
-        return f'"{included}": {room} may include only {", ".join(allowed)}'
+        return f'"{included}": {module} may include only {", ".join(allowed)}'
     return None
 
 
@@ -103,8 +103,8 @@ def faults_of_file(root, path):
 
 
 def check(root):
-    files = sorted(file.relative_to(root).as_posix() for room in ROOMS if (root / room).is_dir()
-                   for file in (root / room).rglob("*") if file.suffix in (".h", ".cpp"))
+    files = sorted(file.relative_to(root).as_posix() for module in MODULES if (root / module).is_dir()
+                   for file in (root / module).rglob("*") if file.suffix in (".h", ".cpp"))
     return len(files), [fault for path in files for fault in faults_of_file(root, path)]
 
 

@@ -84,7 +84,8 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
         joint.stiffness.factor = factor->as_quantity(dimension::number, Range::positive());
     joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", dimension::number,
                                                       Range::positive(), joint.shear_to_normal_stiffness);
-    joint.dashpot = map.quantity_or("relaxation_time", dimension::time, Range::non_negative(), joint.dashpot);
+    joint.relaxation_time =
+        map.quantity_or("relaxation_time", dimension::time, Range::non_negative(), joint.relaxation_time);
     map.reject_unknown_keys();
     return joint;
 }

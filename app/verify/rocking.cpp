@@ -61,7 +61,7 @@ Scene rocking_scene(const VerifySetting& setting, const Choices& choices, double
     joint.name = "rough";
     joint.friction_angle = choices.friction * std::numbers::pi / 180;
     joint.stiffness = stiffness_by_rule(setting, 2 * half_height / choices.young);
-    joint.dashpot = dashpot_by_rule(setting, choices);
+    joint.relaxation_time = dashpot_by_rule(setting, choices);
     Scene scene;
     scene.model = make_scene_model(setting, {"stone", choices.density, choices.young, 0.2}, joint, 1);
     hold(scene.model, add_box(scene.model, "base", {-3, -0.5, -1}, {3, 0.5, 0}));

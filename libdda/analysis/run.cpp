@@ -20,10 +20,10 @@ namespace voussoir
 namespace
 {
 
-constexpr double regrowth = 2;             // of a cut time step after a good one
-constexpr int most_parts_of_step = 20000;  // into which cutting may divide a nominal step before the run gives up
-constexpr int most_divisions = 8;          // of a nominal step; joints that tremble turn round without end
-constexpr double inexactness = 1e-2;       // residual a static step may keep, as a share of its unbalanced force
+constexpr double regrowth = 2;            // of a cut time step after a good one
+constexpr int max_parts_of_step = 20000;  // into which cutting may divide a nominal step before the run gives up
+constexpr int max_divisions = 8;          // of a nominal step; joints that tremble turn round without end
+constexpr double inexactness = 1e-2;      // residual a static step may keep, as a share of its unbalanced force
 
 /// What the loop over the stages carries along.
 struct Progress {
@@ -64,7 +64,7 @@ std::string explain_repeated_cuts(const Progress& progress, const Stage& stage, 
 {
     std::ostringstream message;
     message << "stage '" << stage.name << "' stopped at t = " << progress.state.time << " s: a nominal step of "
-            << stage.control.time_step << " s needed more than " << most_parts_of_step << " cut ones, the last of "
+            << stage.control.time_step << " s needed more than " << max_parts_of_step << " cut ones, the last of "
             << step.time_step << " s";
     if (step.worst_block >= 0)
         message << "; block '" << progress.model.blocks[step.worst_block].name
@@ -230,11 +230,11 @@ bool run_dynamic(const Stage& stage, Progress& progress)
         const double left = next - state.stage_time;
         const double h = state.next_time_step > 0 ? std::min(state.next_time_step, left) : left;
         StepReport step;
-        if (!step_once(divisions < most_divisions ? stage : undivided, h, progress, step)) return false;
+        if (!step_once(divisions < max_divisions ? stage : undivided, h, progress, step)) return false;
         const bool on_grid = step.time_step == left;
         divisions = on_grid ? 0 : divisions + step.divided;
         parts = on_grid ? 0 : parts + !step.divided;
-        if (parts > most_parts_of_step) return give_up(explain_repeated_cuts(progress, stage, step), progress);
+        if (parts > max_parts_of_step) return give_up(explain_repeated_cuts(progress, stage, step), progress);
         if (on_grid) {
             state.stage_time = next;
             ++state.grid;

@@ -14,6 +14,7 @@
 #include "libdda/geometry/moments.h"
 #include "libdda/model/ground_motion.h"
 #include "libdda/model/kinematics.h"
+#include "libdda/model/standard_gravity.h"
 
 namespace voussoir
 {
@@ -52,7 +53,7 @@ struct JointMaterial {
     double tensile_strength = 0;  // Pa; a dry joint has neither
     ContactStiffness stiffness;
     double shear_to_normal_stiffness = 0.5;  // -; Shi's 1/h2
-    double dashpot = 0;  // s, stiffness-proportional contact damping (eta of N = -k(g + eta dg/dt))
+    double relaxation_time = 0;  // s, stiffness-proportional contact damping (eta of N = -k(g + eta dg/dt))
 
     bool has_strength() const { return cohesion > 0 || tensile_strength > 0; }
 };
@@ -209,7 +210,7 @@ struct Stage {
     std::string name;
     StageType type = StageType::dynamic;
     double duration = 0;  // s; dynamic only
-    Eigen::Vector3d gravity{0, 0, -9.80665};
+    Eigen::Vector3d gravity{0, 0, -standard_gravity};
     std::vector<FoundationMotion> motions;
     std::vector<BodyAcceleration> body_accelerations;
     Damping damping;
