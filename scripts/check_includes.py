@@ -10,8 +10,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-ROOMS = ("libdda", "importers", "records", "app", "tests")
+MODULES = ("libdda", "importers", "records", "app", "tests")
 
+<<<<<<< HEAD
 # What files of a folder may include from the repository beside their own folder, by the beginning of the path. The
 # longest folder that a file lies in decides; every folder with sources stands here. From below: a folder names only
 # folders above it in its own block.
@@ -69,6 +70,14 @@ FOLDER_RULES = {
     "app/commands/": ENGINE + ("libdda/text/", "importers/", "records/", "app/"),
     "app/": ENGINE + ("importers/", "app/"),
 
+=======
+# What files of a module may include from the repository, by the beginning of the path.
+PROJECT_RULES = {
+    "libdda/": ("libdda/",),
+    "importers/": ("importers/", "libdda/geometry/", "libdda/errors.h"),
+    "records/": ("records/", "libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "libdda/errors.h"),
+    "app/": ("app/", "importers/", "records/", "libdda/"),
+>>>>>>> english/main
     "tests/": ("tests/", "app/", "importers/", "records/", "libdda/"),
     "tests/libdda/": ("tests/", "libdda/"),
     "tests/records/": ("tests/", "libdda/", "records/"),
@@ -76,7 +85,7 @@ FOLDER_RULES = {
 }
 
 # Foreign libraries: how their includes look, the folders that may include them, and whether headers may.
-# A test may use the library of the room it tests.
+# A test may use the library of the module it tests.
 FOREIGN_RULES = (
     ("Eigen", r"(unsupported/)?Eigen/", ("libdda/", "importers/", "records/", "app/", "tests/"), True),
     ("GoogleTest", r"g(test|mock)/", ("tests/",), True),
@@ -132,10 +141,11 @@ def project_fault(root, path, included):
     """The fault of including our own header from `path`, or None."""
     if not (root / included).is_file():
         return f'"{included}": no such file; write the path from the repository root'
+<<<<<<< HEAD
     folder = folder_of(path)
     if folder is None:
         return f"{path.rsplit('/', 1)[0]}/ has no rule; add one to FOLDER_RULES of scripts/check_includes.py"
-    # Another room's .cpp is nobody's to include.
+    # Another module's .cpp is nobody's to include.
     if not included.endswith(".h"):
         return f'"{included}": only headers are included'
     if may_include(folder, included):
@@ -161,6 +171,16 @@ def may_include(folder, included):
         elif included.startswith(allowed):
             return True
     return False
+=======
+    module = path.split("/")[0] + "/"
+    allowed = PROJECT_RULES[module]
+    # Another module's .cpp is nobody's to include.
+    if not included.endswith(".h"):
+        return f'"{included}": only headers are included'
+    if not included.startswith(allowed):
+        return f'"{included}": {module} may include only {", ".join(allowed)}'
+    return None
+>>>>>>> english/main
 
 
 def faults_of_file(root, path):
@@ -181,8 +201,8 @@ def faults_of_file(root, path):
 
 
 def check(root):
-    files = sorted(file.relative_to(root).as_posix() for room in ROOMS if (root / room).is_dir()
-                   for file in (root / room).rglob("*") if file.suffix in (".h", ".cpp"))
+    files = sorted(file.relative_to(root).as_posix() for module in MODULES if (root / module).is_dir()
+                   for file in (root / module).rglob("*") if file.suffix in (".h", ".cpp"))
     return len(files), [fault for path in files for fault in faults_of_file(root, path)]
 
 

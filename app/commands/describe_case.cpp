@@ -79,7 +79,7 @@ void print_materials(const Model& model)
             "joint {}: friction {:g} deg, cohesion {:g} Pa, tensile strength {:g} Pa, contact stiffness {}, "
             "shear to normal {:g}, relaxation time {:g} s\n",
             joint.name, joint.friction_angle * 180 / std::numbers::pi, joint.cohesion, joint.tensile_strength,
-            in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.dashpot);
+            in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.relaxation_time);
         for (const FrictionAtSpeed& point : joint.friction_at_speed)
             fmt::print("  friction {:g} deg when it slips at {:g} m/s\n", point.angle * 180 / std::numbers::pi,
                        point.speed);

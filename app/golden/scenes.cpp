@@ -142,7 +142,7 @@ Scene mortar(Kinematics kinematics)
     joint.friction_at_speed = {{0.05, 24 * degrees}, {0.3, 20 * degrees}};
     joint.cohesion = 1e5;
     joint.tensile_strength = 1e5;
-    joint.dashpot = 1e-4;
+    joint.relaxation_time = 1e-4;
     Model model = make_model(kinematics, {"stone", 2000, 2e9, 0.25, 1e5}, joint);
     model.thickness = 0.4;
     model.plane = PlaneCondition::stress;

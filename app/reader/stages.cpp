@@ -171,7 +171,7 @@ void refuse_published_iteration_of(const std::vector<JointMaterial>& joints, Sta
 {
     if (entry.stage.control.open_close != OpenClose::published) return;
     for (const JointMaterial& joint : joints)
-        if (joint.has_strength() || joint.dashpot > 0)
+        if (joint.has_strength() || joint.relaxation_time > 0)
             entry.written.fault(
                 "open_close: published has no cohesion, tensile strength or relaxation time, which joint " +
                     joint.name + " has",

@@ -92,7 +92,7 @@ void write_joints(const Model& model, Hdf5File& file)
         stiffness.push_back(joint.stiffness.value);
         factor.push_back(joint.stiffness.factor);
         shear.push_back(joint.shear_to_normal_stiffness);
-        dashpot.push_back(joint.dashpot);
+        dashpot.push_back(joint.relaxation_time);
     }
     file.make_group("/model/joint_materials");
     file.write_texts("/model/joint_materials/name", names);

@@ -12,7 +12,7 @@ namespace voussoir::importers::mesh
 namespace
 {
 
-constexpr double most_instances = 100'000;
+constexpr double max_instances = 100'000;
 
 class AmfText
 {
@@ -46,9 +46,9 @@ class AmfText
                     refuse(instance, "it places an object that does not stand before it", "check `objectid`");
                 placed += known->second;
             }
-            if (placed > most_instances)
+            if (placed > max_instances)
                 refuse(constellation, "this constellation is too large",
-                       "it may place " + std::to_string(static_cast<int>(most_instances)) + " objects");
+                       "it may place " + std::to_string(static_cast<int>(max_instances)) + " objects");
             stones[constellation.attribute("id").value()] = placed;
         }
         return facts;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libdda/model/ground_motion.h"
+#include "libdda/model/standard_gravity.h"
 #include "libdda/model/step_control.h"
 
 namespace voussoir
@@ -43,7 +44,7 @@ struct Stage {
     std::string name;                                  // as in the case file
     StageType type = StageType::dynamic;               // static or dynamic
     double duration = 0;                               // s; dynamic only
-    Eigen::Vector3d gravity{0, 0, -9.80665};           // m/s2
+    Eigen::Vector3d gravity{0, 0, -standard_gravity};  // m/s2
     std::vector<FoundationMotion> motions;             // components without one stay
     std::vector<BodyAcceleration> body_accelerations;  // beside gravity
     Damping damping;                                   // none by default

@@ -9,8 +9,8 @@ namespace voussoir
 namespace
 {
 
-constexpr int most_parts_of_step = 20000;  // into which cutting may divide a nominal step before the run gives up
-constexpr int most_divisions = 8;          // of a nominal step; joints that tremble turn round without end
+constexpr int max_parts_of_step = 20000;  // into which cutting may divide a nominal step before the run gives up
+constexpr int max_divisions = 8;          // of a nominal step; joints that tremble turn round without end
 
 /// The times at which nominal steps end.
 struct Grid {
@@ -30,7 +30,7 @@ Diagnosis too_many_cuts(const Stage& stage, const State& state, const StepReport
 {
     Diagnosis diagnosis{DiagnosisKind::too_many_cuts, state.stage, {}, {}};
     if (step.worst_block >= 0) diagnosis.blocks = {step.worst_block};
-    diagnosis.values = {state.time, stage.control.time_step, most_parts_of_step, step.time_step};
+    diagnosis.values = {state.time, stage.control.time_step, max_parts_of_step, step.time_step};
     return diagnosis;
 }
 
@@ -65,11 +65,11 @@ bool step_on_grid(const Stage& stage, const Stage& undivided, const Grid& grid, 
     const double left = next - state.stage_time;
     const double h = state.next_time_step > 0 ? std::min(state.next_time_step, left) : left;
     StepReport step;
-    if (!step_once(at.divisions < most_divisions ? stage : undivided, h, progress, step)) return false;
+    if (!step_once(at.divisions < max_divisions ? stage : undivided, h, progress, step)) return false;
     const bool on_grid = step.time_step == left;
     at.divisions = on_grid ? 0 : at.divisions + step.divided;
     at.parts = on_grid ? 0 : at.parts + !step.divided;
-    if (at.parts > most_parts_of_step) return give_up(too_many_cuts(stage, progress.state, step), progress);
+    if (at.parts > max_parts_of_step) return give_up(too_many_cuts(stage, progress.state, step), progress);
     if (on_grid) {
         state.stage_time = next;
         ++state.grid;

@@ -156,7 +156,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         const bool has_speeds = stage.type == StageType::dynamic && !joint.friction_at_speed.empty();
         patch.friction_law = has_speeds ? &joint : nullptr;
         patch.h = h;
-        patch.dashpot_over_h = joint.dashpot / h;
+        patch.dashpot_over_h = joint.relaxation_time / h;
         patch.intact = found.intact;
         const typename K::Matrix back_a = a.start.map.inverse(), back_b = b.start.map.inverse();
         for (int i = found.first_point; i < found.first_point + found.point_count; ++i) {

@@ -28,7 +28,7 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
 {
     constexpr int n = K::unknowns, dimension = K::dimension;
     double dashpot = 0;
-    for (const JointMaterial& joint : model.joints) dashpot = std::max(dashpot, joint.dashpot);
+    for (const JointMaterial& joint : model.joints) dashpot = std::max(dashpot, joint.relaxation_time);
     reach.resize(model.blocks.size());
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const double* v = state.velocities.data() + b * n;

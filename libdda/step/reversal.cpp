@@ -9,7 +9,7 @@ namespace voussoir::step
 namespace
 {
 
-constexpr int most_passes = 4;
+constexpr int max_passes = 4;
 constexpr double at_rest = 1e-3;     // of the speed at the start: near enough to the reversal
 constexpr double least_part = 0.01;  // of the step and of its braking: a smaller reversal is left where it is
 
@@ -100,7 +100,7 @@ std::optional<double> step_to_reversal(const ContactSetIn<K::dimension>& contact
     const auto slide = slide_of(contacts, system, search.patch);
     if (!slide) return std::nullopt;
     if (search.passes == 0) search.speed_before = slide->start;
-    if (std::abs(slide->end) <= at_rest * slide->start || search.passes == most_passes) return std::nullopt;
+    if (std::abs(slide->end) <= at_rest * slide->start || search.passes == max_passes) return std::nullopt;
     if (slide->end < 0) {
         search.after = system.h;
         search.speed_after = slide->end;

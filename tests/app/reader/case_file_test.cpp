@@ -234,7 +234,7 @@ std::string with_joint(const std::string& keys)
 
 double relaxation_time(const Case& the_case)
 {
-    return the_case.model.joints.at(0).dashpot;
+    return the_case.model.joints.at(0).relaxation_time;
 }
 
 TEST(RenamedKeys, AreReadUnderTheirFormerNameWithAWarning)
@@ -259,7 +259,7 @@ TEST(RenamedKeys, AreWarnedOfOnce)
 {
     const Case both =
         read(with_joint("dashpot: 1 ms}\n  wet: {friction: 20 deg, dashpot: 2 ms"), {"default_joint=dry"});
-    EXPECT_DOUBLE_EQ(both.model.joints.at(1).dashpot, 2e-3);
+    EXPECT_DOUBLE_EQ(both.model.joints.at(1).relaxation_time, 2e-3);
     EXPECT_EQ(both.warnings.size(), 1);
 }
 

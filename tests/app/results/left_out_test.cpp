@@ -36,7 +36,7 @@ TEST(LeftOut, WhatACaseListsIsNotLeftOut)
     full.stages[1].body_accelerations = {{0, 0, sine}};
     full.stages[1].damping.rate = 1;
     full.model.joints[0].tensile_strength = 1e3;
-    full.model.joints[0].dashpot = 1e-4;
+    full.model.joints[0].relaxation_time = 1e-4;
     full.output.snapshots.emplace();
     EXPECT_EQ(left_out(full), std::vector<std::string>{"viscous boundaries (not in this model)"});
     full.model.foundations.clear();

@@ -32,7 +32,7 @@ template <class K>
 EnergyLedger run_with(const Mistake<K>& mistake)
 {
     FewBlocks scene(K::kinematics, {});
-    scene.model.joints[0].dashpot = 1e-4;
+    scene.model.joints[0].relaxation_time = 1e-4;
     Stage stage = shaking(0.3, 1e-3);
     stage.control.force_tolerance = 1e-8;
     EnergyLedger energy = open_ledger(scene.model, scene.state);

@@ -35,7 +35,7 @@ double restitution(Kinematics kinematics, double damping_ratio, double omega_h, 
     hold(model, add_box(model, "plane", {-2, -2, -1}, {2, 2, 0}));
     const int block = add_box(model, "block", {-0.5, -0.5, gap}, {0.5, 0.5, 0.3 + gap});
     const double omega = std::sqrt(1e8 / model.mass(block));
-    model.joints[0].dashpot = 2 * damping_ratio / omega;
+    model.joints[0].relaxation_time = 2 * damping_ratio / omega;
     State state = initial_state(model);
     set_velocity(model, state, block, {0, 0, -1});
     Stage stage = dynamic_stage(gap + 10 / omega, omega_h / omega, Vector3d::Zero());
@@ -158,7 +158,7 @@ TEST_P(Damped, DashpotDoesNotHoldCornersInTheAir)
 {
     const auto fall = [&](double dashpot) {
         JointMaterial joint = dry(60);
-        joint.dashpot = dashpot;
+        joint.relaxation_time = dashpot;
         joint.stiffness = {ContactStiffness::Kind::per_area, 1e9};
         Model model = make_model(GetParam(), stone(1e11), joint);
         hold(model, add_box(model, "plane", {-3, -3, -1}, {3, 3, 0}));

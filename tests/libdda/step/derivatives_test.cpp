@@ -36,7 +36,7 @@ struct ContactScene {
     {
         JointMaterial joint = dry(0);
         joint.friction_angle = std::atan(friction);
-        joint.dashpot = dashpot;
+        joint.relaxation_time = dashpot;
         joint.stiffness = {ContactStiffness::Kind::per_area, 1e9};
         model = make_model(K::kinematics, stone(young), joint);
         add_box(model, "below", {-1, -1, -1}, {1, 1, 0});

@@ -135,7 +135,7 @@ TEST_P(Energy, ResidualIsSmallAndNoticesAMissingTerm)
 {
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
         FewBlocks scene(GetParam(), {});
-        scene.model.joints[0].dashpot = 1e-4;
+        scene.model.joints[0].relaxation_time = 1e-4;
         Stage stage = shaking(0.5, 1e-3);
         stage.control.integrator = integrator;
         stage.control.force_tolerance = 1e-8;
