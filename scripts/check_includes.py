@@ -12,7 +12,6 @@ from pathlib import Path
 
 MODULES = ("libdda", "importers", "records", "app", "tests")
 
-<<<<<<< HEAD
 # What files of a folder may include from the repository beside their own folder, by the beginning of the path. The
 # longest folder that a file lies in decides; every folder with sources stands here. From below: a folder names only
 # folders above it in its own block.
@@ -70,14 +69,6 @@ FOLDER_RULES = {
     "app/commands/": ENGINE + ("libdda/text/", "importers/", "records/", "app/"),
     "app/": ENGINE + ("importers/", "app/"),
 
-=======
-# What files of a module may include from the repository, by the beginning of the path.
-PROJECT_RULES = {
-    "libdda/": ("libdda/",),
-    "importers/": ("importers/", "libdda/geometry/", "libdda/errors.h"),
-    "records/": ("records/", "libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "libdda/errors.h"),
-    "app/": ("app/", "importers/", "records/", "libdda/"),
->>>>>>> english/main
     "tests/": ("tests/", "app/", "importers/", "records/", "libdda/"),
     "tests/libdda/": ("tests/", "libdda/"),
     "tests/records/": ("tests/", "libdda/", "records/"),
@@ -141,7 +132,6 @@ def project_fault(root, path, included):
     """The fault of including our own header from `path`, or None."""
     if not (root / included).is_file():
         return f'"{included}": no such file; write the path from the repository root'
-<<<<<<< HEAD
     folder = folder_of(path)
     if folder is None:
         return f"{path.rsplit('/', 1)[0]}/ has no rule; add one to FOLDER_RULES of scripts/check_includes.py"
@@ -171,16 +161,6 @@ def may_include(folder, included):
         elif included.startswith(allowed):
             return True
     return False
-=======
-    module = path.split("/")[0] + "/"
-    allowed = PROJECT_RULES[module]
-    # Another module's .cpp is nobody's to include.
-    if not included.endswith(".h"):
-        return f'"{included}": only headers are included'
-    if not included.startswith(allowed):
-        return f'"{included}": {module} may include only {", ".join(allowed)}'
-    return None
->>>>>>> english/main
 
 
 def faults_of_file(root, path):

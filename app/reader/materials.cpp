@@ -86,19 +86,11 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
                                              words::Range::non_negative(), joint.tensile_strength);
     joint.stiffness = read_stiffness(map);
     if (const std::optional<YamlCursor> factor = map.find("contact_stiffness_factor"))
-<<<<<<< HEAD:app/reader/materials.cpp
         joint.stiffness.factor = factor->as_quantity(words::dimension::number, words::Range::positive());
     joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", words::dimension::number,
                                                       words::Range::positive(), joint.shear_to_normal_stiffness);
     joint.relaxation_time = map.quantity_or("relaxation_time", words::dimension::time,
                                             words::Range::non_negative(), joint.relaxation_time);
-=======
-        joint.stiffness.factor = factor->as_quantity(dimension::number, Range::positive());
-    joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", dimension::number,
-                                                      Range::positive(), joint.shear_to_normal_stiffness);
-    joint.relaxation_time =
-        map.quantity_or("relaxation_time", dimension::time, Range::non_negative(), joint.relaxation_time);
->>>>>>> english/main:app/case/materials.cpp
     map.reject_unknown_keys();
     return joint;
 }

@@ -10,7 +10,6 @@
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 #include "libdda/model/kinematics.h"
-#include "libdda/model/standard_gravity.h"
 
 namespace voussoir
 {
@@ -153,83 +152,4 @@ void set_thickness(Model& model, double thickness);
 /// A model with one group, one block material and one joint material; what small scenes and tests start from.
 Model make_model(Kinematics kinematics, const BlockMaterial& material, const JointMaterial& joint);
 
-<<<<<<< HEAD
-=======
-/// Ground motion of one component of one foundation.
-struct FoundationMotion {
-    int foundation = 0;  // index into Model::foundations
-    int component = 0;   // 0, 1, 2: x, y, z
-    std::shared_ptr<const GroundMotion> motion;
-};
-
-/// A body force m a(t) on one block along one axis: the ground's own frame, or a load on a free abutment.
-struct BodyAcceleration {
-    int block = 0;
-    int component = 0;
-    std::shared_ptr<const GroundMotion> motion;
-};
-
-/// Shares of the end-of-step value in the force of a step; the inertia is Newmark's (1/2, 1) in all.
-///
-/// The step is v1 = v0 + h a, q1 = q0 + h (v0 + v1)/2 with M a = F. `newmark` takes F at the end of the step
-/// (Shi's Newmark beta = 1/2, gamma = 1): damping ratio omega h / 4. `energy_decaying` takes, term by term, the
-/// discrete gradient of the potential (which conserves energy exactly) plus `dissipation` times the difference to
-/// the end-of-step force: damping ratio dissipation x omega h / 4, and never a gain of energy, for every term's
-/// loss is
-/// >= 0 by convexity. A contact that was open or sliding at the start of the step keeps the end-of-step force.
-enum class Integrator { newmark, energy_decaying };
-
-enum class OpenClose {
-    newton,     // Newton iteration on the step's potential with a line search; cannot chatter
-    published,  // Shi's: states and friction loads from the previous pass, a few passes, else cut the step
-};
-
-enum class LinearSolverKind { automatic, cholmod, conjugate_gradients };
-
-struct StepControl {
-    double time_step = 1e-3;      // s, nominal; cut steps return to this grid
-    double min_time_step = 1e-9;  // s; below it the run gives up
-    Integrator integrator = Integrator::newmark;
-    double dissipation = 0.1;  // 0..1, of energy_decaying
-    OpenClose open_close = OpenClose::newton;
-    // Steps end where a sliding joint turns round, and the rest of the step follows, in scenes of at most this
-    // many blocks with unknowns. In a large structure some joint turns in nearly every step, and none of them
-    // decides.
-    int divide_up_to_blocks = 10;
-    int max_open_close = 40;        // Newton iterations (published: 6) before the step is cut
-    double force_tolerance = 1e-5;  // unbalanced force of a block / (its weight + its contact forces)
-    LinearSolverKind linear_solver = LinearSolverKind::automatic;
-    double linear_tolerance =
-        1e-3;  // relative residual of conjugate gradients; the force residual is exact anyway
-    int threads = 1;
-};
-
-struct Damping {
-    double rate = 0;             // 1/s: velocity relative to the ground times exp(-rate h) each step
-    double factor_per_step = 1;  // the papers' dynamic coefficient k01; depends on the step, for comparison only
-};
-
-enum class StageType { static_equilibrium, dynamic };
-
-/// Constant in a stage.
-struct Stage {
-    std::string name;
-    StageType type = StageType::dynamic;
-    double duration = 0;  // s; dynamic only
-    Eigen::Vector3d gravity{0, 0, -standard_gravity};
-    std::vector<FoundationMotion> motions;
-    std::vector<BodyAcceleration> body_accelerations;
-    Damping damping;
-    StepControl control;
-    // Static only: the stage ends when every block's unbalanced force is below this share of its load in two
-    // consecutive steps without change of contact state.
-    double unbalanced_tolerance = 1e-8;
-    int max_static_steps = 2000;
-    // Dynamic only: the run ends, collapsed, when this many blocks have fallen; 0: when all have left.
-    int stop_after_fallen = 0;
-    // Static only: gravity is raised to its value in this many equal increments, for friction remembers its path.
-    int gravity_increments = 1;
-};
-
->>>>>>> english/main
 }  // namespace voussoir

@@ -26,40 +26,11 @@ template <class K>
 void look_for_contacts(const Model& model, const Stage& stage, const State& state, double time_step, Work<K>& work,
                        StepReport& report)
 {
-<<<<<<< HEAD
     const step::PartTimer timer(report.seconds, Part::contact_search);
     if (work.radii.empty()) work.radii = step::radii_of<K::dimension>(model);
     step::find_reach<K>(model, stage, state, time_step, work.radii, work.reach);
     contact::find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts,
                            step::new_overlaps_in(stage, state));
-=======
-    constexpr int n = K::unknowns, dimension = K::dimension;
-    double dashpot = 0;
-    for (const JointMaterial& joint : model.joints) dashpot = std::max(dashpot, joint.relaxation_time);
-    reach.resize(model.blocks.size());
-    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-        const double* v = state.velocities.data() + b * n;
-        double turning = 0;
-        for (int k = dimension; k < n; ++k) turning += v[k] * v[k];
-        const double speed = typename K::Vector(v).norm() + std::sqrt(turning) * radii[b];
-        reach[b] = (h + dashpot) * speed + h * h * stage.gravity.norm() * (stage.type == StageType::dynamic) +
-                   contact_distance * size_of(model, static_cast<int>(b));
-    }
-    // A bond lasts until its strength breaks it, however soft it is: it is looked for as far as it has stretched.
-    const auto& contacts = contacts_in<dimension>(state);
-    for (const ContactPatchIn<dimension>& patch : contacts.patches) {
-        if (!patch.intact) continue;
-        double stretched = 0;
-        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
-            stretched = std::max(stretched, contacts.points[i].gap + contacts.points[i].rest_gap);
-        reach[patch.block_a] += stretched;
-    }
-    for (const FoundationMotion& motion : stage.motions) {
-        const double from = motion.motion->displacement(state.stage_time);
-        const double to = motion.motion->displacement(state.stage_time + h);
-        reach[model.foundations[motion.foundation].block] += std::abs(to - from);
-    }
->>>>>>> english/main
 }
 
 template <class K>

@@ -59,7 +59,6 @@ scenes::StagedScene rocking_scene(const scenes::SceneSetting& setting, const Cho
     JointMaterial joint;
     joint.name = "rough";
     joint.friction_angle = choices.friction * std::numbers::pi / 180;
-<<<<<<< HEAD:app/studies/verify/rocking.cpp
     joint.stiffness = scenes::stiffness_by_rule(setting, 2 * half_height / choices.young);
     joint.relaxation_time = dashpot_by_rule(setting, choices);
     scenes::StagedScene scene;
@@ -67,15 +66,6 @@ scenes::StagedScene rocking_scene(const scenes::SceneSetting& setting, const Cho
     scenes::hold(scene.model, scenes::add_box(scene.model, "base", {-3, -0.5, -1}, {3, 0.5, 0}));
     scenes::add_box(scene.model, "block", {-half_width, -0.5, 0}, {half_width, 0.5, 2 * half_height});
     Stage shaking = scenes::dynamic_stage(setting, duration);
-=======
-    joint.stiffness = stiffness_by_rule(setting, 2 * half_height / choices.young);
-    joint.relaxation_time = dashpot_by_rule(setting, choices);
-    Scene scene;
-    scene.model = make_scene_model(setting, {"stone", choices.density, choices.young, 0.2}, joint, 1);
-    hold(scene.model, add_box(scene.model, "base", {-3, -0.5, -1}, {3, 0.5, 0}));
-    add_box(scene.model, "block", {-half_width, -0.5, 0}, {half_width, 0.5, 2 * half_height});
-    Stage shaking = dynamic_stage(setting, duration);
->>>>>>> english/main:app/verify/rocking.cpp
     const GroundMotion pulse = GroundMotion::sine_acceleration(amplitude, frequency, 0, 0.5 / frequency);
     shaking.motions = {{0, 0, std::make_shared<const GroundMotion>(pulse)}};
     scene.stages = {scenes::static_stage(setting), shaking};
