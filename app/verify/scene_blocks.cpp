@@ -1,6 +1,6 @@
 #include "app/verify/scene_blocks.h"
-#include "libdda/contact/initial_contacts.h"
 
+#include "libdda/contact/initial_contacts.h"
 
 namespace voussoir
 {
