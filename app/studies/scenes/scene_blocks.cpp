@@ -1,4 +1,5 @@
 #include "app/studies/scenes/scene_blocks.h"
+
 #include "libdda/contact/initial_contacts.h"
 
 namespace voussoir::app::studies::scenes
