@@ -11,8 +11,6 @@
 namespace voussoir::app::results
 {
 
-using namespace hdf5_detail;
-
 Hdf5Id::~Hdf5Id()
 {
     if (id_ >= 0) H5Idec_ref(id_);

@@ -8,8 +8,6 @@
 namespace voussoir::app::results
 {
 
-using namespace hdf5_detail;
-
 namespace
 {
 constexpr std::uint64_t largest_attribute = 1U << 16U;  // bytes; the format itself allows no more

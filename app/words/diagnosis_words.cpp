@@ -41,19 +41,19 @@ std::string cause_of(DiagnosisKind kind)
 {
     switch (kind) {
         case DiagnosisKind::inverted_block:
-            return "would be turned inside out: its stone is too soft for its load, or the step too long for the "
-                   "blow it gets; try a smaller time_step, a higher modulus or a rigid scene";
+            return "would be inverted: its stone is too soft for its load, or the step too long for the impact; "
+                   "try a smaller time_step, a higher modulus or a rigid scene";
         case DiagnosisKind::singular_system:
             return "is in a system of equations that cannot be solved: stiffnesses or masses differ by too many "
                    "orders of magnitude; look at the contact_stiffness and the size of that block's neighbours";
         case DiagnosisKind::inaccurate_solution:
-            return "has forces that rounding drowns: its contacts or its stone are too stiff for its mass and the "
-                   "step, or the coordinates too large; try a lower contact_stiffness or a larger time_step, and "
-                   "coordinates near the origin";
+            return "has forces below the rounding error: its contacts or its stone are too stiff for its mass and "
+                   "the step, or the coordinates too large; try a lower contact_stiffness or a larger time_step, "
+                   "and coordinates near the origin";
         case DiagnosisKind::chatter:
             return "has contacts that keep switching between open, sticking and sliding; try a larger "
-                   "force_tolerance, a smaller time_step or a dashpot in its joints, and look for overlapping or "
-                   "extremely stiff neighbours";
+                   "force_tolerance, a smaller time_step or a relaxation_time in its joints, and look for "
+                   "overlapping or extremely stiff neighbours";
         default:
             return "keeps an unbalanced force; try a smaller time_step or a larger force_tolerance";
     }
@@ -62,7 +62,7 @@ std::string cause_of(DiagnosisKind kind)
 std::string cut_to_the_least(const Subject& subject)
 {
     const std::string words = fmt::format(
-        "{} gave up at t = {:g} s: the time step was cut {:.0f} times to below {:g} s", subject.stage(),
+        "{} failed to converge at t = {:g} s: the time step was cut {:.0f} times to below {:g} s", subject.stage(),
         subject.value("time_s"), subject.value("cuts"), subject.value("min_time_step_s"));
     const DiagnosisKind kind = subject.diagnosis.kind;
     if (subject.diagnosis.blocks.empty()) return words + "; try a smaller time_step";
@@ -80,8 +80,8 @@ std::string too_many_cuts(const Subject& subject)
         subject.value("time_step_s"), subject.value("cut_steps"), subject.value("last_step_s"));
     if (subject.diagnosis.blocks.empty()) return words;
     return fmt::format(
-        "{}; block {} settles worst: look at its joints; a lower contact_stiffness, a dashpot or a larger "
-        "force_tolerance may help",
+        "{}; block {} converges worst: look at its joints; a lower contact_stiffness, a relaxation_time or a "
+        "larger force_tolerance may help",
         words, subject.block(0));
 }
 
@@ -89,8 +89,8 @@ std::string no_equilibrium(const Subject& subject)
 {
     return fmt::format(
         "{} found no equilibrium in {:.0f} steps: the unbalanced force is still {:g} of a block's load; the "
-        "structure "
-        "may be a mechanism under its own weight, or it needs a larger time_step in this stage to come to rest",
+        "structure may be a mechanism under its own weight, or it needs a larger time_step in this stage to come "
+        "to rest",
         subject.stage(), subject.value("steps"), subject.value("unbalanced"));
 }
 
@@ -106,9 +106,8 @@ std::string overlap(const Subject& subject, const std::string& what, const std::
         subject.block(1), what, depth, 100 * share, subject.value("overlap_time_s"));
     if (2 * forgiven > depth)
         return fmt::format(
-            "{}{:g} m of it is without stress, because their contact was found late or goes to and fro between "
-            "two "
-            "faces; try a smaller time_step, and look at edges and corners that bear",
+            "{}{:g} m of it is free of stress, because their contact was detected late or alternates between two "
+            "faces; try a smaller time_step, and look at bearing edges and corners",
             words, forgiven);
     return fmt::format("{}{}; give the joint a contact_stiffness {:g} times as large", words, why,
                        std::ceil(share / good_share));
@@ -125,10 +124,8 @@ std::string energy_unaccounted(double share)
 std::string energy_from_contacts(double share)
 {
     return fmt::format(
-        "{:g} % of the energy came from contacts whose area grew, or that were found late, while they were "
-        "pressed "
-        "together: blocks were thrown harder than they should be; try a smaller time_step, and look for edges and "
-        "corners that carry blows",
+        "{:g} % of the energy was supplied by contacts whose area grew or that were detected late under "
+        "compression: impacts are too strong; try a smaller time_step, and look for impacts on edges and corners",
         100 * share);
 }
 
@@ -136,27 +133,25 @@ std::string energy_from_contacts(double share)
 std::string wrong_energy(const Subject& subject, const std::string& what)
 {
     return fmt::format(
-        "{:g} % of the energy has {}; the fastest block is {} with {:g} m/s: the forces are not solved well "
-        "enough for "
-        "the step; try a smaller time_step or a smaller force_tolerance",
+        "{:g} % of the energy {}; the fastest block is {} with {:g} m/s: the forces are not solved well enough "
+        "for the step; try a smaller time_step or a smaller force_tolerance",
         100 * subject.value("share"), what, subject.block(0), subject.value("speed_m_s"));
 }
 
 std::string ground_jump(const Subject& subject)
 {
     return fmt::format(
-        "{} starts with a blow: the ground of block {} changes its velocity by {:g} m/s at once; let motions "
-        "start and "
-        "end at rest (taper, end_correction), or make one stage of two",
-        subject.stage(), subject.block(0), subject.value("velocity_jump_m_s"));
+        "{} starts with a velocity jump of the ground: {:g} m/s at block {}; let motions start and end at rest "
+        "(taper, end_correction), or make one stage of two",
+        subject.stage(), subject.value("velocity_jump_m_s"), subject.block(0));
 }
 
 std::string dry_joints(const Subject& subject)
 {
     return fmt::format(
-        "{:.0f} contacts have cohesion or tensile strength but gape at a corner, the widest by {:g} m between {} "
-        "and "
-        "{}: they are dry from the start; close them in the model to within a ten-thousandth of the stones' size",
+        "{:.0f} contacts have cohesion or tensile strength but are open at a corner, the widest by {:g} m between "
+        "{} and {}: they are dry from the start; close them in the model to within a ten-thousandth of the "
+        "stones' size",
         subject.value("joints"), subject.value("widest_gap_m"), subject.block(0), subject.block(1));
 }
 
@@ -175,16 +170,18 @@ std::string stop_in_words(const Subject& subject)
             return overlap(subject, "overlap", "the contact is too soft for its load or its impact");
         case DiagnosisKind::no_number:
             return fmt::format(
-                "block {} has a place or velocity that is no number; look at its mass, its joints and its motion",
+                "block {} has a position or velocity that is not a finite number; look at its mass, its joints "
+                "and its motion",
                 subject.block(0));
         case DiagnosisKind::energy_no_number:
             return fmt::format(
-                "an energy is no number; the fastest block is {}; look at its joints' stiffness and its motion",
+                "an energy is not a finite number; the fastest block is {}; look at its joints' stiffness and its "
+                "motion",
                 subject.block(0));
         case DiagnosisKind::energy_from_nowhere:
-            return wrong_energy(subject, "appeared from nowhere");
+            return wrong_energy(subject, "is unaccounted for (a gain)");
         case DiagnosisKind::energy_vanished:
-            return wrong_energy(subject, "vanished");
+            return wrong_energy(subject, "is unaccounted for (a loss)");
         default:
             return energy_from_contacts(subject.value("share"));
     }
@@ -220,10 +217,9 @@ std::string warning_in_words(const Subject& subject)
         case DiagnosisKind::energy_given:
             return energy_from_contacts(subject.value("share"));
         case DiagnosisKind::overlap:
-            return overlap(
-                subject, "overlapped",
-                "contacts so soft are part of the answer, and the integrator damps their vibration, newmark "
-                "most");
+            return overlap(subject, "overlapped",
+                           "contacts this soft influence the results, and the integrator damps their vibration, "
+                           "most strongly with newmark");
         case DiagnosisKind::ground_jump:
             return ground_jump(subject);
         case DiagnosisKind::dry_joints:

@@ -82,8 +82,9 @@ Geometry import_geometry(const std::vector<MeshRequest>& requests, const Geometr
 
 std::vector<mesh::MeshFormat> list_mesh_formats()
 {
-    const process::ChildAnswer answer = ask_child(helper_folder() / "voussoir-geometry", formats_request(),
-                                                  GeometryLimits{}.seconds, max_answer_bytes);
+    const process::ChildAnswer answer =
+        process::ask_child(process::helper_folder() / "voussoir-geometry", formats_request(),
+                           GeometryLimits{}.seconds, max_answer_bytes);
     if (answer.failure.empty()) return formats_from_json(answer.output);
     throw std::runtime_error("the geometry helper gave no answer: " + answer.failure);
 }

@@ -48,7 +48,7 @@ void note_damage(const Stage& stage, RunProgress& progress)
 void frame(RunProgress& progress)
 {
     if (!progress.observer.frame) return;
-    const PartTimer timer(progress.report.seconds, Part::output);
+    const step::PartTimer timer(progress.report.seconds, Part::output);
     progress.observer.frame(progress.state, progress.report);
 }
 
@@ -82,7 +82,7 @@ bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& 
 void save(RunProgress& progress)
 {
     if (!progress.observer.save) return;
-    const PartTimer timer(progress.report.seconds, Part::output);
+    const step::PartTimer timer(progress.report.seconds, Part::output);
     progress.observer.save(progress.state, progress.position);
 }
 

@@ -136,7 +136,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
     channel.start = start_of(header);
     orient(channel, header, record.remarks);
     if (!options.response.empty())
-        apply_response(options.response, code, channel.start ? to_text(*channel.start) : "", channel,
+        apply_response(options.response, code, channel.start ? records::to_text(*channel.start) : "", channel,
                        record.remarks);
     remark_on_quantity(header, channel, record.remarks);
     record.channels.push_back(std::move(channel));

@@ -11,9 +11,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    voussoir::Geometry geometry;
+    voussoir::importers::helper::Geometry geometry;
     try {
-        geometry = voussoir::geometry_from_json(text);
+        geometry = voussoir::importers::helper::geometry_from_json(text);
     } catch (const std::exception&) {
         return 0;
     }

@@ -19,6 +19,8 @@ namespace
 {
 
 using namespace voussoir;
+using namespace voussoir::app;
+using namespace voussoir::importers::helper;
 namespace fs = std::filesystem;
 
 /// Where the cases lie, beside two records; the meshes are not read.
@@ -65,7 +67,7 @@ Stone cube(const std::string& name, double z)
 
 }  // namespace
 
-namespace voussoir
+namespace voussoir::importers::helper
 {
 
 Geometry import_geometry(const std::vector<MeshRequest>& requests, const GeometryLimits&)
@@ -83,7 +85,7 @@ Geometry import_geometry(const std::vector<MeshRequest>& requests, const Geometr
     return geometry;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::importers::helper
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -93,7 +95,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const fs::path file = folder / "case.yaml";
     std::ofstream(file, std::ios::binary) << text;
     try {
-        check_accepted(read_case(file, settings_of(text)));
+        check_accepted(reader::read_case(file, settings_of(text)));
     } catch (const InputError& error) {
         if (error.faults.empty()) std::abort();
         for (const Fault& fault : error.faults)

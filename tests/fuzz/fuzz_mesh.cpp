@@ -19,6 +19,7 @@ namespace
 {
 
 using namespace voussoir;
+using namespace voussoir::importers::mesh;
 namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 16> endings{"obj", "stl", "ply", "off",  "gltf", "glb", "dae", "3mf",

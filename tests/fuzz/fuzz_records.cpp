@@ -20,6 +20,8 @@ namespace
 {
 
 using namespace voussoir;
+using namespace voussoir::records;
+using namespace voussoir::records::formats;
 
 const Format* only_format = nullptr;
 

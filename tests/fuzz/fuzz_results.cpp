@@ -22,6 +22,8 @@ namespace
 {
 
 using namespace voussoir;
+using namespace voussoir::app;
+using namespace voussoir::app::results;
 namespace fs = std::filesystem;
 
 /// What a file begins with, up to its first line end.
@@ -77,8 +79,8 @@ void read_restart(const fs::path& folder, const std::string& payload)
     const Restart restart = load_restart(folder / "restart");
     check_points(restart.state);
     check_fits(restart, tower, folder / "restart");
-    message_of(restart.position.report, tower.model, tower.stages);
-    warnings_of(restart.position.report, tower.model, tower.stages);
+    words::message_of(restart.position.report, tower.model, tower.stages);
+    words::warnings_of(restart.position.report, tower.model, tower.stages);
     if (restart.ended) return;
     // What a run looks up.
     tower.stages.at(static_cast<std::size_t>(restart.state.stage));

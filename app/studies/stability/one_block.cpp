@@ -89,7 +89,7 @@ double first_swing(const OneBlock& scene)
 }
 
 /// Largest distance from the reference over all times, and its largest size.
-std::pair<double, double> distance_of(const OneBlockHistory& history, double reference::SpringBlockPoint::*what)
+std::pair<double, double> distance_of(const OneBlockHistory& history, double references::SpringBlockPoint::*what)
 {
     double worst = 0, largest = 0;
     for (std::size_t i = 0; i < history.exact.size(); ++i) {

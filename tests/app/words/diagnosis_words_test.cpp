@@ -32,101 +32,94 @@ using Sentence = std::pair<Diagnosis, std::string>;
 
 const Sentence sentences[] = {
     {{DiagnosisKind::inverted_block, 0, {1}, {0.12345678, 12, 1e-9, 0.0123456789}},
-     "stage 'motion' gave up at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; "
-     "block 'drum' would be turned inside out: its stone is too soft for its load, or the step "
-     "too long for the blow it gets; try a smaller time_step, a higher modulus or a rigid scene"},
+     "stage 'motion' failed to converge at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; block "
+     "'drum' would be inverted: its stone is too soft for its load, or the step too long for the impact; try a "
+     "smaller time_step, a higher modulus or a rigid scene"},
     {{DiagnosisKind::singular_system, 0, {1}, {0.12345678, 12, 1e-9, 0.0123456789}},
-     "stage 'motion' gave up at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; "
-     "block 'drum' keeps an unbalanced force of 0.0123457 of its load and is in a system of "
-     "equations that cannot be solved: stiffnesses or masses differ by too many orders of "
-     "magnitude; look at the contact_stiffness and the size of that block's neighbours"},
+     "stage 'motion' failed to converge at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; block "
+     "'drum' keeps an unbalanced force of 0.0123457 of its load and is in a system of equations that cannot be "
+     "solved: stiffnesses or masses differ by too many orders of magnitude; look at the contact_stiffness and the "
+     "size of that block's neighbours"},
     {{DiagnosisKind::inaccurate_solution, 0, {1}, {0.12345678, 12, 1e-9, 0.0123456789}},
-     "stage 'motion' gave up at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; "
-     "block 'drum' keeps an unbalanced force of 0.0123457 of its load and has forces that "
-     "rounding drowns: its contacts or its stone are too stiff for its mass and the step, or the "
-     "coordinates too large; try a lower contact_stiffness or a larger time_step, and coordinates "
-     "near the origin"},
+     "stage 'motion' failed to converge at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; block "
+     "'drum' keeps an unbalanced force of 0.0123457 of its load and has forces below the rounding error: its "
+     "contacts or its stone are too stiff for its mass and the step, or the coordinates too large; try a lower "
+     "contact_stiffness or a larger time_step, and coordinates near the origin"},
     {{DiagnosisKind::chatter, 0, {1}, {0.12345678, 12, 1e-9, 0.0123456789}},
-     "stage 'motion' gave up at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; "
-     "block 'drum' keeps an unbalanced force of 0.0123457 of its load and has contacts that keep "
-     "switching between open, sticking and sliding; try a larger force_tolerance, a smaller "
-     "time_step or a dashpot in its joints, and look for overlapping or extremely stiff "
-     "neighbours"},
+     "stage 'motion' failed to converge at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; block "
+     "'drum' keeps an unbalanced force of 0.0123457 of its load and has contacts that keep switching between "
+     "open, sticking and sliding; try a larger force_tolerance, a smaller time_step or a relaxation_time in its "
+     "joints, and look for overlapping or extremely stiff neighbours"},
     {{DiagnosisKind::unbalanced, 0, {1}, {0.12345678, 12, 1e-9, 0.0123456789}},
-     "stage 'motion' gave up at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; "
-     "block 'drum' keeps an unbalanced force of 0.0123457 of its load and keeps an unbalanced "
-     "force; try a smaller time_step or a larger force_tolerance"},
+     "stage 'motion' failed to converge at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; block "
+     "'drum' keeps an unbalanced force of 0.0123457 of its load and keeps an unbalanced force; try a smaller "
+     "time_step or a larger force_tolerance"},
     {{DiagnosisKind::chatter, 0, {}, {0.12345678, 12, 1e-9, 0.0123456789}},
-     "stage 'motion' gave up at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; "
-     "try a smaller time_step"},
+     "stage 'motion' failed to converge at t = 0.123457 s: the time step was cut 12 times to below 1e-09 s; try a "
+     "smaller time_step"},
     {{DiagnosisKind::too_many_cuts, 0, {1}, {0.12345678, 2e-3, 20000, 1.25e-7}},
-     "stage 'motion' stopped at t = 0.123457 s: a nominal step of 0.002 s needed more than 20000 "
-     "cut ones, the last of 1.25e-07 s; block 'drum' settles worst: look at its joints; a lower "
-     "contact_stiffness, a dashpot or a larger force_tolerance may help"},
+     "stage 'motion' stopped at t = 0.123457 s: a nominal step of 0.002 s needed more than 20000 cut ones, the "
+     "last of 1.25e-07 s; block 'drum' converges worst: look at its joints; a lower contact_stiffness, a "
+     "relaxation_time or a larger force_tolerance may help"},
     {{DiagnosisKind::too_many_cuts, 0, {}, {0.12345678, 2e-3, 20000, 1.25e-7}},
-     "stage 'motion' stopped at t = 0.123457 s: a nominal step of 0.002 s needed more than 20000 "
-     "cut ones, the last of 1.25e-07 s"},
+     "stage 'motion' stopped at t = 0.123457 s: a nominal step of 0.002 s needed more than 20000 cut ones, the "
+     "last of 1.25e-07 s"},
     {{DiagnosisKind::no_equilibrium, 0, {}, {1234567, 0.0123456789}},
-     "stage 'motion' found no equilibrium in 1234567 steps: the unbalanced force is still "
-     "0.0123457 of a block's load; the structure may be a mechanism under its own weight, or it "
-     "needs a larger time_step in this stage to come to rest"},
+     "stage 'motion' found no equilibrium in 1234567 steps: the unbalanced force is still 0.0123457 of a block's "
+     "load; the structure may be a mechanism under its own weight, or it needs a larger time_step in this stage "
+     "to come to rest"},
     {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0.12345678, 0.02, 0.123456789, 0, 3}},
-     "stage 'motion' stopped at t = 0.123457 s: blocks 'drum' and 'base' overlap by 0.02 m, "
-     "12.3457 % of the thinner one's width, at t = 3 s: the contact is too soft for its load or "
-     "its impact; give the joint a contact_stiffness 124 times as large"},
+     "stage 'motion' stopped at t = 0.123457 s: blocks 'drum' and 'base' overlap by 0.02 m, 12.3457 % of the "
+     "thinner one's width, at t = 3 s: the contact is too soft for its load or its impact; give the joint a "
+     "contact_stiffness 124 times as large"},
     {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0.12345678, 0.02, 0.123456789, 0.015, 3}},
-     "stage 'motion' stopped at t = 0.123457 s: blocks 'drum' and 'base' overlap by 0.02 m, "
-     "12.3457 % of the thinner one's width, at t = 3 s: 0.015 m of it is without stress, because "
-     "their contact was found late or goes to and fro between two faces; try a smaller time_step, "
-     "and look at edges and corners that bear"},
+     "stage 'motion' stopped at t = 0.123457 s: blocks 'drum' and 'base' overlap by 0.02 m, 12.3457 % of the "
+     "thinner one's width, at t = 3 s: 0.015 m of it is free of stress, because their contact was detected late "
+     "or alternates between two faces; try a smaller time_step, and look at bearing edges and corners"},
     {{DiagnosisKind::overlap, -1, {1, 0}, {0.02, 0.123456789, 0, 3}},
-     "blocks 'drum' and 'base' overlapped by 0.02 m, 12.3457 % of the thinner one's width, at t = "
-     "3 s: contacts so soft are part of the answer, and the integrator damps their vibration, "
-     "newmark most; give the joint a contact_stiffness 124 times as large"},
+     "blocks 'drum' and 'base' overlapped by 0.02 m, 12.3457 % of the thinner one's width, at t = 3 s: contacts "
+     "this soft influence the results, and the integrator damps their vibration, most strongly with newmark; give "
+     "the joint a contact_stiffness 124 times as large"},
     {{DiagnosisKind::overlap, -1, {1, 0}, {0.02, 0.123456789, 0.015, 3}},
-     "blocks 'drum' and 'base' overlapped by 0.02 m, 12.3457 % of the thinner one's width, at t = "
-     "3 s: 0.015 m of it is without stress, because their contact was found late or goes to and "
-     "fro between two faces; try a smaller time_step, and look at edges and corners that bear"},
+     "blocks 'drum' and 'base' overlapped by 0.02 m, 12.3457 % of the thinner one's width, at t = 3 s: 0.015 m of "
+     "it is free of stress, because their contact was detected late or alternates between two faces; try a "
+     "smaller time_step, and look at bearing edges and corners"},
     {{DiagnosisKind::energy_from_nowhere, 0, {1}, {0.12345678, 60.0 / 90, 3.5}},
-     "stage 'motion' stopped at t = 0.123457 s: 66.6667 % of the energy has appeared from "
-     "nowhere; the fastest block is 'drum' with 3.5 m/s: the forces are not solved well enough "
-     "for the step; try a smaller time_step or a smaller force_tolerance"},
+     "stage 'motion' stopped at t = 0.123457 s: 66.6667 % of the energy is unaccounted for (a gain); the fastest "
+     "block is 'drum' with 3.5 m/s: the forces are not solved well enough for the step; try a smaller time_step "
+     "or a smaller force_tolerance"},
     {{DiagnosisKind::energy_unaccounted, -1, {}, {60.0 / 90}},
-     "66.6667 % of the energy is unaccounted for: do not trust this run; try a smaller time_step "
-     "or force_tolerance"},
+     "66.6667 % of the energy is unaccounted for: do not trust this run; try a smaller time_step or "
+     "force_tolerance"},
     {{DiagnosisKind::energy_vanished, 0, {1}, {0.12345678, 40.0 / 90, 3.5}},
-     "stage 'motion' stopped at t = 0.123457 s: 44.4444 % of the energy has vanished; the fastest "
-     "block is 'drum' with 3.5 m/s: the forces are not solved well enough for the step; try a "
-     "smaller time_step or a smaller force_tolerance"},
+     "stage 'motion' stopped at t = 0.123457 s: 44.4444 % of the energy is unaccounted for (a loss); the fastest "
+     "block is 'drum' with 3.5 m/s: the forces are not solved well enough for the step; try a smaller time_step "
+     "or a smaller force_tolerance"},
     {{DiagnosisKind::energy_from_contacts, 0, {}, {0.12345678, 0.15}},
-     "stage 'motion' stopped at t = 0.123457 s: 15 % of the energy came from contacts whose area "
-     "grew, or that were found late, while they were pressed together: blocks were thrown harder "
-     "than they should be; try a smaller time_step, and look for edges and corners that carry "
-     "blows"},
+     "stage 'motion' stopped at t = 0.123457 s: 15 % of the energy was supplied by contacts whose area grew or "
+     "that were detected late under compression: impacts are too strong; try a smaller time_step, and look for "
+     "impacts on edges and corners"},
     {{DiagnosisKind::energy_given, -1, {}, {0.15}},
-     "15 % of the energy came from contacts whose area grew, or that were found late, while they "
-     "were pressed together: blocks were thrown harder than they should be; try a smaller "
-     "time_step, and look for edges and corners that carry blows"},
+     "15 % of the energy was supplied by contacts whose area grew or that were detected late under compression: "
+     "impacts are too strong; try a smaller time_step, and look for impacts on edges and corners"},
     {{DiagnosisKind::energy_no_number, 0, {1}, {0.12345678}},
-     "stage 'motion' stopped at t = 0.123457 s: an energy is no number; the fastest block is "
-     "'drum'; look at its joints' stiffness and its motion"},
+     "stage 'motion' stopped at t = 0.123457 s: an energy is not a finite number; the fastest block is 'drum'; "
+     "look at its joints' stiffness and its motion"},
     {{DiagnosisKind::no_number, 0, {0}, {0.12345678}},
-     "stage 'motion' stopped at t = 0.123457 s: block 'base' has a place or velocity that is no "
+     "stage 'motion' stopped at t = 0.123457 s: block 'base' has a position or velocity that is not a finite "
      "number; look at its mass, its joints and its motion"},
     {{DiagnosisKind::ground_jump, 0, {0}, {0.02}},
-     "stage 'motion' starts with a blow: the ground of block 'base' changes its velocity by 0.02 "
-     "m/s at once; let motions start and end at rest (taper, end_correction), or make one stage "
-     "of two"},
+     "stage 'motion' starts with a velocity jump of the ground: 0.02 m/s at block 'base'; let motions start and "
+     "end at rest (taper, end_correction), or make one stage of two"},
     {{DiagnosisKind::fallen, -1, {2, 1}, {1.25, 2}}, "2 of 6 blocks have fallen: 'cap' at 1.25 s, 'drum' at 2 s"},
     {{DiagnosisKind::fallen, -1, {0, 1, 2, 3, 4, 5}, {1, 2, 3, 4, 5, 6}},
-     "6 of 6 blocks have fallen: 'base' at 1 s, 'drum' at 2 s, 'cap' at 3 s, 'a' at 4 s, 'b' at 5 "
-     "s, ..."},
+     "6 of 6 blocks have fallen: 'base' at 1 s, 'drum' at 2 s, 'cap' at 3 s, 'a' at 4 s, 'b' at 5 s, ..."},
     {{DiagnosisKind::crushed_joints, -1, {0, 1}, {2, 2.5, 0.2}},
      "2 joints exceed their compressive strength, worst 'base' on 'drum': 2.5 times at 0.2 s"},
     {{DiagnosisKind::dry_joints, -1, {0, 1}, {3, 0.00125}},
-     "3 contacts have cohesion or tensile strength but gape at a corner, the widest by 0.00125 m "
-     "between 'base' and 'drum': they are dry from the start; close them in the model to within a "
-     "ten-thousandth of the stones' size"},
+     "3 contacts have cohesion or tensile strength but are open at a corner, the widest by 0.00125 m between "
+     "'base' and 'drum': they are dry from the start; close them in the model to within a ten-thousandth of the "
+     "stones' size"},
     {{DiagnosisKind::interrupted, -1, {}, {}}, "stopped on request"},
 };
 

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <cstdio>
 
+namespace exact = voussoir::importers::exact;
+namespace patterns = voussoir::importers::patterns;
+
 int main()
 {
-    const voussoir::Wall drawn{.length = 2, .height = 1, .thickness = 0.5};  // m
+    const patterns::Wall drawn{.length = 2, .height = 1, .thickness = 0.5};  // m
     double volume = 0;                                                       // m3
     int stones = 0;
-    for (const voussoir::MasonryBlock& block : voussoir::wall(drawn)) {
-        const voussoir::Certificate certificate = voussoir::certify(voussoir::to_surface(block));
+    for (const patterns::MasonryBlock& block : patterns::wall(drawn)) {
+        const exact::Certificate certificate = exact::certify(patterns::to_surface(block));
         if (!certificate.convex) return 1;
         volume += certificate.moments.volume;
         ++stones;
