@@ -68,10 +68,10 @@ double overlap_depth(const Block& a, const Block& b)
     double depth = 0;
     for (const ConvexPolyhedron& part_a : a.parts)
         for (const ConvexPolyhedron& part_b : b.parts)
-            depth = std::max(depth, voussoir::overlap_depth(part_a, part_b, offset));
+            depth = std::max(depth, reader::overlap_depth(part_a, part_b, offset));
     for (const ConvexPolygon& outline_a : a.outlines)
         for (const ConvexPolygon& outline_b : b.outlines)
-            depth = std::max(depth, voussoir::overlap_depth(outline_a, outline_b, from_space<2>(offset)));
+            depth = std::max(depth, reader::overlap_depth(outline_a, outline_b, from_space<2>(offset)));
     return depth;
 }
 

@@ -7,7 +7,7 @@
 
 #include "tests/records/test_files.h"
 
-namespace voussoir
+namespace voussoir::records
 {
 namespace
 {
@@ -79,4 +79,4 @@ TEST(GenerateRecord, NamesItsOptionsAndTheirDefaults)
 }
 
 }  // namespace
-}  // namespace voussoir
+}  // namespace voussoir::records
