@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <pugixml.hpp>
 
 #include "importers/mesh/text.h"
@@ -34,6 +35,7 @@ class AmfText
         std::map<std::string, double> stones;  // that an object or a constellation places
         for (const pugi::xml_node& object : root.children("object")) {
             const std::string id = object.attribute("id").value();
+            for (const pugi::xml_node& mesh : object.children("mesh")) check_one_volume(mesh);
             stones[id] = 1;
             facts.names[id] = name_of(object);
         }
@@ -78,6 +80,18 @@ class AmfText
             if (std::string_view(metadata.attribute("type").value()) == "name")
                 return std::string(text::trim(metadata.text().get()));
         return std::string("object ") + object.attribute("id").value();
+    }
+
+    /// Of a mesh in several volumes assimp keeps the first and says nothing.
+    void check_one_volume(const pugi::xml_node& mesh) const
+    {
+        const auto volumes = mesh.children("volume");
+        const auto count = std::distance(volumes.begin(), volumes.end());
+        if (count > 1)
+            refuse(
+                mesh,
+                "this mesh has " + std::to_string(count) + " volumes, of which assimp, which reads AMF, keeps one",
+                "export one volume for each object, or as 3MF");
     }
 
     /// assimp takes <rx>, <ry> and <rz> for <deltax>, <deltay> and <deltaz>: harmless only where all are zero.

@@ -14,7 +14,8 @@ struct AmfFacts {
 };
 
 /// @throws InputError with the line when the text is not XML, the unit is unknown, an instance is turned (assimp
-/// moves it instead), or the constellations form no tree of a reasonable size (assimp copies all of it)
+/// moves it instead), a mesh has several volumes (assimp keeps the first), or the constellations form no tree of a
+/// reasonable size (assimp copies all of it)
 AmfFacts amf_facts(const MeshSource& source);
 
 /// The objects of a 3DS file that have meshes, in their order: assimp numbers them when the file has no key

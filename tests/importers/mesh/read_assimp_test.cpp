@@ -27,7 +27,7 @@ TEST(ReadAssimp, OpensFilesBesideTheFileAndNoOthers)
     const mesh::ReadOptions by_assimp{mesh::StonesBy::detect, mesh::MeshReader::assimp};
     EXPECT_EQ(mesh::read_mesh(gltf("beside.gltf", "points.bin"), by_assimp).surfaces.at(0).vertices.size(), 3U);
     EXPECT_THROW(mesh::read_mesh(gltf("inner/up.gltf", "../points.bin"), by_assimp), InputError);
-    EXPECT_THROW(mesh::read_mesh(gltf("far.gltf", (folder.path() / "points.bin").string()), by_assimp),
+    EXPECT_THROW(mesh::read_mesh(gltf("inner/far.gltf", (folder.path() / "points.bin").string()), by_assimp),
                  InputError);
 }
 
@@ -56,7 +56,7 @@ TEST(Read3ds, ReadsEveryObjectByItsNameWhereItsCoordinatesAre)
     EXPECT_EQ(lowest_of(moving.surfaces[0]), Eigen::Vector3d(0, 0, 0));
 }
 
-TEST(ReadAmf, ReadsUnitsVolumesNamesAndConstellations)
+TEST(ReadAmf, ReadsUnitsNamesAndConstellations)
 {
     const TemporaryFolder folder;
     const std::string text =
@@ -65,7 +65,7 @@ TEST(ReadAmf, ReadsUnitsVolumesNamesAndConstellations)
         "</x><y>0</y><z>0</z></coordinates></vertex><vertex><coordinates><x>0</x><y>1</y><z>0</z></coordinates>"
         "</vertex><vertex><coordinates><x>0</x><y>0</y><z>6</z></coordinates></vertex></vertices><volume>"
         "<triangle><v1>0</v1><v2>2</v2><v3>1</v3></triangle><triangle><v1>0</v1><v2>1</v2><v3>3"
-        "</v3></triangle></volume><volume><triangle><v1>1</v1><v2>2</v2><v3>3</v3></triangle>"
+        "</v3></triangle><triangle><v1>1</v1><v2>2</v2><v3>3</v3></triangle>"
         "<triangle><v1>0</v1><v2>3</v2><v3>2</v3></triangle></volume></mesh></object><constellation id=\"1\">"
         "<instance objectid=\"0\"><deltax>5</deltax></instance><instance objectid=\"0\"/>"
         "</constellation></amf>";
@@ -86,6 +86,21 @@ TEST(ReadAmf, ReadsUnitsVolumesNamesAndConstellations)
     EXPECT_NE(refusal(folder.write("circle.amf", circle)).find("does not stand before it"), std::string::npos);
     EXPECT_NE(refusal(folder.write("none.amf", to_zip({{"a.txt", "no model"}}))).find("holds no .amf"),
               std::string::npos);
+}
+
+TEST(ReadAmf, RefusesAMeshOfSeveralVolumes)
+{
+    const TemporaryFolder folder;
+    const std::string file = folder.write(
+        "two.amf",
+        "<amf><object id=\"0\"><mesh><vertices><vertex><coordinates><x>0</x><y>0</y><z>0</z></coordinates>"
+        "</vertex></vertices>\n<volume/>\n<volume/></mesh></object></amf>");
+    try {
+        mesh::read_mesh(file);
+        FAIL() << "assimp would keep the first volume alone";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("this mesh has 2 volumes"), std::string::npos) << error.what();
+    }
 }
 
 }  // namespace

@@ -217,7 +217,7 @@ TEST(Study, KeepsRunsThatGiveUpAsRows)
     const ConvergeStudy study = run_study(the_case, list, read_quantities({}, the_case), {}, {});
     const Series& series = study.quantities[0].series[0];
     ASSERT_EQ(series.rows.size(), 2u);
-    for (const SeriesRow& row : series.rows) EXPECT_NE(row.failure.find("gave up"), std::string::npos);
+    for (const SeriesRow& row : series.rows) EXPECT_NE(row.failure.find("failed to converge"), std::string::npos);
     EXPECT_NE(converge_page(study, "", {}).find("failed: stage"), std::string::npos);
     EXPECT_TRUE(nlohmann::json::parse(converge_json(study))["quantities"][0]["series"][0]["reference"].is_null());
 }

@@ -119,7 +119,7 @@ TEST(StabilityRange, IsTheRectangleInWhichAllCellsPassed)
     EXPECT_NEAR(range.shortest, 1e-5, 1e-12);
     EXPECT_NEAR(range.longest, 1e-3, 1e-12);
     EXPECT_EQ(sound_range_in_words(scene, results),
-              "map holds from 1e+06 to 1e+13 N/m and from 0.01 ms to 1 ms (7 and 2 decades)");
+              "map works from 1e+06 to 1e+13 N/m and from 0.01 ms to 1 ms (7 and 2 decades)");
     EXPECT_TRUE(holds_too_little(scene, results)) << "three decades of time step are asked for";
     std::vector<CellResult> some(results.begin(), results.end() - 1);
     EXPECT_FALSE(holds_too_little(scene, some)) << "a part of a map tells nothing";
@@ -134,7 +134,7 @@ TEST(StabilityRange, IsEnoughWithEightDecadesOfStiffnessAndThreeOfTimeStep)
     const auto good = map_results(enough, [](int decade, int step) { return decade > 12 || step > -2; });
     EXPECT_FALSE(holds_too_little(enough, good));
     EXPECT_EQ(sound_range_in_words(enough, good),
-              "map holds from 1e+04 to 1e+12 N/m and from 0.01 ms to 10 ms (8 and 3 decades)");
+              "map works from 1e+04 to 1e+12 N/m and from 0.01 ms to 10 ms (8 and 3 decades)");
     const auto bad = map_results(nothing, [](int, int) { return true; });
     EXPECT_TRUE(holds_too_little(nothing, bad));
     EXPECT_EQ(sound_range_in_words(nothing, bad), "map holds nowhere");
