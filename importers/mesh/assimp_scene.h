@@ -1,5 +1,5 @@
 // A file as assimp reads it, and the surfaces that it holds. assimp computes with 32-bit numbers and does not
-// survive every damaged file, which is why files are read in the limited child process of app/geometry only.
+// survive every damaged file, which is why files are read in the limited child process of importers/helper only.
 #pragma once
 
 #include <functional>

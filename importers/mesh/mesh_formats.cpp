@@ -28,7 +28,7 @@ const std::vector<Known> known{
     {"lwo", "LightWave and Modo objects", nullptr},
     {"ogex", "OpenGEX", "meshes whose transforms are not matrices"},
     {"3ds", "3D Studio 3DS", nullptr},
-    {"amf", "AMF", "turned instances, which are refused"},
+    {"amf", "AMF", "turned instances and meshes of several volumes, which are refused"},
     {"ifc", "IFC", "openings where its cuts fail"},
     {"ase", "3D Studio ASE", "unit"},
     {"blend", "Blender", "unit, modifiers"},

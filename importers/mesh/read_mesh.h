@@ -28,7 +28,7 @@ struct ReadOptions {
 /// the file holds, unless assimp reads it: then they go through 32-bit numbers, whose `rounding` is stated.
 /// Instances of one mesh are stones of their own; where a node mirrors its mesh the faces are turned, so that
 /// outside stays outside. assimp does not survive every damaged file: what is not trusted is read in the child
-/// process of app/geometry.
+/// process of importers/helper.
 /// @throws InputError (place: the file, for text formats with the line) when the file is missing, empty, of
 /// another format than the reader that is asked for reads, cut off, without faces, or with coordinates that are
 /// not finite or indices out of range

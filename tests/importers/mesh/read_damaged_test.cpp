@@ -94,7 +94,7 @@ TEST(ReadDamaged, DeepNestingIsNoCrash)
     refused_in_words(folder.write("deep.dae", "<COLLADA>" + scene + "</COLLADA>"), "nested nodes");
 }
 
-/// By our own readers; assimp runs in a child process (app/geometry, helper_mutation_test.cpp).
+/// By our own readers; assimp runs in a child process (importers/helper, helper_mutation_test.cpp).
 TEST(ReadDamaged, RealFilesOfEveryFormat)
 {
     const char* variable = std::getenv("VOUSSOIR_DATA");
