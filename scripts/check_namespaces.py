@@ -15,6 +15,8 @@ from pathlib import Path
 NAMESPACES = {
     "libdda/": "voussoir",
     "libdda/text/": "voussoir::text",
+    "libdda/run/": "voussoir::driver",
+    "libdda/run/run.": "voussoir",
     "libdda/contact/": "voussoir::contact",
     "libdda/contact/initial_contacts.": "voussoir",
     "libdda/solve/": "voussoir::solve",

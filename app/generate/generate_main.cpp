@@ -12,10 +12,14 @@
 #include "importers/patterns/arch_bridge.h"
 #include "libdda/errors.h"
 
+namespace patterns = voussoir::importers::patterns;
+namespace mesh = voussoir::importers::mesh;
+namespace generate = voussoir::app::generate;
+
 namespace
 {
 
-void add_options(CLI::App& command, voussoir::importers::patterns::ArchBridge& bridge)
+void add_options(CLI::App& command, patterns::ArchBridge& bridge)
 {
     command.add_option("--span", bridge.span, "between the intrados springings [m]")->capture_default_str();
     command.add_option("--rise", bridge.rise, "of the intrados [m]")->capture_default_str();
@@ -31,7 +35,7 @@ void add_options(CLI::App& command, voussoir::importers::patterns::ArchBridge& b
 }
 
 /// The arch and the command that makes it again.
-voussoir::app::generate::GeneratedMesh make(const voussoir::importers::patterns::ArchBridge& bridge)
+generate::GeneratedMesh make(const patterns::ArchBridge& bridge)
 {
     std::ostringstream line;
     line.precision(17);
@@ -39,13 +43,12 @@ voussoir::app::generate::GeneratedMesh make(const voussoir::importers::patterns:
          << bridge.voussoirs << " --springing-thickness " << bridge.springing_thickness << " --crown-thickness "
          << bridge.crown_thickness << " --width " << bridge.width << " --abutment-length "
          << bridge.abutment_length << " --abutment-depth " << bridge.abutment_depth;
-    return {voussoir::importers::patterns::arch_bridge(bridge), line.str(),
-            "Metres, z up, x along the span, springings at z = 0."};
+    return {patterns::arch_bridge(bridge), line.str(), "Metres, z up, x along the span, springings at z = 0."};
 }
 
-void write(const voussoir::app::generate::GeneratedMesh& mesh, const std::filesystem::path& file)
+void write(const generate::GeneratedMesh& mesh, const std::filesystem::path& file)
 {
-    const std::string text = voussoir::importers::mesh::to_obj(
+    const std::string text = mesh::to_obj(
         mesh.surfaces, {"voussoir-generate " + mesh.command + " -o " + file.filename().string(),
                         "Made by the program above (GPL-3.0-or-later); this mesh itself is CC0-1.0.", mesh.axes});
     std::ofstream stream(file, std::ios::binary);
@@ -63,12 +66,12 @@ int main(int argc, char** argv)
         program.require_subcommand(1);
         CLI::App* arch =
             program.add_subcommand("arch-bridge", "a segmental stone arch between two abutment blocks");
-        voussoir::importers::patterns::ArchBridge bridge;
+        patterns::ArchBridge bridge;
         add_options(*arch, bridge);
         CLI::App* wall = program.add_subcommand("wall", "a straight wall in running bond");
-        const auto wall_command = voussoir::app::generate::add_wall_options(*wall);
+        const auto wall_command = generate::add_wall_options(*wall);
         CLI::App* house = program.add_subcommand("house", "four walls with bonded corners, openings and lintels");
-        const auto house_command = voussoir::app::generate::add_house_options(*house);
+        const auto house_command = generate::add_house_options(*house);
         std::string file;
         for (CLI::App* command : {arch, wall, house})
             command->add_option("-o,--output", file, "OBJ file to write")->required();

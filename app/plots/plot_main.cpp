@@ -8,16 +8,17 @@
 #include "app/plots/draw_figure.h"
 #include "app/plots/draw_map.h"
 
+namespace plots = voussoir::app::plots;
+
 int main()
 {
     try {
         std::string folder;
         std::getline(std::cin, folder);
         const std::string text(std::istreambuf_iterator<char>(std::cin), {});
-        for (const voussoir::app::plots::Figure& figure : voussoir::app::plots::figures_of_json(text)) {
+        for (const plots::Figure& figure : plots::figures_of_json(text)) {
             const std::filesystem::path file = std::filesystem::path(folder) / (figure.name + ".png");
-            figure.maps.empty() ? voussoir::app::plots::draw_figure(figure, file)
-                                : voussoir::app::plots::draw_map(figure, file);
+            figure.maps.empty() ? plots::draw_figure(figure, file) : plots::draw_map(figure, file);
             std::cout << figure.name << '\n';
         }
         return 0;

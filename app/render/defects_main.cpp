@@ -9,6 +9,8 @@
 #include "app/render/defect_page.h"
 #include "libdda/errors.h"
 
+namespace render = voussoir::app::render;
+
 int main(int argc, char**)
 {
     if (argc > 1) {
@@ -17,9 +19,8 @@ int main(int argc, char**)
     }
     try {
         const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-        const voussoir::app::render::DefectRequest request = voussoir::app::render::defects_from_json(text);
-        for (const std::filesystem::path& file :
-             voussoir::app::render::draw_defect_pages(request.pictures, request.folder))
+        const render::DefectRequest request = render::defects_from_json(text);
+        for (const std::filesystem::path& file : render::draw_defect_pages(request.pictures, request.folder))
             std::cout << file.string() << '\n';
         std::cout.flush();
         return std::cout ? 0 : 1;

@@ -10,6 +10,9 @@
 #include "importers/process/own_limits.h"
 #include "libdda/errors.h"
 
+namespace process = voussoir::importers::process;
+namespace render = voussoir::app::render;
+
 namespace
 {
 
@@ -70,7 +73,7 @@ void render(Arguments& arguments)
     arguments.options.color =
         arguments.color == "displacement" ? SnapshotColor::displacement : SnapshotColor::principal_stress;
     arguments.options.deformation_scale = arguments.deformation_scale;
-    for (const std::filesystem::path& picture : voussoir::app::render::render_run(
+    for (const std::filesystem::path& picture : render::render_run(
              arguments.results, arguments.folder, arguments.options, arguments.joint_threshold_mm * 1e-3)) {
         fmt::print("{}\n", picture.string());
     }
@@ -79,8 +82,8 @@ void render(Arguments& arguments)
 /// The results may be anybody's. A picture of 8000 x 8000 pixels takes 4 GB.
 void limit_resources()
 {
-    voussoir::importers::process::limit_self(RLIMIT_CORE, 0);
-    voussoir::importers::process::limit_own_memory(rlim_t{8} << 30);
+    process::limit_self(RLIMIT_CORE, 0);
+    process::limit_own_memory(rlim_t{8} << 30);
 }
 
 int run(int count, char** words)

@@ -13,25 +13,26 @@
 #include "importers/helper/wire.h"
 #include "importers/process/own_limits.h"
 
+namespace process = voussoir::importers::process;
+namespace helper = voussoir::importers::helper;
+namespace mesh = voussoir::importers::mesh;
+
 namespace
 {
 
-void limit_resources(const voussoir::importers::helper::GeometryLimits& limits)
+void limit_resources(const helper::GeometryLimits& limits)
 {
-    voussoir::importers::process::limit_self(RLIMIT_CORE, 0);
-    voussoir::importers::process::limit_self(RLIMIT_CPU,
-                                             static_cast<rlim_t>(std::ceil(std::clamp(limits.seconds, 1.0, 1e6))));
-    voussoir::importers::process::limit_own_memory(limits.bytes);
+    process::limit_self(RLIMIT_CORE, 0);
+    process::limit_self(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::clamp(limits.seconds, 1.0, 1e6))));
+    process::limit_own_memory(limits.bytes);
 }
 
 std::string answer_to(const std::string& text)
 {
-    if (text == voussoir::importers::helper::formats_request())
-        return voussoir::importers::helper::to_json(voussoir::importers::mesh::mesh_formats());
-    const voussoir::importers::helper::HelperRequest request =
-        voussoir::importers::helper::request_from_json(text);
+    if (text == helper::formats_request()) return helper::to_json(mesh::mesh_formats());
+    const helper::HelperRequest request = helper::request_from_json(text);
     limit_resources(request.limits);
-    return voussoir::importers::helper::to_json(voussoir::importers::helper::import_meshes(request.meshes));
+    return helper::to_json(helper::import_meshes(request.meshes));
 }
 
 }  // namespace

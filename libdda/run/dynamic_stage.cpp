@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voussoir
+namespace voussoir::driver
 {
 
 namespace
@@ -103,4 +103,4 @@ bool run_dynamic(const Stage& stage, RunProgress& progress)
     return !has_collapsed(stage, progress);
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::driver

@@ -5,7 +5,7 @@
 
 #include "libdda/run/progress.h"
 
-namespace voussoir
+namespace voussoir::driver
 {
 
 /// How many multiples of `every` lie in [0, time], 0 excluded; 0 when every step has its frame.
@@ -16,4 +16,4 @@ std::int64_t multiples_until(double time, double every);
 /// @returns false when the run ends in this stage
 bool run_dynamic(const Stage& stage, RunProgress& progress);
 
-}  // namespace voussoir
+}  // namespace voussoir::driver

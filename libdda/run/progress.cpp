@@ -8,7 +8,7 @@
 #include "libdda/step/advance.h"
 #include "libdda/step/part_timer.h"
 
-namespace voussoir
+namespace voussoir::driver
 {
 
 namespace
@@ -108,4 +108,4 @@ bool goes_on(RunProgress& progress)
     return false;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::driver

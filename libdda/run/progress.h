@@ -11,7 +11,7 @@
 #include "libdda/run/run.h"
 #include "libdda/step/workspace.h"
 
-namespace voussoir
+namespace voussoir::driver
 {
 
 constexpr double regrowth = 2;  // of a cut time step after a good one
@@ -50,4 +50,4 @@ void show_end(RunProgress& progress);
 /// Ends the run when asked to; false then. The state is complete and fit to go on from.
 bool goes_on(RunProgress& progress);
 
-}  // namespace voussoir
+}  // namespace voussoir::driver

@@ -17,7 +17,7 @@ namespace
 {
 
 /// Makes ready to go on from `progress.position`, or to begin.
-void begin_run(RunProgress& progress)
+void begin_run(driver::RunProgress& progress)
 {
     const Model& model = progress.model;
     RunReport& report = progress.report;
@@ -30,10 +30,10 @@ void begin_run(RunProgress& progress)
     report.diagnosis.reset();
     if (is_new)
         if (const auto warning = dry_joints_warning(model, progress.state)) report.warnings.push_back(*warning);
-    if (progress.position.frames == 0) show(progress);
+    if (progress.position.frames == 0) driver::show(progress);
 }
 
-void enter_stage(int stage, const Stage& entered, RunProgress& progress)
+void enter_stage(int stage, const Stage& entered, driver::RunProgress& progress)
 {
     begin_stage(progress.model, stage, progress.state);
     if (entered.type == StageType::dynamic) {
@@ -47,13 +47,13 @@ void enter_stage(int stage, const Stage& entered, RunProgress& progress)
 }
 
 /// Runs a stage to its end; false when the run ends in it.
-bool run_stage(const Stage& stage, RunProgress& progress)
+bool run_stage(const Stage& stage, driver::RunProgress& progress)
 {
     const bool is_static = stage.type == StageType::static_equilibrium;
-    const bool done = is_static ? run_static(stage, progress) : run_dynamic(stage, progress);
+    const bool done = is_static ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
     progress.position.stage_done = done;
-    if (done && is_static) show(progress);
-    if (!done) show_end(progress);
+    if (done && is_static) driver::show(progress);
+    if (!done) driver::show_end(progress);
     return done;
 }
 
@@ -73,14 +73,14 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
 {
     RunPosition position;
     position.report.energy = open_ledger(model, state);
-    position.multiples = multiples_until(state.stage_time, observer.every);
+    position.multiples = driver::multiples_until(state.stage_time, observer.every);
     return run(model, stages, state, observer, std::move(position));
 }
 
 RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer,
               RunPosition position)
 {
-    RunProgress progress{model, observer, state, Workspace(model), std::move(position)};
+    driver::RunProgress progress{model, observer, state, Workspace(model), std::move(position)};
     begin_run(progress);
     for (int s = state.stage; s < static_cast<int>(stages.size()); ++s) {
         if (s == state.stage && progress.position.stage_done) continue;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace voussoir
+namespace voussoir::driver
 {
 
 namespace
@@ -62,4 +62,4 @@ bool run_static(const Stage& stage, RunProgress& progress)
     return true;
 }
 
-}  // namespace voussoir
+}  // namespace voussoir::driver

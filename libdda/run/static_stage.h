@@ -3,7 +3,7 @@
 
 #include "libdda/run/progress.h"
 
-namespace voussoir
+namespace voussoir::driver
 {
 
 /// Steps with the velocity set to zero after each, until the unbalanced force of every block is below the
@@ -11,4 +11,4 @@ namespace voussoir
 /// @returns false when the run ends in this stage
 bool run_static(const Stage& stage, RunProgress& progress);
 
-}  // namespace voussoir
+}  // namespace voussoir::driver
