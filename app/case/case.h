@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,10 +56,5 @@ struct Case {
     std::vector<std::string> defaults;  // every default that was taken, in words
     std::vector<std::string> warnings;  // repairs included
 };
-
-/// Reads a case from a file with `key=value` overrides: read_case of app/reader, or what stands in for it. Studies
-/// that read a case anew are handed one, and know no file format.
-using CaseReader =
-    std::function<Case(const std::filesystem::path& file, const std::vector<std::string>& overrides)>;
 
 }  // namespace voussoir::app

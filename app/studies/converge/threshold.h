@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/case/case_reader.h"
 #include "app/studies/converge/study.h"
 
 namespace voussoir::app::studies::converge

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/case/case_reader.h"
 
 namespace voussoir::app::studies::ensemble
 {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/case.h"
+#include "app/case/case_reader.h"
 
 namespace voussoir::app::studies::stability
 {
