@@ -78,7 +78,7 @@ if(VOUSSOIR_PCH)
   target_precompile_headers(voussoir_precompiled PRIVATE ${voussoir_precompiled_headers})
 endif()
 function(voussoir_precompile target)
-  if(NOT VOUSSOIR_PCH)
+  if(NOT VOUSSOIR_PCH OR target STREQUAL voussoir_text)  # no Eigen there, and in a package other flags
     return()
   endif()
   get_target_property(type ${target} TYPE)
