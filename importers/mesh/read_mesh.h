@@ -18,6 +18,7 @@ enum class StonesBy {
     node     // glTF, COLLADA, and all that assimp reads: nodes with meshes
 };
 
+/// How a mesh file is read.
 struct ReadOptions {
     StonesBy stones = StonesBy::detect;         // what becomes one stone
     MeshReader reader = MeshReader::automatic;  // ours where there is one

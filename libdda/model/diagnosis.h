@@ -10,6 +10,7 @@
 namespace voussoir
 {
 
+/// What can be found; each kind with the blocks and values that form_of names.
 enum class DiagnosisKind : std::uint8_t {
     // Why a run ended before its end:
     interrupted,           // on request
@@ -35,15 +36,17 @@ enum class DiagnosisKind : std::uint8_t {
     dry_joints,          // joints that were given strength gape, and have none
     crushed_joints,      // joints exceed their compressive strength
 };
+/// Number of kinds.
 constexpr int diagnosis_kinds = static_cast<int>(DiagnosisKind::crushed_joints) + 1;
 
 /// One finding. Which blocks and values a kind has: form_of.
 struct Diagnosis {
-    DiagnosisKind kind = DiagnosisKind::interrupted;
+    DiagnosisKind kind = DiagnosisKind::interrupted;  // what was found
     int stage = -1;              // index of the stage it happened in; -1: it is said of the whole run
     std::vector<int> blocks;     // indices
     std::vector<double> values;  // SI
 
+    /// Of all members.
     bool operator==(const Diagnosis&) const = default;
 };
 
@@ -55,6 +58,7 @@ struct DiagnosisForm {
     std::size_t blocks = 0;                // at most; of `fallen` as many as have fallen
     std::vector<std::string_view> values;  // "depth_m"; of `fallen` once for each block
 };
+/// What the blocks and values of this kind are.
 const DiagnosisForm& form_of(DiagnosisKind kind);
 
 /// The value of that name in the form of its kind. The diagnosis must be whole and have it.
