@@ -30,8 +30,8 @@ FOLDER_RULES = {
     "libdda/analysis/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/"),
     "libdda/run/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/", "libdda/analysis/"),
 
-    "records/": READS + ("libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "records/formats/", "records/measures/",
-                            "records/processing/", "records/synthetic/"),
+    "records/": READS + ("libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "records/formats/",
+                         "records/measures/", "records/processing/", "records/synthetic/"),
     "records/formats/": READS + ("records/*",),
     "records/measures/": READS + ("records/*",),
     "records/synthetic/": READS + ("records/*", "records/measures/"),

@@ -23,41 +23,22 @@ Stage motion_stage(double duration, double time_step, double g)
     return stage;
 }
 
-namespace
-{
-
-StepControl control_of(const SceneSetting& setting)
-{
-    StepControl control;
-    control.integrator = setting.integrator;
-    control.open_close = setting.open_close;
-    if (setting.open_close == OpenClose::published) control.max_open_close = 6;
-    control.time_step = setting.time_step;
-    return control;
-}
-
-}  // namespace
-
+// Every method starts from the same rest, found by the Newton iteration.
 Stage static_stage(const SceneSetting& setting, const Eigen::Vector3d& g)
 {
-    Stage stage;
-    stage.name = "self-weight";
-    stage.type = StageType::static_equilibrium;
+    Stage stage = rest_stage();
     stage.gravity = g;
-    stage.control = control_of(setting);
-    stage.control.open_close = OpenClose::newton;  // every method starts from the same rest
-    stage.control.max_open_close = StepControl{}.max_open_close;
-    stage.control.time_step = 0.1;
+    stage.control.integrator = setting.integrator;
     return stage;
 }
 
 Stage dynamic_stage(const SceneSetting& setting, double duration, const Eigen::Vector3d& g)
 {
-    Stage stage;
-    stage.name = "motion";
-    stage.duration = duration;
+    Stage stage = motion_stage(duration, setting.time_step);
     stage.gravity = g;
-    stage.control = control_of(setting);
+    stage.control.integrator = setting.integrator;
+    stage.control.open_close = setting.open_close;
+    if (setting.open_close == OpenClose::published) stage.control.max_open_close = 6;
     return stage;
 }
 
