@@ -103,6 +103,11 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
         ->check(CLI::Range(1e-6, 0.2))
         ->capture_default_str();
     command
+        ->add_option("--fit-joints", arguments->fit_joints,
+                     "Joints whose two sides were drawn differently: one surface for both, a plane, or as drawn")
+        ->check(CLI::IsMember(importers::helper::fit_joints_names))
+        ->capture_default_str();
+    command
         ->add_option("--close-joints", arguments->close_joints,
                      "Close gaps between facing faces up to this width: 25mm")
         ->type_name("LENGTH");

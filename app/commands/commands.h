@@ -45,6 +45,7 @@ struct ImportArguments {
     std::optional<char> up;           // as the files say, or z, if not given
     std::string stones = "detect";    // of stone_level_names
     double planarity = 1e-5, volume_error = 0.01;
+    std::string fit_joints = "shared";        // of fit_joints_names
     std::optional<std::string> close_joints;  // a length
     std::string reader = "auto";              // of mesh_reader_names
     bool formats = false;                     // list what is read, import nothing

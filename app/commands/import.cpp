@@ -42,6 +42,10 @@ importers::helper::MeshRequest request_of(const ImportArguments& arguments)
                                   importers::helper::mesh_reader_names.end(), arguments.reader);
     request.reader =
         static_cast<importers::mesh::MeshReader>(reader - importers::helper::mesh_reader_names.begin());
+    const auto fit = std::find(importers::helper::fit_joints_names.begin(),
+                               importers::helper::fit_joints_names.end(), arguments.fit_joints);
+    request.fit_joints =
+        static_cast<importers::helper::FitJoints>(fit - importers::helper::fit_joints_names.begin());
     request.planarity = arguments.planarity;
     request.volume_error = arguments.volume_error;
     return request;

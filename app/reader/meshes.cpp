@@ -106,6 +106,12 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
         entry.quantity_or("planarity", words::dimension::number, words::Range{0, 0.01, false, true}, 1e-5);
     mesh.request.volume_error =
         entry.quantity_or("volume_error", words::dimension::number, words::Range{0, 0.2, false, true}, 0.01);
+    mesh.request.fit_joints =
+        entry.choice_or<importers::helper::FitJoints>("fit_joints",
+                                                      {{"as_drawn", importers::helper::FitJoints::as_drawn},
+                                                       {"shared", importers::helper::FitJoints::shared},
+                                                       {"planar", importers::helper::FitJoints::planar}},
+                                                      importers::helper::FitJoints::shared);
     mesh.request.close_joints =
         entry.quantity_or("close_joints", words::dimension::length, words::Range::non_negative(), 0);
     entry.reject_unknown_keys();

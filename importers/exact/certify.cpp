@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <set>
 
 #include "importers/exact/draft.h"
@@ -226,16 +227,14 @@ void Draft::mark_faces(const std::string& label, const std::vector<int>& faces)
     certificate.features.push_back(std::move(feature));
 }
 
-Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options)
+namespace
 {
-    Draft draft;
-    draft.surface = std::move(surface);
-    draft.options = options;
-    draft.certificate.name = draft.surface.name;
+
+Certificate finish(Draft draft, std::initializer_list<CertifyStep> steps)
+{
     std::string& reason = draft.certificate.reason;
     try {
-        for (const CertifyStep step : {check_size, weld_vertices, check_closed, orient, check_shells,
-                                       check_crossings, check_volume, check_convex})
+        for (const CertifyStep step : steps)
             if (reason = step(draft); !reason.empty()) break;
     } catch (const InputError& error) {
         const Fault& fault = error.faults.front();
@@ -244,7 +243,38 @@ Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options)
         draft.certificate.parts.clear();
     }
     draft.certificate.surface = std::move(draft.surface);
+    draft.certificate.examination = std::move(draft.examination);
+    draft.certificate.diagonal = draft.diagonal;
     return std::move(draft.certificate);
+}
+
+}  // namespace
+
+Certificate certify_surface(mesh::PolygonSurface surface, const CertifyOptions& options)
+{
+    Draft draft;
+    draft.surface = std::move(surface);
+    draft.options = options;
+    draft.certificate.name = draft.surface.name;
+    return finish(std::move(draft), {check_size, weld_vertices, check_closed, orient, check_shells,
+                                     check_crossings, check_volume});
+}
+
+Certificate certify_shape(Certificate sound, const CertifyOptions& options)
+{
+    if (!sound.reason.empty()) return sound;
+    Draft draft;
+    draft.surface = std::move(sound.surface);
+    draft.examination = std::move(sound.examination);
+    draft.options = options;
+    draft.diagonal = sound.diagonal;
+    draft.certificate = std::move(sound);
+    return finish(std::move(draft), {check_convex});
+}
+
+Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options)
+{
+    return certify_shape(certify_surface(std::move(surface), options), options);
 }
 
 }  // namespace voussoir::importers::exact

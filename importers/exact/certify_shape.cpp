@@ -47,6 +47,7 @@ std::string make_glued_parts(Draft& draft)
     how.planarity = options.planarity_tolerance;
     how.max_parts = options.max_parts;
     how.volume_error = options.volume_error;
+    how.joints = options.joints;
     Decomposition result =
         decompose({draft.surface.vertices, draft.examination.triangles}, how, draft.certificate.name);
     if (!result.reason.empty())

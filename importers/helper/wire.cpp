@@ -133,6 +133,7 @@ json to_json_value(const Stone& stone)
             {"parts", std::move(parts)},
             {"moments", to_json_value(stone.moments)},
             {"volume_error", stone.volume_error},
+            {"fit_move", stone.fit_move},
             {"features", std::move(features)},
             {"vertices", to_json_value(stone.vertices)},
             {"faces", stone.faces}};
@@ -164,6 +165,7 @@ Stone stone_from(const json& value)
     for (const json& part : value.at("parts")) stone.parts.push_back(part_from(part, stone.name));
     stone.moments = moments_from(value.at("moments"));
     stone.volume_error = value.at("volume_error");
+    stone.fit_move = value.at("fit_move");
     for (const json& feature : value.at("features")) stone.features.push_back(feature_from(feature));
     stone.vertices = points_from(value.at("vertices"));
     stone.faces = loops_from(value.at("faces"));
@@ -190,6 +192,15 @@ mesh::MeshReader reader_from(const json& value)
     return static_cast<mesh::MeshReader>(name - mesh_reader_names.begin());
 }
 
+/// @throws InputError when it names no way to fit joints
+FitJoints fit_joints_from(const json& value)
+{
+    const auto name = std::find(fit_joints_names.begin(), fit_joints_names.end(), value.get<std::string>());
+    if (name == fit_joints_names.end())
+        throw InputError("mesh", value.dump() + " is no way to fit joints", "the request was damaged on the way");
+    return static_cast<FitJoints>(name - fit_joints_names.begin());
+}
+
 ImportedMesh mesh_from(const json& value)
 {
     ImportedMesh mesh;
@@ -208,6 +219,7 @@ ImportedMesh mesh_from(const json& value)
 
 const std::vector<std::string> stone_level_names{"detect", "file", "object", "group", "node", "component"};
 const std::vector<std::string> mesh_reader_names{"auto", "own", "assimp"};
+const std::vector<std::string> fit_joints_names{"as_drawn", "shared", "planar"};
 
 std::string to_json(const HelperRequest& request)
 {
@@ -219,6 +231,7 @@ std::string to_json(const HelperRequest& request)
                           {"stones", static_cast<int>(mesh.stones)},
                           {"planarity", mesh.planarity},
                           {"volume_error", mesh.volume_error},
+                          {"fit_joints", fit_joints_names.at(static_cast<std::size_t>(mesh.fit_joints))},
                           {"close_joints", mesh.close_joints},
                           {"reader", mesh_reader_names.at(static_cast<std::size_t>(mesh.reader))}});
     try {
@@ -239,7 +252,8 @@ HelperRequest request_from_json(const std::string& text)
                                   static_cast<char>(mesh.at("up").get<int>()),
                                   static_cast<StoneLevel>(mesh.at("stones").get<int>()),
                                   mesh.at("planarity").get<double>(), mesh.at("volume_error").get<double>(),
-                                  mesh.at("close_joints").get<double>(), reader_from(mesh.at("reader"))});
+                                  fit_joints_from(mesh.at("fit_joints")), mesh.at("close_joints").get<double>(),
+                                  reader_from(mesh.at("reader"))});
     return request;
 }
 
@@ -277,7 +291,12 @@ std::string to_json(const Geometry& geometry)
                             {"b", overlap.stone_b},
                             {"volume", overlap.volume},
                             {"fraction", overlap.fraction}});
+    const json fit = {{"joints", geometry.fit.joints},
+                      {"left", geometry.fit.left},
+                      {"misfit_before", geometry.fit.misfit_before},
+                      {"misfit_after", geometry.fit.misfit_after}};
     return dump({{"origin", to_json_value(geometry.origin)},
+                 {"fit", fit},
                  {"meshes", std::move(meshes)},
                  {"overlaps", std::move(overlaps)}});
 }
@@ -288,6 +307,9 @@ Geometry geometry_from_json(const std::string& text)
     Geometry geometry;
     geometry.origin = vector_from(value.at("origin"));
     for (const json& mesh : value.at("meshes")) geometry.meshes.push_back(mesh_from(mesh));
+    const json& fit = value.at("fit");
+    geometry.fit = {index_from(fit.at("joints")), index_from(fit.at("left")), fit.at("misfit_before"),
+                    fit.at("misfit_after")};
     for (const json& overlap : value.at("overlaps"))
         geometry.overlaps.push_back(
             {overlap.at("a"), overlap.at("b"), overlap.at("volume"), overlap.at("fraction")});
