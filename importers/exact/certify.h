@@ -8,6 +8,7 @@
 #include "importers/exact/surface_checks.h"
 #include "importers/mesh/marked_feature.h"
 #include "importers/mesh/polygon_surface.h"
+#include "importers/mesh/repair.h"
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 
@@ -33,7 +34,7 @@ struct Certificate {
     std::string name;                     // of the stone
     bool closed = false, convex = false;  // proven
     std::string reason;                   // why it was refused; empty when accepted
-    std::vector<std::string> repairs;     // every repair, in words, with numbers
+    std::vector<mesh::Repair> repairs;    // every repair, in words, with numbers
     std::vector<ConvexPolyhedron> parts;  // one, or the glued parts of a concave stone; empty when refused
     Moments moments;          // of the surface as drawn, known when it is closed and does not cross itself
     double volume_error = 0;  // share of the volume by which the parts differ from it

@@ -8,6 +8,7 @@
 
 #include "importers/mesh/marked_feature.h"
 #include "importers/mesh/mesh_formats.h"
+#include "importers/mesh/repair.h"
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 
@@ -19,7 +20,7 @@ struct Stone {
     std::string name;                     // as the file names it
     bool closed = false, convex = false;  // proven
     std::string reason;                   // why it was refused; empty when accepted
-    std::vector<std::string> repairs;     // every repair that was made, in words
+    std::vector<mesh::Repair> repairs;    // every repair that was made
     // In metres, z up, model coordinates (origin subtracted); empty when refused.
     std::vector<ConvexPolyhedron> parts;
     Moments moments;          // of the stone as drawn, m; volume 0: it encloses none
@@ -38,7 +39,7 @@ struct ImportedMesh {
     std::string reason;                 // why the file was refused; empty when accepted
     double metres_per_unit = 1;         // of its coordinates
     std::string unit_from = "assumed";  // or "file", "option"
-    std::vector<std::string> repairs;   // of the file, in words
+    std::vector<mesh::Repair> repairs;  // of the file
     std::vector<Stone> stones;          // in the order of the file
 };
 

@@ -65,7 +65,7 @@ char settle_frame(const MeshRequest& request, const mesh::MeshFile& content, Imp
         std::ostringstream words;
         words << "the file states a unit of " << *content.metres_per_unit << " m; the option says "
               << mesh.metres_per_unit << " m and is used";
-        mesh.repairs.push_back(words.str());
+        mesh.repairs.push_back({"", words.str()});
     }
     return request.up != 0 ? request.up : content.up.value_or('z');
 }
@@ -101,7 +101,7 @@ void judge_rounding(const mesh::MeshFile& content, ImportedMesh& mesh)
                 mesh.file + ": " + surface.name,
                 "reading rounds its coordinates by up to " + rounding.str() + ", too much for its size",
                 "move the stones nearer to the origin of the file, or convert it to OBJ");
-    mesh.repairs.push_back("coordinates were read as 32-bit numbers: rounded by up to " + rounding.str());
+    mesh.repairs.push_back({"", "coordinates were read as 32-bit numbers: rounded by up to " + rounding.str()});
 }
 
 /// Reads one file into metres. @returns surfaces; a refusal is written into `mesh`
@@ -111,7 +111,7 @@ std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh&
     try {
         check(request);
         mesh::MeshFile content = mesh::read_mesh(request.file, {stones_by(request.stones), request.reader});
-        mesh.repairs = content.repairs;
+        for (std::string& repair : content.repairs) mesh.repairs.push_back({"", std::move(repair)});
         const char up = settle_frame(request, content, mesh);
         judge_rounding(content, mesh);
         for (mesh::PolygonSurface& surface : content.surfaces)

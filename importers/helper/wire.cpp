@@ -119,6 +119,28 @@ mesh::MarkedFeature feature_from(const json& value)
     return feature;
 }
 
+json to_json_value(const std::vector<mesh::Repair>& repairs)
+{
+    json value = json::array();
+    for (const mesh::Repair& repair : repairs)
+        value.push_back({{"kind", repair.kind},
+                         {"text", repair.text},
+                         {"count", repair.count},
+                         {"counted", repair.counted},
+                         {"worst", repair.worst},
+                         {"unit", repair.unit}});
+    return value;
+}
+
+std::vector<mesh::Repair> repairs_from(const json& value)
+{
+    std::vector<mesh::Repair> repairs;
+    for (const json& repair : value)
+        repairs.push_back({repair.at("kind"), repair.at("text"), index_from(repair.at("count")),
+                           repair.at("counted"), repair.at("worst"), repair.at("unit")});
+    return repairs;
+}
+
 json to_json_value(const Stone& stone)
 {
     json parts = json::array();
@@ -129,7 +151,7 @@ json to_json_value(const Stone& stone)
             {"closed", stone.closed},
             {"convex", stone.convex},
             {"reason", stone.reason},
-            {"repairs", stone.repairs},
+            {"repairs", to_json_value(stone.repairs)},
             {"parts", std::move(parts)},
             {"moments", to_json_value(stone.moments)},
             {"volume_error", stone.volume_error},
@@ -161,7 +183,7 @@ Stone stone_from(const json& value)
     stone.closed = value.at("closed");
     stone.convex = value.at("convex");
     stone.reason = value.at("reason");
-    stone.repairs = value.at("repairs").get<std::vector<std::string>>();
+    stone.repairs = repairs_from(value.at("repairs"));
     for (const json& part : value.at("parts")) stone.parts.push_back(part_from(part, stone.name));
     stone.moments = moments_from(value.at("moments"));
     stone.volume_error = value.at("volume_error");
@@ -179,7 +201,7 @@ json to_json_value(const ImportedMesh& mesh)
     for (const Stone& stone : mesh.stones) stones.push_back(to_json_value(stone));
     return {{"file", mesh.file},           {"accepted", mesh.accepted},
             {"reason", mesh.reason},       {"metres_per_unit", mesh.metres_per_unit},
-            {"unit_from", mesh.unit_from}, {"repairs", mesh.repairs},
+            {"unit_from", mesh.unit_from}, {"repairs", to_json_value(mesh.repairs)},
             {"stones", std::move(stones)}};
 }
 
@@ -210,7 +232,7 @@ ImportedMesh mesh_from(const json& value)
     mesh.metres_per_unit = value.at("metres_per_unit");
     if (!(mesh.metres_per_unit > 0)) throw InputError(mesh.file, "a unit without length", "must be > 0 m");
     mesh.unit_from = value.at("unit_from");
-    mesh.repairs = value.at("repairs").get<std::vector<std::string>>();
+    mesh.repairs = repairs_from(value.at("repairs"));
     for (const json& stone : value.at("stones")) mesh.stones.push_back(stone_from(stone));
     return mesh;
 }
