@@ -11,7 +11,7 @@ namespace voussoir::importers::fit
 namespace
 {
 
-constexpr double flat_enough = 0.12;  // share of a side's size: what bends further is no plane
+constexpr double flat_enough = 0.2;   // share of a side's size: what bends further is no plane
 // A bed of a course that is curved in plan can be made flat if all of the course is bent for it.
 constexpr double nearly_flat = 1e-4;  // share of a side's size: nearer than this to its plane a side stays whole
 
@@ -112,6 +112,37 @@ double move_of(const SidedStone& stone, const Side& side, const std::vector<Eige
     return move;
 }
 
+/// Sides that face several others and whose corners had to go further than what was drawn explains.
+std::vector<SideOf> overbent_sides(const std::vector<Facing>& joints, const SharedShape& shape,
+                                   const std::vector<SidedStone>& stones)
+{
+    Components components;
+    for (const Facing& joint : joints) components.join(first_of(joint), second_of(joint));
+    struct Drawn {
+        double misfit = 0, bend = 0;  // m
+        double allowed() const { return std::max(misfit, far_for_a_bend * bend); }
+    };
+    std::map<int, Drawn> drawn;
+    std::map<SideOf, int> opponents;
+    for (const Facing& joint : joints) {
+        Drawn& of_component = drawn[components.of(first_of(joint))];
+        of_component.misfit = std::max(of_component.misfit, misfit_of(joint, stones));
+        for (const SideOf& key : {first_of(joint), second_of(joint)}) {
+            of_component.bend = std::max(of_component.bend, stones[key.stone].sides[key.side].largest_off);
+            ++opponents[key];
+        }
+    }
+    std::vector<SideOf> bent;
+    for (const auto& [key, misfit] : shape.misfit) {
+        if (opponents.at(key) == 1) continue;
+        const Side& side = stones[key.stone].sides[key.side];
+        const double allowed = drawn.at(components.of(key)).allowed();
+        if (misfit > allowed || move_of(stones[key.stone], side, shape.vertices[key.stone]) > allowed)
+            bent.push_back(key);
+    }
+    return bent;
+}
+
 }  // namespace
 
 JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vector<Facing>& joints,
@@ -194,7 +225,7 @@ std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vec
         of_component.whole = std::max(of_component.whole, move_of(stone, side, whole.vertices[key.stone]));
         of_component.divided = std::max(of_component.divided, move_of(stone, side, divided.vertices[key.stone]));
     }
-    std::vector<SideOf> bent;
+    std::vector<SideOf> bent = overbent_sides(joints, whole, stones);
     for (const auto& [key, misfit] : whole.misfit) {
         const Moves& of_component = moves.at(components.of(key));
         if (misfit > nearly_flat * stones[key.stone].sides[key.side].size ||
@@ -208,28 +239,8 @@ bool leave_bent_joints(const SharedShape& shape, const std::vector<SidedStone>& 
 {
     Components components;
     for (const Facing& joint : choice.joints) components.join(first_of(joint), second_of(joint));
-    struct Drawn {
-        double misfit = 0, bend = 0;  // m
-        double allowed() const { return std::max(misfit, far_for_a_bend * bend); }
-    };
-    std::map<int, Drawn> drawn;
-    for (const Facing& joint : choice.joints) {
-        Drawn& of_component = drawn[components.of(first_of(joint))];
-        of_component.misfit = std::max(of_component.misfit, misfit_of(joint, stones));
-        for (const SideOf& key : {first_of(joint), second_of(joint)})
-            of_component.bend = std::max(of_component.bend, stones[key.stone].sides[key.side].largest_off);
-    }
-    std::map<SideOf, int> opponents;
-    for (const Facing& joint : choice.joints)
-        for (const SideOf& key : {first_of(joint), second_of(joint)}) ++opponents[key];
     std::set<int> bent;
-    for (const auto& [key, misfit] : shape.misfit) {
-        if (opponents.at(key) == 1) continue;
-        const Side& side = stones[key.stone].sides[key.side];
-        const double allowed = drawn.at(components.of(key)).allowed();
-        if (misfit > allowed || move_of(stones[key.stone], side, shape.vertices[key.stone]) > allowed)
-            bent.insert(components.of(key));
-    }
+    for (const SideOf& key : overbent_sides(choice.joints, shape, stones)) bent.insert(components.of(key));
     std::vector<Facing> kept;
     for (Facing& joint : choice.joints)
         if (!bent.contains(components.of(first_of(joint)))) kept.push_back(std::move(joint));
