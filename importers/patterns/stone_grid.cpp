@@ -35,8 +35,8 @@ int StoneGrid::add_stone(std::string name)
 
 void StoneGrid::add_faces(int stone, const BedLine& lower, const BedLine& upper, Heads heads)
 {
-    // With the lines to the right, the upper one above and the extrados towards the viewer.
-    std::vector<std::vector<int>>& faces = stones_[stone].faces;
+    // As for lines that run to the right, the upper one above and the extrados towards the viewer.
+    std::vector<std::vector<int>> faces;
     for (std::size_t i = 0; i + 1 < lower.size(); ++i)
         faces.push_back({lower[i].inner, lower[i + 1].inner, lower[i + 1].outer, lower[i].outer});
     for (std::size_t i = 0; i + 1 < upper.size(); ++i)
@@ -61,6 +61,12 @@ void StoneGrid::add_faces(int stone, const BedLine& lower, const BedLine& upper,
         faces.push_back({lower.front().inner, lower.front().outer, upper.front().outer, upper.front().inner});
     if (heads.last)
         faces.push_back({lower.back().inner, upper.back().inner, upper.back().outer, lower.back().outer});
+    const Eigen::Vector3d from = corners_[lower.back().inner];
+    const Eigen::Vector3d back = corners_[lower.front().inner] - from, up = corners_[upper.back().inner] - from,
+                          out = corners_[lower.back().outer] - from;
+    if (back.cross(up).dot(out) > 0)
+        for (std::vector<int>& face : faces) std::reverse(face.begin(), face.end());
+    stones_[stone].faces.insert(stones_[stone].faces.end(), faces.begin(), faces.end());
 }
 
 void StoneGrid::add_plug(int stone, const BedLine& ring)

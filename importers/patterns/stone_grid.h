@@ -30,7 +30,7 @@ class StoneGrid
  public:
     struct Stone {
         std::string name;
-        std::vector<std::vector<int>> faces;  // of 3 or 4 corners, all in one direction
+        std::vector<std::vector<int>> faces;  // of 3 or 4 corners, counter-clockwise from outside
     };
 
     /// The number of the corner at x [m], rounded to the nanometre so that the mesh is the same on every machine;

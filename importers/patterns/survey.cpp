@@ -21,23 +21,11 @@ Vector3d deviation(EvenNumbers& numbers)
     return {x, y, z};
 }
 
-/// The faces of every stone from outside, whichever way its pattern went round.
-std::vector<Faces> outward_faces(const StoneGrid& grid)
-{
-    std::vector<Faces> all;
-    for (const StoneGrid::Stone& stone : grid.stones()) {
-        all.push_back(stone.faces);
-        if (volume_of(grid.corners(), stone.faces) > 0) continue;
-        for (std::vector<int>& face : all.back()) std::reverse(face.begin(), face.end());
-    }
-    return all;
-}
-
 std::vector<double> sizes_of(const StoneGrid& grid)
 {
     std::vector<double> sizes;
     for (const StoneGrid::Stone& stone : grid.stones())
-        sizes.push_back(std::cbrt(std::abs(volume_of(grid.corners(), stone.faces))));
+        sizes.push_back(std::cbrt(volume_of(grid.corners(), stone.faces)));
     return sizes;
 }
 
@@ -118,9 +106,9 @@ std::vector<mesh::PolygonSurface> surveyed(const StoneGrid& grid, const Survey& 
     const std::vector<Vector3d> corners = warped_corners(grid, sizes, survey);
     EvenNumbers noise(EvenNumbers(survey.seed ^ 1).bits()), diagonals(EvenNumbers(survey.seed ^ 2).bits());
     std::vector<mesh::PolygonSurface> surfaces;
-    const std::vector<Faces> all = outward_faces(grid);
-    for (std::size_t s = 0; s < all.size(); ++s) {
-        const std::map<int, int> own = own_numbers(all[s]);
+    for (std::size_t s = 0; s < sizes.size(); ++s) {
+        const Faces& faces = grid.stones()[s].faces;
+        const std::map<int, int> own = own_numbers(faces);
         mesh::PolygonSurface surface{grid.stones()[s].name, std::vector<Vector3d>(own.size()), {}};
         for (const auto& [corner, vertex] : own) surface.vertices[vertex] = corners[corner];
         for (Vector3d& x : surface.vertices) {
@@ -128,7 +116,7 @@ std::vector<mesh::PolygonSurface> surveyed(const StoneGrid& grid, const Survey& 
             x = x.unaryExpr(&to_nanometre);
         }
         const bool cut = survey.diagonals != Diagonals::none;
-        surface.faces = renumbered(cut ? in_triangles(all[s], survey, diagonals) : all[s], own);
+        surface.faces = renumbered(cut ? in_triangles(faces, survey, diagonals) : faces, own);
         surfaces.push_back(std::move(surface));
     }
     return surfaces;
