@@ -29,7 +29,7 @@ int StoneGrid::foot(int corner, double z)
 
 int StoneGrid::add_stone(std::string name)
 {
-    stones_.push_back({std::move(name), {}});
+    stones_.push_back({std::move(name), {}, {}});
     return static_cast<int>(stones_.size()) - 1;
 }
 
@@ -67,6 +67,27 @@ void StoneGrid::add_faces(int stone, const BedLine& lower, const BedLine& upper,
     if (back.cross(up).dot(out) > 0)
         for (std::vector<int>& face : faces) std::reverse(face.begin(), face.end());
     stones_[stone].faces.insert(stones_[stone].faces.end(), faces.begin(), faces.end());
+    add_parts(stones_[stone], lower, upper, heads);
+}
+
+bool StoneGrid::is_straight(const BedLine& line) const
+{
+    const Eigen::Vector3d from = corners_[line.front().inner], way = corners_[line.back().inner] - from;
+    for (const ThroughEdge& edge : line)
+        if (way.cross(corners_[edge.inner] - from).norm() > 1e-6 * way.squaredNorm()) return false;
+    return true;
+}
+
+void StoneGrid::add_parts(Stone& stone, const BedLine& lower, const BedLine& upper, Heads heads) const
+{
+    if (is_straight(lower) && is_straight(upper)) {
+        stone.parts.push_back({{lower.front(), lower.back(), upper.front(), upper.back()}, heads});
+        return;
+    }
+    const std::size_t last = std::min(lower.size(), upper.size()) - 1;
+    for (std::size_t i = 0; i < last; ++i)
+        stone.parts.push_back({{lower[i], lower[i + 1], upper[i], upper[i + 1]},
+                               {i == 0 && heads.first, i + 1 == last && heads.last}});
 }
 
 void StoneGrid::add_plug(int stone, const BedLine& ring)
@@ -83,6 +104,24 @@ void StoneGrid::add_plug(int stone, const BedLine& ring)
         stones_[stone].faces.push_back({a.outer, b.outer, above});
         stones_[stone].faces.push_back({b.inner, a.inner, below});
     }
+}
+
+std::vector<ConvexPolyhedron> parts_of(const StoneGrid& grid, const StoneGrid::Stone& stone)
+{
+    std::vector<ConvexPolyhedron> shapes;
+    for (const StoneGrid::Part& part : stone.parts) {
+        std::vector<Eigen::Vector3d> x;
+        for (const ThroughEdge& edge : part.edges)
+            x.insert(x.end(), {grid.corners()[edge.inner], grid.corners()[edge.outer]});
+        // Below, above, intrados, extrados, the two heads.
+        std::vector<std::vector<int>> faces{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 4, 6, 2},
+                                            {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}};
+        if (volume_of(x, faces) < 0)
+            for (std::vector<int>& face : faces) std::reverse(face.begin(), face.end());
+        shapes.push_back(make_convex_polyhedron(std::move(x), std::move(faces), stone.name));
+        shapes.back().glued = {false, false, false, false, !part.heads.first, !part.heads.last};
+    }
+    return shapes;
 }
 
 double volume_of(const std::vector<Eigen::Vector3d>& corners, const std::vector<std::vector<int>>& faces)

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "libdda/geometry/convex_polyhedron.h"
+
 namespace voussoir::importers::patterns
 {
 
@@ -28,9 +30,15 @@ struct Heads {
 class StoneGrid
 {
  public:
+    /// A convex part of a stone: the first and the last edge below, then above.
+    struct Part {
+        std::array<ThroughEdge, 4> edges;
+        Heads heads;  // the others lie against another part of the stone
+    };
     struct Stone {
         std::string name;
         std::vector<std::vector<int>> faces;  // of 3 or 4 corners, counter-clockwise from outside
+        std::vector<Part> parts;              // none of a plug
     };
 
     /// The number of the corner at x [m], rounded to the nanometre so that the mesh is the same on every machine;
@@ -54,11 +62,17 @@ class StoneGrid
     const std::vector<Stone>& stones() const { return stones_; }
 
  private:
+    void add_parts(Stone& stone, const BedLine& lower, const BedLine& upper, Heads heads) const;
+    bool is_straight(const BedLine& line) const;
+
     std::vector<Eigen::Vector3d> corners_;
     std::vector<bool> held_;
     std::vector<Stone> stones_;
     std::map<std::array<std::int64_t, 3>, int> numbers_;  // by nanometres
 };
+
+/// The parts of a stone of flat faces, their common faces glued. @throws InputError when its faces are warped
+std::vector<ConvexPolyhedron> parts_of(const StoneGrid& grid, const StoneGrid::Stone& stone);
 
 /// Signed volume of a closed surface of a grid's corners [m3].
 double volume_of(const std::vector<Eigen::Vector3d>& corners, const std::vector<std::vector<int>>& faces);
