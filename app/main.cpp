@@ -24,6 +24,11 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides)
         ->allow_extra_args(false);
 }
 
+void add_verbose(CLI::App& command, bool& verbose)
+{
+    command.add_flag("-v,--verbose", verbose, "Print every repair of every stone, not one line for each kind");
+}
+
 /// Where a geometry certificate goes.
 void add_certificate(CLI::App& command, std::optional<std::filesystem::path>& json,
                      std::optional<std::filesystem::path>& folder)
@@ -57,6 +62,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen)
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
+    add_verbose(*command, arguments->verbose);
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return app::commands::run_command(*arguments); }; });
 }
@@ -69,6 +75,7 @@ void add_check(CLI::App& app, std::function<int()>& chosen)
     command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
     add_overrides(*command, arguments->overrides);
     add_certificate(*command, arguments->json, arguments->folder);
+    add_verbose(*command, arguments->verbose);
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return app::commands::check_command(*arguments); }; });
 }
@@ -103,10 +110,16 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
         ->check(CLI::Range(1e-6, 0.2))
         ->capture_default_str();
     command
+        ->add_option("--fit-joints", arguments->fit_joints,
+                     "Joints whose two sides were drawn differently: one surface for both, a plane, or as drawn")
+        ->check(CLI::IsMember(importers::helper::fit_joints_names))
+        ->capture_default_str();
+    command
         ->add_option("--close-joints", arguments->close_joints,
                      "Close gaps between facing faces up to this width: 25mm")
         ->type_name("LENGTH");
     add_certificate(*command, arguments->json, arguments->folder);
+    add_verbose(*command, arguments->verbose);
     command->callback([arguments, &chosen] {
         if (arguments->files.empty() && !arguments->formats) throw CLI::RequiredError("mesh");
         chosen = [arguments] { return app::commands::import_command(*arguments); };

@@ -41,8 +41,9 @@ FOLDER_RULES = {
     "importers/process/": ("libdda/errors.h",),
     "importers/mesh/": READS + ("libdda/geometry/",),
     "importers/exact/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/"),
+    "importers/fit/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/", "importers/exact/"),
     "importers/patterns/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/"),
-    "importers/helper/": ENGINE_MODEL + ("libdda/contact/", "importers/process/", "importers/mesh/", "importers/exact/"),
+    "importers/helper/": ENGINE_MODEL + ("libdda/contact/", "importers/process/", "importers/mesh/", "importers/exact/", "importers/fit/"),
     "importers/assembly/": ENGINE_MODEL + ("libdda/contact/", "importers/mesh/", "importers/helper/"),
 
     "app/version/": ("libdda/compilation.h",),

@@ -32,6 +32,7 @@ NAMESPACES = {
     "importers/": "voussoir::importers",
     "importers/assembly/": "voussoir::importers::assembly",
     "importers/exact/": "voussoir::importers::exact",
+    "importers/fit/": "voussoir::importers::fit",
     "importers/helper/": "voussoir::importers::helper",
     "importers/mesh/": "voussoir::importers::mesh",
     "importers/patterns/": "voussoir::importers::patterns",

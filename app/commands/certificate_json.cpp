@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/certificate.h"
+#include "importers/helper/repair_summary.h"
 
 namespace voussoir::app::commands
 {
@@ -121,6 +122,28 @@ json to_json(const importers::assembly::Assembly& assembly)
             {"advice", std::move(advice)}};
 }
 
+json sentences_of(const std::vector<importers::mesh::Repair>& repairs)
+{
+    json sentences = json::array();
+    for (const importers::mesh::Repair& repair : repairs) sentences.push_back(repair.text);
+    return sentences;
+}
+
+json kinds_of_repairs(const importers::helper::ImportedMesh& mesh)
+{
+    json kinds = json::array();
+    for (const importers::helper::RepairSummary& kind : importers::helper::summarised_repairs(mesh))
+        kinds.push_back({{"kind", kind.kind},
+                         {"stones", kind.stones},
+                         {"count", kind.count},
+                         {"counted", kind.counted},
+                         {"worst", kind.worst},
+                         {"unit", kind.unit},
+                         {"worst_stone", kind.worst_stone},
+                         {"summary", importers::helper::in_words(kind)}});
+    return kinds;
+}
+
 json to_json(const importers::helper::Stone& stone, const importers::helper::ImportedMesh& mesh,
              const Eigen::Vector3d& origin)
 {
@@ -137,7 +160,7 @@ json to_json(const importers::helper::Stone& stone, const importers::helper::Imp
             {"volume_m3", measured ? json(stone.moments.volume) : json()},
             {"volume_error", stone.volume_error},
             {"centroid_m", measured ? json({centroid.x(), centroid.y(), centroid.z()}) : json()},
-            {"repairs", stone.repairs},
+            {"repairs", sentences_of(stone.repairs)},
             {"features", std::move(features)},
             {"reason", stone.reason}};
 }
@@ -172,7 +195,8 @@ std::string certificates_json(const std::vector<CertifiedFile>& files)
         list.push_back({{"file", file.mesh.file},
                         {"accepted", file.mesh.accepted},
                         {"reason", file.mesh.reason},
-                        {"repairs", file.mesh.repairs},
+                        {"repairs", sentences_of(file.mesh.repairs)},
+                        {"repair_kinds", kinds_of_repairs(file.mesh)},
                         {"unit", {{"metres", file.mesh.metres_per_unit}, {"from", file.mesh.unit_from}}},
                         {"origin_m", {file.origin.x(), file.origin.y(), file.origin.z()}},
                         {"overlaps", to_json(file.overlaps)},
@@ -188,7 +212,8 @@ std::string certificate_json(const CertifiedCase& the_case)
         meshes.push_back({{"file", mesh.file},
                           {"accepted", mesh.accepted},
                           {"reason", mesh.reason},
-                          {"repairs", mesh.repairs},
+                          {"repairs", sentences_of(mesh.repairs)},
+                          {"repair_kinds", kinds_of_repairs(mesh)},
                           {"unit", {{"metres", mesh.metres_per_unit}, {"from", mesh.unit_from}}},
                           {"stones", stones_of(mesh, the_case.origin)}});
     for (const importers::assembly::AssemblyStone& stone : the_case.assembly.stones)

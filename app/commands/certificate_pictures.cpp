@@ -28,7 +28,8 @@ void draw_refused(Album& album)
         picture.legend.emplace_back(render::StoneLook::faulty, refused ? "refused stone" : "stone");
         picture.mark_legend.emplace_back(render::MarkLook::defect, "what is wrong");
         if (refused) picture.notes.push_back(stone->reason);
-        for (const std::string& repair : stone->repairs) picture.notes.push_back("repaired: " + repair);
+        for (const importers::mesh::Repair& repair : stone->repairs)
+            picture.notes.push_back("repaired: " + repair.text);
         add_picture(std::move(picture), stone->name, album);
     }
 }

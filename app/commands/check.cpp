@@ -170,6 +170,7 @@ CertifiedCase certify(const CheckArguments& arguments, bool print)
             fmt::print(stderr, "{}\n", certified.faults.back());
         }
     }
+    if (print && arguments.verbose) print_repairs(stones.geometry);
     examine(stones, certified.faults.empty(), certified);
     return certified;
 }

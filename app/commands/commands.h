@@ -21,6 +21,7 @@ struct RunArguments {
     bool resume = false;        // go on with the run that was interrupted in the folder
     bool other_engine = false;  // even if another build of the program began it
     bool quiet = false;
+    bool verbose = false;  // every repair of a mesh, not one line a kind
 };
 
 /// Reads the case, runs its stages, writes the results and draws the pictures it asks for. Nothing is created
@@ -32,6 +33,7 @@ struct CheckArguments {
     std::filesystem::path case_file;
     std::vector<std::string> overrides;
     std::optional<std::filesystem::path> json, folder;
+    bool verbose = false;  // every repair of a mesh, not one line a kind
 };
 
 /// Reads and certifies a case, finds its contacts, and tells what is there and how it stands together; runs
@@ -45,10 +47,12 @@ struct ImportArguments {
     std::optional<char> up;           // as the files say, or z, if not given
     std::string stones = "detect";    // of stone_level_names
     double planarity = 1e-5, volume_error = 0.01;
+    std::string fit_joints = "shared";        // of fit_joints_names
     std::optional<std::string> close_joints;  // a length
     std::string reader = "auto";              // of mesh_reader_names
     bool formats = false;                     // list what is read, import nothing
     std::optional<std::filesystem::path> json, folder;
+    bool verbose = false;  // every repair, not one line a kind
 };
 
 /// The geometry certificate of mesh files, each on its own.

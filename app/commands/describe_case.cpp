@@ -7,6 +7,7 @@
 
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
+#include "importers/helper/repair_summary.h"
 
 namespace voussoir::app::commands
 {
@@ -84,6 +85,15 @@ void print_materials(const Model& model)
             fmt::print("  friction {:g} deg when it slips at {:g} m/s\n", point.angle * 180 / std::numbers::pi,
                        point.speed);
     }
+}
+
+void print_repairs(const importers::helper::Geometry& geometry)
+{
+    std::vector<std::string> lines;
+    for (const importers::helper::ImportedMesh& mesh : geometry.meshes)
+        for (const std::string& repair : importers::helper::all_repairs(mesh))
+            lines.push_back(fmt::format("{}: {}", mesh.file, repair));
+    print_list("repairs", lines);
 }
 
 void print_case(const Case& the_case)

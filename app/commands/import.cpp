@@ -7,6 +7,7 @@
 #include "app/commands/outputs.h"
 #include "app/words/quantity.h"
 #include "importers/helper/geometry.h"
+#include "importers/helper/repair_summary.h"
 #include "importers/helper/wire.h"
 #include "libdda/errors.h"
 
@@ -42,23 +43,37 @@ importers::helper::MeshRequest request_of(const ImportArguments& arguments)
                                   importers::helper::mesh_reader_names.end(), arguments.reader);
     request.reader =
         static_cast<importers::mesh::MeshReader>(reader - importers::helper::mesh_reader_names.begin());
+    const auto fit = std::find(importers::helper::fit_joints_names.begin(),
+                               importers::helper::fit_joints_names.end(), arguments.fit_joints);
+    request.fit_joints =
+        static_cast<importers::helper::FitJoints>(fit - importers::helper::fit_joints_names.begin());
     request.planarity = arguments.planarity;
     request.volume_error = arguments.volume_error;
     return request;
 }
 
-void print_mesh(const CertifiedFile& file)
+/// One line for each kind of repair, or every repair.
+void print_repairs(const importers::helper::ImportedMesh& mesh, bool verbose)
+{
+    if (verbose)
+        for (const std::string& repair : importers::helper::all_repairs(mesh))
+            fmt::print("  repaired: {}\n", repair);
+    else
+        for (const importers::helper::RepairSummary& kind : importers::helper::summarised_repairs(mesh))
+            fmt::print("  repaired: {}\n", importers::helper::in_words(kind));
+}
+
+void print_mesh(const CertifiedFile& file, bool verbose)
 {
     const importers::helper::ImportedMesh& mesh = file.mesh;
     fmt::print("{}: {}, {} stones, unit {:g} m ({})\n", mesh.file, mesh.accepted ? "accepted" : "refused",
                mesh.stones.size(), mesh.metres_per_unit, mesh.unit_from);
-    for (const std::string& repair : mesh.repairs) fmt::print("  repaired: {}\n", repair);
+    print_repairs(mesh, verbose);
     for (std::size_t i = 0; i < std::min(mesh.stones.size(), max_rows); ++i) {
         const importers::helper::Stone& stone = mesh.stones[i];
         if (stone.reason.empty())
             fmt::print("  {}: {} convex part{}, {:.6g} m3\n", stone.name, stone.parts.size(),
                        stone.parts.size() == 1 ? "" : "s", stone.moments.volume);
-        for (const std::string& repair : stone.repairs) fmt::print("  {}: repaired: {}\n", stone.name, repair);
     }
     if (mesh.stones.size() > max_rows)
         fmt::print("  and {} more stones: --json has them all\n", mesh.stones.size() - max_rows);
@@ -150,7 +165,7 @@ int import_command(const ImportArguments& arguments)
         request.file = path;
         files.push_back(certify(request));
         any_refused = any_refused || !files.back().mesh.accepted;
-        if (!to_stdout) print_mesh(files.back());
+        if (!to_stdout) print_mesh(files.back(), arguments.verbose);
         print_refusals(files.back().mesh);
     }
     if (arguments.json) write_json_text(*arguments.json, certificates_json(files));

@@ -203,9 +203,11 @@ int run_command(const RunArguments& arguments)
                                              ? std::filesystem::path("results") / arguments.case_file.stem()
                                              : arguments.folder;
     if (arguments.resume) refuse_without_restart(folder);
-    Case the_case = reader::read_case(arguments.case_file, arguments.overrides);
+    reader::CaseStones stones;
+    Case the_case = reader::read_case(arguments.case_file, arguments.overrides, &stones);
     for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
     if (!arguments.quiet) print_case(the_case);
+    if (arguments.verbose) print_repairs(stones.geometry);
     if (interrupted()) return exit_interrupted;
 
     const results::RunLock lock(folder);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/reader/block_reading.h"
+#include "importers/helper/repair_summary.h"
 #include "libdda/geometry/plane.h"
 
 namespace voussoir::app::reader
@@ -29,22 +30,42 @@ double read_unit(YamlCursor& entry)
 /// share of its volume is a mistake.
 constexpr double max_overlap = 0.01;
 
+/// The worst overlaps one by one, the rest of them in one line.
+void refuse_overlaps(std::vector<importers::helper::Overlap> overlaps, const std::string& place,
+                     Findings& findings)
+{
+    constexpr std::size_t told = 5;
+    const char* expected = "stones may touch but not overlap by more than 1 %";
+    std::stable_sort(overlaps.begin(), overlaps.end(),
+                     [](const auto& a, const auto& b) { return a.fraction > b.fraction; });
+    for (std::size_t i = 0; i < std::min(told, overlaps.size()); ++i)
+        findings.faults.push_back({place + ": " + overlaps[i].stone_a + " and " + overlaps[i].stone_b,
+                                   fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
+                                               overlaps[i].volume, 100 * overlaps[i].fraction),
+                                   expected});
+    if (overlaps.size() > told)
+        findings.faults.push_back({place,
+                                   fmt::format("{} more pairs of stones overlap by up to {:.2g} % of the smaller "
+                                               "one; voussoir check --json lists them",
+                                               overlaps.size() - told, 100 * overlaps[told].fraction),
+                                   expected});
+}
+
 void judge_overlaps(const importers::helper::Geometry& geometry, BlockReading& reading)
 {
     const std::string place = reading.meshes.front().file.place();
     int small = 0;
     double largest = 0;
+    std::vector<importers::helper::Overlap> refused;
     for (const importers::helper::Overlap& overlap : geometry.overlaps) {
         if (overlap.fraction > max_overlap) {
-            reading.findings.faults.push_back({place + ": " + overlap.stone_a + " and " + overlap.stone_b,
-                                               fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
-                                                           overlap.volume, 100 * overlap.fraction),
-                                               "stones may touch but not overlap by more than 1 %"});
+            refused.push_back(overlap);
             continue;
         }
         ++small;
         largest = std::max(largest, overlap.fraction);
     }
+    refuse_overlaps(std::move(refused), place, reading.findings);
     if (small > 0)
         reading.findings.warnings.push_back(
             fmt::format("{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: they start under "
@@ -52,20 +73,21 @@ void judge_overlaps(const importers::helper::Geometry& geometry, BlockReading& r
                         place, small, 100 * largest));
 }
 
-void warn_of_repairs(const std::string& place, const std::vector<std::string>& repairs, Findings& findings)
+/// One line for each kind of repair; the certificate has them all.
+void warn_of_repairs(const std::string& place, const importers::helper::ImportedMesh& mesh, Findings& findings)
 {
-    for (const std::string& repair : repairs) findings.warnings.push_back(fmt::format("{}: {}", place, repair));
+    for (const importers::helper::RepairSummary& kind : importers::helper::summarised_repairs(mesh))
+        findings.warnings.push_back(fmt::format("{}: {}", place, importers::helper::in_words(kind)));
 }
 
 /// The answer of the geometry helper about one file, as faults, warnings and blocks.
 void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, BlockReading& reading)
 {
     const std::string place = entry.file.place() + ": " + entry.name;
-    warn_of_repairs(place, mesh.repairs, reading.findings);
+    warn_of_repairs(place, mesh, reading.findings);
     bool stone_refused = false;
     for (const importers::helper::Stone& stone : mesh.stones) {
         const std::string stone_place = place + ": " + stone.name;
-        warn_of_repairs(stone_place, stone.repairs, reading.findings);
         stone_refused = stone_refused || !stone.reason.empty();
         if (!stone.reason.empty()) {
             reading.findings.faults.push_back({stone_place, stone.reason, "repair the mesh"});
@@ -106,6 +128,12 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
         entry.quantity_or("planarity", words::dimension::number, words::Range{0, 0.01, false, true}, 1e-5);
     mesh.request.volume_error =
         entry.quantity_or("volume_error", words::dimension::number, words::Range{0, 0.2, false, true}, 0.01);
+    mesh.request.fit_joints =
+        entry.choice_or<importers::helper::FitJoints>("fit_joints",
+                                                      {{"as_drawn", importers::helper::FitJoints::as_drawn},
+                                                       {"shared", importers::helper::FitJoints::shared},
+                                                       {"planar", importers::helper::FitJoints::planar}},
+                                                      importers::helper::FitJoints::shared);
     mesh.request.close_joints =
         entry.quantity_or("close_joints", words::dimension::length, words::Range::non_negative(), 0);
     entry.reject_unknown_keys();

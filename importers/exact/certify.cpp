@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <set>
 
 #include "importers/exact/draft.h"
@@ -33,15 +34,22 @@ std::string weld_vertices(Draft& draft)
 {
     const WeldReport report = weld(draft.surface, draft.options.weld_tolerance * draft.diagonal);
     if (report.moved > 0)
-        draft.repaired(format("%d vertices up to %.3g m away from another one were welded to it", report.moved,
-                              report.largest_move));
+        draft.repaired({"vertices welded",
+                        format("%d vertices up to %.3g m away from another one were welded to it", report.moved,
+                               report.largest_move),
+                        report.moved, "vertices", report.largest_move, "m"});
     if (report.shortened_faces > 0)
-        draft.repaired(format("repeated corners of %d faces were dropped", report.shortened_faces));
+        draft.repaired({"repeated corners dropped",
+                        format("repeated corners of %d faces were dropped", report.shortened_faces),
+                        report.shortened_faces, "faces"});
     if (report.removed_faces > 0)
         draft.repaired(
-            format("%d faces with fewer than three different corners were dropped", report.removed_faces));
+            {"faces without three corners dropped",
+             format("%d faces with fewer than three different corners were dropped", report.removed_faces),
+             report.removed_faces, "faces"});
     if (const int dropped = drop_repeated_faces(draft.surface); dropped > 0)
-        draft.repaired(format("%d faces that repeated another one were dropped", dropped));
+        draft.repaired({"repeated faces dropped",
+                        format("%d faces that repeated another one were dropped", dropped), dropped, "faces"});
     return draft.surface.faces.empty() ? "no face has three different corners" : "";
 }
 
@@ -54,7 +62,9 @@ void mend_joints_of_faces(Draft& draft)
     if (inserted == 0 || !edge_use(mended).open.empty()) return;
     draft.surface = std::move(mended);
     draft.repaired(
-        format("faces met without sharing their corners: %d corners were inserted into edges", inserted));
+        {"corners inserted",
+         format("faces met without sharing their corners: %d corners were inserted into edges", inserted),
+         inserted, "corners"});
 }
 
 /// How long all open edges are together.
@@ -97,7 +107,8 @@ std::string check_shells(Draft& draft)
         if (s != outside && !lies_inside(shells[s], shells[outside]))
             return format("it consists of %d separate shells; give each stone an object of its own", count);
     for (int& shell : draft.shell) shell = shell == outside ? 0 : shell == 0 ? outside : shell;
-    draft.repaired(format("%d closed surfaces inside it were taken as cavities", count - 1));
+    draft.repaired({"cavities", format("%d closed surfaces inside it were taken as cavities", count - 1),
+                    count - 1, "cavities"});
     return "";
 }
 
@@ -128,7 +139,7 @@ std::string orient(Draft& draft)
 void examine_and_mend(Draft& draft)
 {
     draft.examination = examine(draft.surface);
-    std::size_t count = 0;
+    int count = 0;
     for (int round = 0; round < 10 && !draft.examination.faces_without_area.empty(); ++round) {
         const std::vector<int> dropped =
             drop_collinear_triangles(draft.surface, draft.examination.faces_without_area);
@@ -137,10 +148,13 @@ void examine_and_mend(Draft& draft)
             draft.shell.erase(draft.shell.begin() + f);
             draft.turned.erase(draft.turned.begin() + f);
         }
-        count += dropped.size();
+        count += static_cast<int>(dropped.size());
         draft.examination = examine(draft.surface);
     }
-    if (count > 0) draft.repaired(format("%zu triangles with all corners on a line were dropped", count));
+    if (count > 0)
+        draft.repaired({"triangles without area dropped",
+                        format("%d triangles with all corners on a line were dropped", count), count,
+                        "triangles"});
 }
 
 std::string check_crossings(Draft& draft)
@@ -186,13 +200,17 @@ void turn_shells(Draft& draft)
 /// Says how many faces ended up running the other way than in the file.
 void report_turned_faces(Draft& draft)
 {
-    const auto turned = std::count(draft.turned.begin(), draft.turned.end(), true);
-    const auto all = static_cast<std::ptrdiff_t>(draft.turned.size());
+    const int turned = static_cast<int>(std::count(draft.turned.begin(), draft.turned.end(), true));
+    const int all = static_cast<int>(draft.turned.size());
     if (turned == all)
-        draft.repaired(format("the surface was inside out: all %td faces were turned outward", all));
+        draft.repaired({"turned inside out",
+                        format("the surface was inside out: all %d faces were turned outward", all), all,
+                        "faces"});
     else if (turned > 0)
         draft.repaired(
-            format("%td of %td faces were turned to agree with the others and point outward", turned, all));
+            {"faces turned",
+             format("%d of %d faces were turned to agree with the others and point outward", turned, all), turned,
+             "faces"});
 }
 
 std::string check_volume(Draft& draft)
@@ -226,16 +244,14 @@ void Draft::mark_faces(const std::string& label, const std::vector<int>& faces)
     certificate.features.push_back(std::move(feature));
 }
 
-Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options)
+namespace
 {
-    Draft draft;
-    draft.surface = std::move(surface);
-    draft.options = options;
-    draft.certificate.name = draft.surface.name;
+
+Certificate finish(Draft draft, std::initializer_list<CertifyStep> steps)
+{
     std::string& reason = draft.certificate.reason;
     try {
-        for (const CertifyStep step : {check_size, weld_vertices, check_closed, orient, check_shells,
-                                       check_crossings, check_volume, check_convex})
+        for (const CertifyStep step : steps)
             if (reason = step(draft); !reason.empty()) break;
     } catch (const InputError& error) {
         const Fault& fault = error.faults.front();
@@ -244,7 +260,38 @@ Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options)
         draft.certificate.parts.clear();
     }
     draft.certificate.surface = std::move(draft.surface);
+    draft.certificate.examination = std::move(draft.examination);
+    draft.certificate.diagonal = draft.diagonal;
     return std::move(draft.certificate);
+}
+
+}  // namespace
+
+Certificate certify_surface(mesh::PolygonSurface surface, const CertifyOptions& options)
+{
+    Draft draft;
+    draft.surface = std::move(surface);
+    draft.options = options;
+    draft.certificate.name = draft.surface.name;
+    return finish(std::move(draft), {check_size, weld_vertices, check_closed, orient, check_shells,
+                                     check_crossings, check_volume});
+}
+
+Certificate certify_shape(Certificate sound, const CertifyOptions& options)
+{
+    if (!sound.reason.empty()) return sound;
+    Draft draft;
+    draft.surface = std::move(sound.surface);
+    draft.examination = std::move(sound.examination);
+    draft.options = options;
+    draft.diagonal = sound.diagonal;
+    draft.certificate = std::move(sound);
+    return finish(std::move(draft), {check_convex});
+}
+
+Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options)
+{
+    return certify_shape(certify_surface(std::move(surface), options), options);
 }
 
 }  // namespace voussoir::importers::exact

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "importers/exact/decompose.h"
+#include "importers/exact/surface_checks.h"
 #include "importers/mesh/marked_feature.h"
 #include "importers/mesh/polygon_surface.h"
+#include "importers/mesh/repair.h"
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 
@@ -23,6 +25,7 @@ struct CertifyOptions {
     double smallest_volume = 1e-9;
     int max_parts = 64;          // of a concave stone
     double volume_error = 0.01;  // share of its volume by which the parts of a concave stone may exceed it
+    std::vector<CutPlane> joints;  // of the stone, where they were fitted: concave ones are cut exactly at them
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, added to coordinates in messages
 };
 
@@ -31,12 +34,14 @@ struct Certificate {
     std::string name;                     // of the stone
     bool closed = false, convex = false;  // proven
     std::string reason;                   // why it was refused; empty when accepted
-    std::vector<std::string> repairs;     // every repair, in words, with numbers
+    std::vector<mesh::Repair> repairs;    // every repair, in words, with numbers
     std::vector<ConvexPolyhedron> parts;  // one, or the glued parts of a concave stone; empty when refused
     Moments moments;          // of the surface as drawn, known when it is closed and does not cross itself
     double volume_error = 0;  // share of the volume by which the parts differ from it
     std::vector<mesh::MarkedFeature> features;  // what is wrong where
     mesh::PolygonSurface surface;               // as it was judged
+    SurfaceExamination examination;             // of that surface
+    double diagonal = 0;                        // m, of the surface as it came
 };
 
 /// Welds, mends what has one cure (repeated faces, triangles without area, faces that meet without sharing their
@@ -46,5 +51,12 @@ struct Certificate {
 /// several (decompose).
 /// @param surface in metres, z up, near the origin
 Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options = {});
+
+/// The first half of it, all that concerns the surface: welded, mended, proven closed, oriented, not crossing
+/// itself, outward, with a volume. No parts yet.
+Certificate certify_surface(mesh::PolygonSurface surface, const CertifyOptions& options = {});
+
+/// The second half: the convex parts of a surface that was proven sound. A refused certificate stays as it is.
+Certificate certify_shape(Certificate sound, const CertifyOptions& options = {});
 
 }  // namespace voussoir::importers::exact

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "importers/exact/convexity.h"
@@ -36,8 +37,11 @@ void make_one_part(Draft& draft)
     const double change = moments_of(draft.certificate.parts.back()).volume - volume;
     draft.certificate.volume_error = std::abs(change) > 1e-12 * volume ? change / volume : 0;
     if (std::abs(change) > 1e-12 * volume)
-        draft.repaired(format("faces that bulge by less than %.3g m were flattened: the volume changed by %.3g m3",
-                              tolerance * draft.diagonal, change));
+        draft.repaired(
+            {"faces flattened",
+             format("faces that bulge by less than %.3g m were flattened: the volume changed by %.3g m3",
+                    tolerance * draft.diagonal, change),
+             1, "", 100 * std::abs(change) / volume, "% of the volume"});
 }
 
 std::string make_glued_parts(Draft& draft)
@@ -47,6 +51,7 @@ std::string make_glued_parts(Draft& draft)
     how.planarity = options.planarity_tolerance;
     how.max_parts = options.max_parts;
     how.volume_error = options.volume_error;
+    how.joints = options.joints;
     Decomposition result =
         decompose({draft.surface.vertices, draft.examination.triangles}, how, draft.certificate.name);
     if (!result.reason.empty())
@@ -63,11 +68,21 @@ std::string make_glued_parts(Draft& draft)
     const std::size_t count = draft.certificate.parts.size();
     const std::string parts =
         count == 1 ? std::string("its convex hull, ") : format("%zu convex parts glued together, ", count);
-    draft.repaired(format("it is concave in %d edges and became ", result.reentrant_edges) + parts +
-                   (std::abs(result.volume_error) > 1e-9
-                        ? format("which exceed it by %.2g %% of its volume", 100 * result.volume_error)
-                        : std::string("without change of volume")));
+    const bool differs = std::abs(result.volume_error) > 1e-9;
+    draft.repaired({"divided into convex parts",
+                    format("it is concave in %d edges and became ", result.reentrant_edges) + parts +
+                        (differs ? format("which exceed it by %.2g %% of its volume", 100 * result.volume_error)
+                                 : std::string("without change of volume")),
+                    static_cast<int>(count), "parts", differs ? 100 * std::abs(result.volume_error) : 0,
+                    "% of the volume"});
     return "";
+}
+
+double largest_distance(const std::vector<Outlier>& outliers)
+{
+    double largest = 0;
+    for (const Outlier& outlier : outliers) largest = std::max(largest, outlier.distance);
+    return largest;
 }
 
 }  // namespace
@@ -77,9 +92,11 @@ std::string check_convex(Draft& draft)
     const double allowed = draft.options.planarity_tolerance * draft.diagonal;
     const std::vector<Outlier> bent = cut_bent_faces(draft.surface, draft.examination, allowed);
     if (!bent.empty())
-        draft.repaired(format("%zu faces are not flat and were cut into triangles, the first by %.3g m at ",
-                              bent.size(), bent.front().distance) +
-                       draft.at(bent.front().vertex));
+        draft.repaired({"faces that are not flat cut into triangles",
+                        format("%zu faces are not flat and were cut into triangles, the first by %.3g m at ",
+                               bent.size(), bent.front().distance) +
+                            draft.at(bent.front().vertex),
+                        static_cast<int>(bent.size()), "faces", largest_distance(bent), "m"});
     draft.certificate.convex = is_convex(draft, allowed);
     if (!draft.certificate.convex) return make_glued_parts(draft);
     make_one_part(draft);

@@ -28,6 +28,7 @@ struct Piece {
     TriangleSurface surface, hull;
     std::vector<CutPlane> cuts;  // normals out of the piece
     std::vector<ReentrantEdge> edges;
+    int at_joints = 0;   // of its edges: the first ones
     double excess = 0;   // m3, of the hull over the piece
     bool stuck = false;  // no plane cuts it
 };
@@ -40,14 +41,16 @@ class Cutter
     {
         const std::vector<ReentrantEdge> all = reentrant_edges(surface, options.planarity * diagonal_);
         reentrant_count = static_cast<int>(all.size());
-        approximate_ = reentrant_count > options.max_exact_edges;
+        approximate_ = reentrant_count > options.max_exact_edges || !options.joints.empty();
         pieces.push_back(make_piece(surface, {}));
     }
 
     void cut_all()
     {
         while (static_cast<int>(pieces.size()) < options_.max_parts) {
-            if (approximate_ && excess() <= options_.volume_error * volume_) return;
+            const bool parted = std::all_of(pieces.begin(), pieces.end(),
+                                            [](const Piece& piece) { return piece.at_joints == 0 || piece.stuck; });
+            if (approximate_ && parted && excess() <= options_.volume_error * volume_) return;
             const auto worst = std::max_element(pieces.begin(), pieces.end(),
                                                 [&](const Piece& a, const Piece& b) { return need(a) < need(b); });
             if (need(*worst) <= 0) return;
@@ -77,17 +80,31 @@ class Cutter
     }
 
     /// What there is to gain from cutting a piece; 0: nothing, or it cannot be cut.
-    static double need(const Piece& piece)
+    double need(const Piece& piece) const
     {
-        return piece.edges.empty() || piece.stuck ? 0 : std::max(piece.excess, 1e-300);
+        return piece.edges.empty() || piece.stuck ? 0 : std::max(piece.excess, 1e-300) + piece.at_joints * volume_;
+    }
+
+    /// Puts the edges that lie in the plane of a joint first.
+    void find_joints(Piece& piece) const
+    {
+        const double near = options_.planarity * diagonal_;
+        const auto lies_in_joint = [&](const ReentrantEdge& edge) {
+            return std::any_of(options_.joints.begin(), options_.joints.end(), [&](const CutPlane& joint) {
+                return std::abs(joint.distance(edge.from)) <= near && std::abs(joint.distance(edge.to)) <= near;
+            });
+        };
+        const auto free = std::stable_partition(piece.edges.begin(), piece.edges.end(), lies_in_joint);
+        piece.at_joints = static_cast<int>(free - piece.edges.begin());
     }
 
     Piece make_piece(const TriangleSurface& surface, std::vector<CutPlane> cuts) const
     {
-        Piece piece{surface, convex_hull(surface.vertices), std::move(cuts), {}, 0, false};
+        Piece piece{surface, convex_hull(surface.vertices), std::move(cuts), {}, 0, 0, false};
         piece.excess = volume_of(piece.hull) - volume_of(surface);
         piece.edges = reentrant_edges(surface, options_.planarity * diagonal_);
         if (approximate_) weight_by_depth(piece.edges, piece.hull);
+        find_joints(piece);
         return piece;
     }
 
@@ -116,7 +133,8 @@ class Cutter
     {
         double sum = 0;
         for (const Piece& piece : made) {
-            sum += approximate_ ? piece.excess : 2.0 * static_cast<double>(piece.edges.size()) + 1;
+            sum += approximate_ ? piece.excess + piece.at_joints * volume_
+                                : 2.0 * static_cast<double>(piece.edges.size()) + 1;
             if (!is_sound(piece)) sum += approximate_ ? piece.excess : 1000;
         }
         return sum;
@@ -129,19 +147,29 @@ class Cutter
         return std::abs(sum - volume_of(whole.surface)) <= 1e-6 * volume_;
     }
 
-    void cut(std::size_t index)
+    /// What is left of a piece by the best of `count` planes through some of its edges; nothing if none cuts it.
+    std::vector<Piece> best_cut(const Piece& piece, const std::vector<ReentrantEdge>& edges, std::size_t count) const
     {
-        Piece& piece = pieces[index];
-        const std::size_t count =
-            std::clamp<std::size_t>(tries * large / piece.surface.triangles.size(), 1, tries);
         std::vector<Piece> best;
-        for (const CutPlane& plane : cutting_planes(piece.surface, piece.edges, in_plane * diagonal_, count)) {
+        for (const CutPlane& plane : cutting_planes(piece.surface, edges, in_plane * diagonal_, count)) {
             const std::optional<Halves> halves = cut_solid(piece.surface, plane, in_plane * diagonal_);
             if (!halves) continue;
             std::vector<Piece> made = pieces_of(*halves, plane, piece);
             if (made.size() < 2 || !keeps_volume(made, piece)) continue;
             if (best.empty() || remainder(made) < remainder(best)) best = std::move(made);
         }
+        return best;
+    }
+
+    void cut(std::size_t index)
+    {
+        Piece& piece = pieces[index];
+        const std::size_t count =
+            std::clamp<std::size_t>(tries * large / piece.surface.triangles.size(), 1, tries);
+        std::vector<ReentrantEdge> edges = piece.edges;
+        if (piece.at_joints > 0) edges.resize(piece.at_joints);
+        std::vector<Piece> best = best_cut(piece, edges, count);
+        if (best.empty() && edges.size() < piece.edges.size()) best = best_cut(piece, piece.edges, count);
         if (best.empty()) {
             piece.stuck = true;
             return;

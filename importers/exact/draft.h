@@ -39,7 +39,7 @@ struct Draft {
     {
         return "from " + at(edge.first) + " to " + at(edge.second);
     }
-    void repaired(std::string what) { certificate.repairs.push_back(std::move(what)); }
+    void repaired(mesh::Repair repair) { certificate.repairs.push_back(std::move(repair)); }
     void mark_edges(const std::string& label, const std::vector<std::pair<int, int>>& edges);
     void mark_faces(const std::string& label, const std::vector<int>& faces);
 };

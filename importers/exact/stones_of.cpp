@@ -121,16 +121,20 @@ SeparatedStones separate_stones(mesh::PolygonSurface surface, double weld_tolera
     }
     const int cavities = join_cavities(shells);
     if (cavities > 0)
-        result.repairs.push_back("\"" + surface.name + "\": " + std::to_string(cavities) +
-                                 " closed surfaces inside others were taken as cavities");
+        result.repairs.push_back({"cavities",
+                                  "\"" + surface.name + "\": " + std::to_string(cavities) +
+                                      " closed surfaces inside others were taken as cavities",
+                                  cavities, "cavities"});
     if (shells.size() == 1) {
         result.stones.push_back(std::move(surface));
         return result;
     }
     for (std::size_t i = 0; i < shells.size(); ++i) shells[i].name = surface.name + "." + std::to_string(i + 1);
-    result.repairs.push_back("\"" + surface.name + "\" consists of " + std::to_string(shells.size()) +
-                             " separate surfaces, which became stones of their own, \"" + shells.front().name +
-                             "\" and so on");
+    result.repairs.push_back({"taken apart into stones",
+                              "\"" + surface.name + "\" consists of " + std::to_string(shells.size()) +
+                                  " separate surfaces, which became stones of their own, \"" +
+                                  shells.front().name + "\" and so on",
+                              static_cast<int>(shells.size()), "stones"});
     result.stones = std::move(shells);
     return result;
 }

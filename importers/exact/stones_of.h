@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "importers/mesh/polygon_surface.h"
+#include "importers/mesh/repair.h"
 
 namespace voussoir::importers::exact
 {
@@ -12,8 +13,8 @@ namespace voussoir::importers::exact
 /// The stones of one surface.
 struct SeparatedStones {
     std::vector<mesh::PolygonSurface>
-        stones;                        // named NAME, or NAME.1, NAME.2 ... in the order of their first faces
-    std::vector<std::string> repairs;  // what was done, in words
+        stones;                         // named NAME, or NAME.1, NAME.2 ... in the order of their first faces
+    std::vector<mesh::Repair> repairs;  // what was done
 };
 
 /// The shells of a surface (shell_of_faces), each with vertices of its own.

@@ -201,11 +201,11 @@ void close_joints(double width, ImportedMesh& mesh)
         words.precision(3);
         words << "faces at joints of at most " << width << " m were moved to the middle: the stone grew by "
               << volume << " m3";
-        mesh.stones[stone].repairs.push_back(words.str());
+        mesh.stones[stone].repairs.push_back({"joints closed", words.str(), 1, "", volume, "m3"});
     }
     for (const auto& [stone, why] : stuck)
         mesh.stones[stone].repairs.push_back(
-            "its joints were left open, because its faces cannot move that far: " + why);
+            {"joints left open", "its joints were left open, because its faces cannot move that far: " + why});
 }
 
 }  // namespace voussoir::importers::helper

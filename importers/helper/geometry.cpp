@@ -54,7 +54,7 @@ Geometry import_geometry(const std::vector<MeshRequest>& requests, const Geometr
     std::string failure;
     Geometry geometry = ask_helper(requests, limits, failure);
     if (failure.empty()) return geometry;
-    if (requests.size() == 1) return {Eigen::Vector3d::Zero(), {refused(requests.front(), failure)}, {}};
+    if (requests.size() == 1) return {Eigen::Vector3d::Zero(), {refused(requests.front(), failure)}, {}, {}};
 
     // Some file kills the helper: each is asked for alone, and those that live are asked for together again.
     std::vector<MeshRequest> survivors;

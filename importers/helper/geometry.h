@@ -8,6 +8,7 @@
 
 #include "importers/mesh/marked_feature.h"
 #include "importers/mesh/mesh_formats.h"
+#include "importers/mesh/repair.h"
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 
@@ -19,11 +20,12 @@ struct Stone {
     std::string name;                     // as the file names it
     bool closed = false, convex = false;  // proven
     std::string reason;                   // why it was refused; empty when accepted
-    std::vector<std::string> repairs;     // every repair that was made, in words
+    std::vector<mesh::Repair> repairs;    // every repair that was made
     // In metres, z up, model coordinates (origin subtracted); empty when refused.
     std::vector<ConvexPolyhedron> parts;
     Moments moments;          // of the stone as drawn, m; volume 0: it encloses none
     double volume_error = 0;  // share of the volume by which approximating parts differ from it; 0: exact
+    double fit_move = 0;      // m: largest move of a corner, to fit its joints; 0: as drawn
     std::vector<mesh::MarkedFeature> features;  // what is wrong where; empty when nothing is
     // The surface as it was judged, for pictures; sent for stones with features only.
     std::vector<Eigen::Vector3d> vertices;
@@ -37,7 +39,7 @@ struct ImportedMesh {
     std::string reason;                 // why the file was refused; empty when accepted
     double metres_per_unit = 1;         // of its coordinates
     std::string unit_from = "assumed";  // or "file", "option"
-    std::vector<std::string> repairs;   // of the file, in words
+    std::vector<mesh::Repair> repairs;  // of the file
     std::vector<Stone> stones;          // in the order of the file
 };
 
@@ -48,11 +50,18 @@ struct Overlap {
     double fraction = 0;           // of the smaller stone's volume
 };
 
+/// What fitting joints came to.
+struct JointFit {
+    int joints = 0, left = 0;                    // that did not fit: fitted, left as drawn
+    double misfit_before = 0, misfit_after = 0;  // m: largest overlap or gap between the sides of a joint
+};
+
 /// What the helper answers.
 struct Geometry {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, subtracted from all coordinates
     std::vector<ImportedMesh> meshes;                  // one per request
     std::vector<Overlap> overlaps;                     // between stones of all of them
+    JointFit fit;                                      // of all of them
 };
 
 /// What becomes one stone. `detect` takes objects, or groups where there are none, and takes a surface that
@@ -65,6 +74,13 @@ extern const std::vector<std::string> stone_level_names;
 /// The names of MeshReader's values, in their order.
 extern const std::vector<std::string> mesh_reader_names;
 
+/// What becomes of joints whose two sides were drawn differently: nothing; a surface for both, a plane where they are
+/// nearly flat; a plane.
+enum class FitJoints { as_drawn, shared, planar };
+
+/// The names above, in their order.
+extern const std::vector<std::string> fit_joints_names;
+
 /// A mesh file to be read and certified.
 struct MeshRequest {
     std::filesystem::path file;  // to be read
@@ -73,6 +89,7 @@ struct MeshRequest {
     StoneLevel stones = StoneLevel::detect;  // what becomes one stone
     double planarity = 1e-5;     // share of a stone's diagonal by which a face may bulge and count as flat
     double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
+    FitJoints fit_joints = FitJoints::shared;  // what becomes of joints whose two sides were drawn differently
     double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
     mesh::MeshReader reader = mesh::MeshReader::automatic;
 };

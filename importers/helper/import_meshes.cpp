@@ -8,6 +8,7 @@
 #include "importers/exact/overlap.h"
 #include "importers/exact/stones_of.h"
 #include "importers/exact/triangle_surface.h"
+#include "importers/fit/fit_joints.h"
 #include "importers/helper/close_joints.h"
 #include "importers/mesh/read_mesh.h"
 #include "libdda/errors.h"
@@ -64,7 +65,7 @@ char settle_frame(const MeshRequest& request, const mesh::MeshFile& content, Imp
         std::ostringstream words;
         words << "the file states a unit of " << *content.metres_per_unit << " m; the option says "
               << mesh.metres_per_unit << " m and is used";
-        mesh.repairs.push_back(words.str());
+        mesh.repairs.push_back({"", words.str()});
     }
     return request.up != 0 ? request.up : content.up.value_or('z');
 }
@@ -100,7 +101,7 @@ void judge_rounding(const mesh::MeshFile& content, ImportedMesh& mesh)
                 mesh.file + ": " + surface.name,
                 "reading rounds its coordinates by up to " + rounding.str() + ", too much for its size",
                 "move the stones nearer to the origin of the file, or convert it to OBJ");
-    mesh.repairs.push_back("coordinates were read as 32-bit numbers: rounded by up to " + rounding.str());
+    mesh.repairs.push_back({"", "coordinates were read as 32-bit numbers: rounded by up to " + rounding.str()});
 }
 
 /// Reads one file into metres. @returns surfaces; a refusal is written into `mesh`
@@ -110,7 +111,7 @@ std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh&
     try {
         check(request);
         mesh::MeshFile content = mesh::read_mesh(request.file, {stones_by(request.stones), request.reader});
-        mesh.repairs = content.repairs;
+        for (std::string& repair : content.repairs) mesh.repairs.push_back({"", std::move(repair)});
         const char up = settle_frame(request, content, mesh);
         judge_rounding(content, mesh);
         for (mesh::PolygonSurface& surface : content.surfaces)
@@ -139,14 +140,51 @@ Eigen::Vector3d choose_origin(const std::vector<std::vector<mesh::PolygonSurface
     return (0.5 * lower + 0.5 * upper).array().round();
 }
 
-Stone certified(mesh::PolygonSurface surface, const MeshRequest& request, const Eigen::Vector3d& origin)
+exact::CertifyOptions certify_options(const MeshRequest& request, const Eigen::Vector3d& origin)
 {
-    for (Eigen::Vector3d& x : surface.vertices) x -= origin;
     exact::CertifyOptions options;
     options.origin = origin;
     options.planarity_tolerance = request.planarity;
     options.volume_error = request.volume_error;
-    exact::Certificate certificate = exact::certify(std::move(surface), options);
+    return options;
+}
+
+exact::Certificate sound_surface(mesh::PolygonSurface surface, const exact::CertifyOptions& options)
+{
+    for (Eigen::Vector3d& x : surface.vertices) x -= options.origin;
+    const std::string name = surface.name;
+    try {
+        return exact::certify_surface(std::move(surface), options);
+    } catch (const std::bad_alloc&) {
+        exact::Certificate refused;
+        refused.name = name;
+        refused.reason = "certifying it needs more memory than is allowed";
+        return refused;
+    }
+}
+
+/// A stone that was changed since its surface was proven sound is proven once more.
+exact::Certificate shaped(exact::Certificate sound, const fit::FittedStone& fitted,
+                          const exact::CertifyOptions& options)
+{
+    if (!fitted.fitted) {
+        if (!fitted.left.empty()) sound.repairs.push_back("its joints were left as drawn: " + fitted.left);
+        return exact::certify_shape(std::move(sound), options);
+    }
+    exact::CertifyOptions at_joints = options;
+    for (const fit::Frame& plane : fitted.joints) at_joints.joints.push_back({plane.centre, plane.normal});
+    exact::Certificate certificate = exact::certify(std::move(sound.surface), at_joints);
+    std::ostringstream words;
+    words.precision(3);
+    words << "its joints were fitted to its neighbours': corners moved by up to " << fitted.largest_move
+          << " m, its volume changed by " << 100 * fitted.volume_change << " %";
+    certificate.repairs = std::move(sound.repairs);
+    certificate.repairs.push_back(words.str());
+    return certificate;
+}
+
+Stone stone_of(exact::Certificate certificate, const fit::FittedStone& fitted)
+{
     Stone stone;
     stone.name = certificate.name;
     stone.closed = certificate.closed;
@@ -156,6 +194,7 @@ Stone certified(mesh::PolygonSurface surface, const MeshRequest& request, const 
     stone.parts = std::move(certificate.parts);
     stone.moments = certificate.moments;
     stone.volume_error = certificate.volume_error;
+    stone.fit_move = fitted.largest_move;
     stone.features = std::move(certificate.features);
     if (!stone.features.empty()) {
         stone.vertices = std::move(certificate.surface.vertices);
@@ -169,11 +208,12 @@ bool may_be_separated(StoneLevel level)
     return level == StoneLevel::detect || level == StoneLevel::file || level == StoneLevel::component;
 }
 
-void certify_all(std::vector<mesh::PolygonSurface> surfaces, const MeshRequest& request,
-                 const Eigen::Vector3d& origin, ImportedMesh& mesh)
+/// The stones of a file with sound surfaces, or the reasons why they have none.
+std::vector<exact::Certificate> certify_surfaces(std::vector<mesh::PolygonSurface> surfaces,
+                                                 const MeshRequest& request, const Eigen::Vector3d& origin,
+                                                 ImportedMesh& mesh)
 {
-    int refused = 0;
-    std::string first;
+    std::vector<exact::Certificate> certificates;
     for (mesh::PolygonSurface& surface : surfaces) {
         exact::SeparatedStones separated;
         if (may_be_separated(request.stones))
@@ -181,17 +221,64 @@ void certify_all(std::vector<mesh::PolygonSurface> surfaces, const MeshRequest& 
         else
             separated.stones.push_back(std::move(surface));
         mesh.repairs.insert(mesh.repairs.end(), separated.repairs.begin(), separated.repairs.end());
-        for (mesh::PolygonSurface& one : separated.stones) {
-            const std::string name = one.name;
-            try {
-                mesh.stones.push_back(certified(std::move(one), request, origin));
-            } catch (const std::bad_alloc&) {
-                mesh.stones.emplace_back().name = name;
-                mesh.stones.back().reason = "certifying it needs more memory than is allowed";
+        for (mesh::PolygonSurface& one : separated.stones)
+            certificates.push_back(sound_surface(std::move(one), certify_options(request, origin)));
+    }
+    return certificates;
+}
+
+/// Fits the joints of all files that ask for it in the same way to each other.
+std::vector<std::vector<fit::FittedStone>> fit_all(const std::vector<MeshRequest>& requests,
+                                                   std::vector<std::vector<exact::Certificate>>& files,
+                                                   JointFit& result)
+{
+    std::vector<std::vector<fit::FittedStone>> fitted;
+    for (const auto& file : files) fitted.emplace_back(file.size());
+    std::vector<bool> done(files.size(), false);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (done[i] || requests[i].fit_joints == FitJoints::as_drawn) continue;
+        const fit::FitOptions options{static_cast<fit::FitJoints>(requests[i].fit_joints), requests[i].planarity,
+                                      requests[i].volume_error};
+        std::vector<mesh::PolygonSurface*> surfaces;
+        std::vector<fit::FittedStone*> reports;
+        for (std::size_t k = i; k < files.size(); ++k) {
+            if (requests[k].fit_joints != requests[i].fit_joints ||
+                requests[k].planarity != requests[i].planarity ||
+                requests[k].volume_error != requests[i].volume_error)
+                continue;
+            done[k] = true;
+            for (std::size_t s = 0; s < files[k].size(); ++s) {
+                surfaces.push_back(files[k][s].reason.empty() ? &files[k][s].surface : nullptr);
+                reports.push_back(&fitted[k][s]);
             }
-            const Stone& stone = mesh.stones.back();
-            if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
         }
+        fit::Fit one = fit::fit_joints(surfaces, options);
+        for (std::size_t s = 0; s < reports.size(); ++s) *reports[s] = std::move(one.stones[s]);
+        result.joints += one.joints;
+        result.left += one.left;
+        result.misfit_before = std::max(result.misfit_before, one.misfit_before);
+        result.misfit_after = std::max(result.misfit_after, one.misfit_after);
+    }
+    return fitted;
+}
+
+void certify_shapes(std::vector<exact::Certificate> certificates, const std::vector<fit::FittedStone>& fitted,
+                    const MeshRequest& request, const Eigen::Vector3d& origin, ImportedMesh& mesh)
+{
+    int refused = 0;
+    std::string first;
+    for (std::size_t s = 0; s < certificates.size(); ++s) {
+        const std::string name = certificates[s].name;
+        try {
+            mesh.stones.push_back(
+                stone_of(shaped(std::move(certificates[s]), fitted[s], certify_options(request, origin)),
+                         fitted[s]));
+        } catch (const std::bad_alloc&) {
+            mesh.stones.emplace_back().name = name;
+            mesh.stones.back().reason = "certifying it needs more memory than is allowed";
+        }
+        const Stone& stone = mesh.stones.back();
+        if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
     }
     mesh.accepted = refused == 0 && !mesh.stones.empty();
     if (refused > 0)
@@ -225,9 +312,16 @@ Geometry import_meshes(const std::vector<MeshRequest>& requests)
         files.push_back(read(request, geometry.meshes.back()));
     }
     geometry.origin = choose_origin(files);
+    std::vector<std::vector<exact::Certificate>> certificates(files.size());
     for (std::size_t i = 0; i < files.size(); ++i)
         if (geometry.meshes[i].reason.empty())
-            certify_all(std::move(files[i]), requests[i], geometry.origin, geometry.meshes[i]);
+            certificates[i] =
+                certify_surfaces(std::move(files[i]), requests[i], geometry.origin, geometry.meshes[i]);
+    const auto fitted = fit_all(requests, certificates, geometry.fit);
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (geometry.meshes[i].reason.empty())
+            certify_shapes(std::move(certificates[i]), fitted[i], requests[i], geometry.origin,
+                           geometry.meshes[i]);
     for (std::size_t i = 0; i < requests.size(); ++i) close_joints(requests[i].close_joints, geometry.meshes[i]);
     geometry.overlaps = overlaps_of(geometry.meshes);
     return geometry;

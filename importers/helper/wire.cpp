@@ -119,6 +119,28 @@ mesh::MarkedFeature feature_from(const json& value)
     return feature;
 }
 
+json to_json_value(const std::vector<mesh::Repair>& repairs)
+{
+    json value = json::array();
+    for (const mesh::Repair& repair : repairs)
+        value.push_back({{"kind", repair.kind},
+                         {"text", repair.text},
+                         {"count", repair.count},
+                         {"counted", repair.counted},
+                         {"worst", repair.worst},
+                         {"unit", repair.unit}});
+    return value;
+}
+
+std::vector<mesh::Repair> repairs_from(const json& value)
+{
+    std::vector<mesh::Repair> repairs;
+    for (const json& repair : value)
+        repairs.push_back({repair.at("kind"), repair.at("text"), index_from(repair.at("count")),
+                           repair.at("counted"), repair.at("worst"), repair.at("unit")});
+    return repairs;
+}
+
 json to_json_value(const Stone& stone)
 {
     json parts = json::array();
@@ -129,10 +151,11 @@ json to_json_value(const Stone& stone)
             {"closed", stone.closed},
             {"convex", stone.convex},
             {"reason", stone.reason},
-            {"repairs", stone.repairs},
+            {"repairs", to_json_value(stone.repairs)},
             {"parts", std::move(parts)},
             {"moments", to_json_value(stone.moments)},
             {"volume_error", stone.volume_error},
+            {"fit_move", stone.fit_move},
             {"features", std::move(features)},
             {"vertices", to_json_value(stone.vertices)},
             {"faces", stone.faces}};
@@ -160,10 +183,11 @@ Stone stone_from(const json& value)
     stone.closed = value.at("closed");
     stone.convex = value.at("convex");
     stone.reason = value.at("reason");
-    stone.repairs = value.at("repairs").get<std::vector<std::string>>();
+    stone.repairs = repairs_from(value.at("repairs"));
     for (const json& part : value.at("parts")) stone.parts.push_back(part_from(part, stone.name));
     stone.moments = moments_from(value.at("moments"));
     stone.volume_error = value.at("volume_error");
+    stone.fit_move = value.at("fit_move");
     for (const json& feature : value.at("features")) stone.features.push_back(feature_from(feature));
     stone.vertices = points_from(value.at("vertices"));
     stone.faces = loops_from(value.at("faces"));
@@ -177,7 +201,7 @@ json to_json_value(const ImportedMesh& mesh)
     for (const Stone& stone : mesh.stones) stones.push_back(to_json_value(stone));
     return {{"file", mesh.file},           {"accepted", mesh.accepted},
             {"reason", mesh.reason},       {"metres_per_unit", mesh.metres_per_unit},
-            {"unit_from", mesh.unit_from}, {"repairs", mesh.repairs},
+            {"unit_from", mesh.unit_from}, {"repairs", to_json_value(mesh.repairs)},
             {"stones", std::move(stones)}};
 }
 
@@ -190,6 +214,15 @@ mesh::MeshReader reader_from(const json& value)
     return static_cast<mesh::MeshReader>(name - mesh_reader_names.begin());
 }
 
+/// @throws InputError when it names no way to fit joints
+FitJoints fit_joints_from(const json& value)
+{
+    const auto name = std::find(fit_joints_names.begin(), fit_joints_names.end(), value.get<std::string>());
+    if (name == fit_joints_names.end())
+        throw InputError("mesh", value.dump() + " is no way to fit joints", "the request was damaged on the way");
+    return static_cast<FitJoints>(name - fit_joints_names.begin());
+}
+
 ImportedMesh mesh_from(const json& value)
 {
     ImportedMesh mesh;
@@ -199,7 +232,7 @@ ImportedMesh mesh_from(const json& value)
     mesh.metres_per_unit = value.at("metres_per_unit");
     if (!(mesh.metres_per_unit > 0)) throw InputError(mesh.file, "a unit without length", "must be > 0 m");
     mesh.unit_from = value.at("unit_from");
-    mesh.repairs = value.at("repairs").get<std::vector<std::string>>();
+    mesh.repairs = repairs_from(value.at("repairs"));
     for (const json& stone : value.at("stones")) mesh.stones.push_back(stone_from(stone));
     return mesh;
 }
@@ -208,6 +241,7 @@ ImportedMesh mesh_from(const json& value)
 
 const std::vector<std::string> stone_level_names{"detect", "file", "object", "group", "node", "component"};
 const std::vector<std::string> mesh_reader_names{"auto", "own", "assimp"};
+const std::vector<std::string> fit_joints_names{"as_drawn", "shared", "planar"};
 
 std::string to_json(const HelperRequest& request)
 {
@@ -219,6 +253,7 @@ std::string to_json(const HelperRequest& request)
                           {"stones", static_cast<int>(mesh.stones)},
                           {"planarity", mesh.planarity},
                           {"volume_error", mesh.volume_error},
+                          {"fit_joints", fit_joints_names.at(static_cast<std::size_t>(mesh.fit_joints))},
                           {"close_joints", mesh.close_joints},
                           {"reader", mesh_reader_names.at(static_cast<std::size_t>(mesh.reader))}});
     try {
@@ -239,7 +274,8 @@ HelperRequest request_from_json(const std::string& text)
                                   static_cast<char>(mesh.at("up").get<int>()),
                                   static_cast<StoneLevel>(mesh.at("stones").get<int>()),
                                   mesh.at("planarity").get<double>(), mesh.at("volume_error").get<double>(),
-                                  mesh.at("close_joints").get<double>(), reader_from(mesh.at("reader"))});
+                                  fit_joints_from(mesh.at("fit_joints")), mesh.at("close_joints").get<double>(),
+                                  reader_from(mesh.at("reader"))});
     return request;
 }
 
@@ -277,7 +313,12 @@ std::string to_json(const Geometry& geometry)
                             {"b", overlap.stone_b},
                             {"volume", overlap.volume},
                             {"fraction", overlap.fraction}});
+    const json fit = {{"joints", geometry.fit.joints},
+                      {"left", geometry.fit.left},
+                      {"misfit_before", geometry.fit.misfit_before},
+                      {"misfit_after", geometry.fit.misfit_after}};
     return dump({{"origin", to_json_value(geometry.origin)},
+                 {"fit", fit},
                  {"meshes", std::move(meshes)},
                  {"overlaps", std::move(overlaps)}});
 }
@@ -288,6 +329,9 @@ Geometry geometry_from_json(const std::string& text)
     Geometry geometry;
     geometry.origin = vector_from(value.at("origin"));
     for (const json& mesh : value.at("meshes")) geometry.meshes.push_back(mesh_from(mesh));
+    const json& fit = value.at("fit");
+    geometry.fit = {index_from(fit.at("joints")), index_from(fit.at("left")), fit.at("misfit_before"),
+                    fit.at("misfit_after")};
     for (const json& overlap : value.at("overlaps"))
         geometry.overlaps.push_back(
             {overlap.at("a"), overlap.at("b"), overlap.at("volume"), overlap.at("fraction")});

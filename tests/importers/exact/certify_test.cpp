@@ -51,7 +51,7 @@ TEST(Certify, TurnsASurfaceThatIsInsideOutAndReportsIt)
     ASSERT_EQ(certificate.parts.size(), 1U) << certificate.reason;
     EXPECT_NEAR(moments_of(certificate.parts[0]).volume, 1, 1e-15);
     ASSERT_EQ(certificate.repairs.size(), 1U);
-    EXPECT_NE(certificate.repairs[0].find("all 6 faces"), std::string::npos);
+    EXPECT_NE(certificate.repairs[0].text.find("all 6 faces"), std::string::npos);
 }
 
 TEST(Certify, TurnsSingleFacesAndReportsHowMany)
@@ -63,8 +63,8 @@ TEST(Certify, TurnsSingleFacesAndReportsHowMany)
         ASSERT_EQ(certificate.parts.size(), 1U) << certificate.reason;
         EXPECT_NEAR(moments_of(certificate.parts[0]).volume, 1, 1e-15);
         ASSERT_EQ(certificate.repairs.size(), 1U);
-        EXPECT_EQ(certificate.repairs[0].find(std::to_string(turned) + " of 6 faces"), 0U)
-            << certificate.repairs[0];
+        EXPECT_EQ(certificate.repairs[0].text.find(std::to_string(turned) + " of 6 faces"), 0U)
+            << certificate.repairs[0].text;
     }
 }
 
@@ -84,7 +84,7 @@ TEST(Certify, WeldsIdenticalVerticesSilentlyAndNearOnesWithAReport)
     const exact::Certificate near = exact::certify(soup);
     EXPECT_EQ(near.reason, "");
     ASSERT_EQ(near.repairs.size(), 1U);
-    EXPECT_NE(near.repairs[0].find("1 vertices up to 1e-07 m"), std::string::npos) << near.repairs[0];
+    EXPECT_NE(near.repairs[0].text.find("1 vertices up to 1e-07 m"), std::string::npos) << near.repairs[0].text;
     soup.vertices.back().x() += 1e-3;
     expect_refused(exact::certify(soup), "not closed");
 }
@@ -97,7 +97,7 @@ TEST(Certify, CutsAConcaveStoneAndReportsIt)
     EXPECT_FALSE(certificate.convex);
     EXPECT_EQ(certificate.parts.size(), 2U);
     ASSERT_EQ(certificate.repairs.size(), 1U);
-    EXPECT_EQ(certificate.repairs[0],
+    EXPECT_EQ(certificate.repairs[0].text,
               "it is concave in 1 edges and became 2 convex parts glued together, without "
               "change of volume");
 }
@@ -114,8 +114,8 @@ TEST(Certify, JudgesConvexityByItsStatedTolerance)
     const exact::Certificate flattened = exact::certify(cube, {.planarity_tolerance = 1e-3});
     EXPECT_EQ(flattened.reason, "");
     ASSERT_EQ(flattened.repairs.size(), 1U);
-    EXPECT_NE(flattened.repairs[0].find("volume changed by 3.33e-05 m3"), std::string::npos)
-        << flattened.repairs[0];
+    EXPECT_NE(flattened.repairs[0].text.find("volume changed by 3.33e-05 m3"), std::string::npos)
+        << flattened.repairs[0].text;
 }
 
 TEST(Certify, RefusesASurfaceThatCrossesItself)
@@ -168,7 +168,7 @@ TEST(Certify, CutsABentFaceAsAFanFromItsFirstCorner)
     ASSERT_EQ(ridge.parts.size(), 1U) << ridge.reason;
     EXPECT_NEAR(moments_of(ridge.parts[0]).volume, 1 + 0.2 / 3, 1e-15);
     ASSERT_EQ(ridge.repairs.size(), 1U);
-    EXPECT_EQ(ridge.repairs[0].find("1 faces are not flat and were cut into triangles"), 0U);
+    EXPECT_EQ(ridge.repairs[0].text.find("1 faces are not flat and were cut into triangles"), 0U);
 
     bent.vertices[6].z() = 0.8;  // the same fold is a valley now
     const exact::Certificate valley = exact::certify(bent);

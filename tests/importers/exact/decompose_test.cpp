@@ -155,7 +155,7 @@ TEST(Decompose, ApproximatesARoughStoneAndStatesTheVolumeError)
     const double sum = moments_of(stone.parts).volume;
     EXPECT_NEAR(stone.volume_error, sum / stone.moments.volume - 1, 1e-9);
     ASSERT_EQ(stone.repairs.size(), 1U);
-    EXPECT_NE(stone.repairs[0].find("which exceed it by"), std::string::npos) << stone.repairs[0];
+    EXPECT_NE(stone.repairs[0].text.find("which exceed it by"), std::string::npos) << stone.repairs[0].text;
 }
 
 TEST(Decompose, RefusesAStoneThatNeedsTooManyParts)

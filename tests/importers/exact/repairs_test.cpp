@@ -17,7 +17,7 @@ void expect_mended_cube(const mesh::PolygonSurface& surface, const std::string& 
     EXPECT_NEAR(certificate.moments.volume, 1, 1e-14);
     EXPECT_EQ(certificate.parts[0].faces.size(), 6U);
     ASSERT_EQ(certificate.repairs.size(), 1U);
-    EXPECT_NE(certificate.repairs[0].find(words), std::string::npos) << certificate.repairs[0];
+    EXPECT_NE(certificate.repairs[0].text.find(words), std::string::npos) << certificate.repairs[0].text;
 }
 
 TEST(Repairs, RepeatedFacesAreDroppedWhateverTheirDirection)

@@ -54,7 +54,7 @@ TEST(SeparateStones, TakesBoxesThatTouchFaceToFaceApart)
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(volume_of(separated.stones[i]), 1 + 0.1 * i, 1e-12);
     EXPECT_NEAR(volume_of(separated.stones[4]), 2, 1e-12);
     ASSERT_EQ(separated.repairs.size(), 1U);
-    EXPECT_NE(separated.repairs[0].find("5 separate surfaces"), std::string::npos);
+    EXPECT_NE(separated.repairs[0].text.find("5 separate surfaces"), std::string::npos);
 }
 
 TEST(SeparateStones, TakesARunningBondApartWhereFourStonesMeetInAnEdge)
@@ -103,7 +103,7 @@ TEST(SeparateStones, KeepsACavityWithItsStone)
     ASSERT_EQ(certificate.reason, "");
     EXPECT_NEAR(certificate.moments.volume, 1 - 0.064, 1e-14);
     ASSERT_FALSE(certificate.repairs.empty());
-    EXPECT_NE(certificate.repairs[0].find("cavities"), std::string::npos);
+    EXPECT_NE(certificate.repairs[0].text.find("cavities"), std::string::npos);
 }
 
 TEST(SeparateStones, AStoneInsideACavityIsAStoneWhateverTheOrder)

@@ -65,7 +65,7 @@ TEST(CloseJoints, MovesFacingFacesToTheMiddle)
     for (const helper::Stone& stone : closed.stones) {
         volume += stone.moments.volume;
         ASSERT_EQ(stone.repairs.size(), 1U);
-        EXPECT_NE(stone.repairs[0].find("the stone grew by"), std::string::npos);
+        EXPECT_NE(stone.repairs[0].text.find("the stone grew by"), std::string::npos);
     }
     EXPECT_NEAR(volume, depth * course * (3 * height + 2 * gap), 1e-9);
 }

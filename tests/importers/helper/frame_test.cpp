@@ -53,7 +53,7 @@ TEST(Frame, UnitAndAxisComeFromTheFileUnlessTheUserSaysOtherwise)
     EXPECT_EQ(said.unit_from, "option");
     EXPECT_LT((extent(said.stones[0]) - Eigen::Vector3d(0.001, 0.002, 0.003)).norm(), 1e-12);
     ASSERT_FALSE(said.repairs.empty());
-    EXPECT_NE(said.repairs.back().find("the option says 0.001 m and is used"), std::string::npos);
+    EXPECT_NE(said.repairs.back().text.find("the option says 0.001 m and is used"), std::string::npos);
 
     const helper::ImportedMesh assumed =
         helper::import_meshes({{.file = folder.write("b.obj", mesh::to_obj({unit_cube()}, {}))}}).meshes[0];

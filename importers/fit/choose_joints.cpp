@@ -1,0 +1,193 @@
+#include "importers/fit/choose_joints.h"
+
+#include <algorithm>
+#include <set>
+
+#include "importers/exact/triangle_surface.h"
+
+namespace voussoir::importers::fit
+{
+
+namespace
+{
+
+constexpr double flat_enough = 0.12;  // share of a side's size: what bends further is no plane
+// A bed of a course that is curved in plan can be made flat if all of the course is bent for it.
+constexpr double nearly_flat = 1e-4;  // share of a side's size: nearer than this to its plane a side stays whole
+
+/// Sets of sides that joints connect.
+class Components
+{
+ public:
+    int of(const SideOf& side)
+    {
+        const auto [known, is_new] = index_.try_emplace(side, static_cast<int>(parent_.size()));
+        if (is_new) parent_.push_back(known->second);
+        return root(known->second);
+    }
+    void join(const SideOf& a, const SideOf& b)
+    {
+        const int i = of(a), j = of(b);
+        parent_[i] = j;
+    }
+
+ private:
+    int root(int k)
+    {
+        while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+        return k;
+    }
+    std::map<SideOf, int> index_;
+    std::vector<int> parent_;
+};
+
+SideOf first_of(const Facing& joint)
+{
+    return {joint.stone_a, joint.side_a};
+}
+
+SideOf second_of(const Facing& joint)
+{
+    return {joint.stone_b, joint.side_b};
+}
+
+bool is_flat(const std::vector<SidedStone>& stones, const SideOf& key)
+{
+    const Side& side = stones[key.stone].sides[key.side];
+    return side.largest_off <= flat_enough * side.size;
+}
+
+/// For each face of a side the opponent that it faces with most of its area; its own number where it faces none.
+using Opponents = std::map<int, std::map<SideOf, double>>;  // by face
+
+std::map<SideOf, Opponents> opponents_of(const std::vector<Facing>& joints)
+{
+    std::map<SideOf, Opponents> all;
+    for (const Facing& joint : joints) {
+        for (const auto& [face, area] : joint.area_of_face_a)
+            all[first_of(joint)][face][second_of(joint)] += area;
+        for (const auto& [face, area] : joint.area_of_face_b)
+            all[second_of(joint)][face][first_of(joint)] += area;
+    }
+    return all;
+}
+
+/// The faces of a side by what they face; those that face nothing go with the first.
+std::vector<std::vector<int>> divided(const Side& side, const Opponents& opponents)
+{
+    std::map<SideOf, std::vector<int>> by_opponent;
+    std::vector<int> alone;
+    for (const int face : side.faces) {
+        const auto found = opponents.find(face);
+        if (found == opponents.end()) {
+            alone.push_back(face);
+            continue;
+        }
+        const auto most = std::max_element(found->second.begin(), found->second.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        by_opponent[most->first].push_back(face);
+    }
+    std::vector<std::vector<int>> groups;
+    for (auto& [opponent, faces] : by_opponent) groups.push_back(std::move(faces));
+    if (!groups.empty()) groups.front().insert(groups.front().end(), alone.begin(), alone.end());
+    return groups;
+}
+
+}  // namespace
+
+JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vector<Facing>& joints,
+                          double planarity)
+{
+    std::vector<double> allowed;
+    for (const SidedStone& stone : stones)
+        allowed.push_back(planarity * exact::diagonal_of(stone.surface->vertices));
+    JointChoice choice;
+    Components components;
+    std::vector<const Facing*> flat, bad;
+    for (const Facing& joint : joints) {
+        // A bent polygon has no surface of its own: each stone would get diagonals as they come.
+        const double misfit = std::max({joint.misfit(), stones[joint.stone_a].sides[joint.side_a].bent_face,
+                                        stones[joint.stone_b].sides[joint.side_b].bent_face});
+        const bool misfits = misfit > std::min(allowed[joint.stone_a], allowed[joint.stone_b]);
+        if (misfits) choice.misfit = std::max(choice.misfit, misfit);
+        if (!is_flat(stones, first_of(joint)) || !is_flat(stones, second_of(joint))) {
+            choice.left += misfits ? 1 : 0;
+            continue;
+        }
+        components.join(first_of(joint), second_of(joint));
+        flat.push_back(&joint);
+        if (misfits) bad.push_back(&joint);
+    }
+    choice.misfitting = static_cast<int>(bad.size());
+    std::set<int> misfitting;
+    for (const Facing* joint : bad) misfitting.insert(components.of(first_of(*joint)));
+    for (const Facing* joint : flat)
+        if (misfitting.contains(components.of(first_of(*joint)))) choice.joints.push_back(*joint);
+    return choice;
+}
+
+bool split_sides(const std::vector<Facing>& joints, const std::vector<SideOf>& bent, std::vector<SidedStone>& stones)
+{
+    Components components;
+    for (const Facing& joint : joints) components.join(first_of(joint), second_of(joint));
+    std::set<int> bent_components;
+    for (const SideOf& key : bent) bent_components.insert(components.of(key));
+    std::vector<std::pair<SideOf, std::vector<std::vector<int>>>> divisions;  // found before any side changes
+    for (const auto& [key, opponents] : opponents_of(joints)) {
+        if (!bent_components.contains(components.of(key))) continue;
+        auto groups = divided(stones[key.stone].sides[key.side], opponents);
+        if (groups.size() > 1) divisions.emplace_back(key, std::move(groups));
+    }
+    for (const auto& [key, groups] : divisions) {
+        SidedStone& stone = stones[key.stone];
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            Side part = make_side(*stone.surface, groups[g]);
+            if (g == 0)
+                stone.sides[key.side] = std::move(part);
+            else
+                stone.sides.push_back(std::move(part));
+        }
+    }
+    return !divisions.empty();
+}
+
+std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vector<SidedStone>& stones)
+{
+    std::vector<SideOf> bent;
+    for (const Facing& joint : joints)
+        for (const SideOf& key : {first_of(joint), second_of(joint)})
+            if (!is_flat(stones, key)) bent.push_back(key);
+    return bent;
+}
+
+std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vector<SidedStone>& stones,
+                               const SharedShape& whole, const SharedShape& divided)
+{
+    Components components;
+    for (const Facing& joint : joints) components.join(first_of(joint), second_of(joint));
+    struct Moves {
+        double whole = 0, divided = 0, allowed = 0;  // m
+    };
+    std::map<int, Moves> moves;
+    for (const auto& [key, misfit] : whole.misfit) {
+        const SidedStone& stone = stones[key.stone];
+        const Side& side = stone.sides[key.side];
+        Moves& of_component = moves[components.of(key)];
+        of_component.allowed = std::max(of_component.allowed, nearly_flat * side.size);
+        for (const int v : side.corners) {
+            const Eigen::Vector3d& drawn = stone.surface->vertices[v];
+            of_component.whole = std::max(of_component.whole, (whole.vertices[key.stone][v] - drawn).norm());
+            of_component.divided = std::max(of_component.divided, (divided.vertices[key.stone][v] - drawn).norm());
+        }
+    }
+    std::vector<SideOf> bent;
+    for (const auto& [key, misfit] : whole.misfit) {
+        const Moves& of_component = moves.at(components.of(key));
+        if (misfit > nearly_flat * stones[key.stone].sides[key.side].size ||
+            of_component.whole > 2 * of_component.divided + of_component.allowed)
+            bent.push_back(key);
+    }
+    return bent;
+}
+
+}  // namespace voussoir::importers::fit

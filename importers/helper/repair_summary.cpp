@@ -1,0 +1,71 @@
+#include "importers/helper/repair_summary.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace voussoir::importers::helper
+{
+
+namespace
+{
+
+std::string short_number(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", value);  // NOLINT: the pattern is a literal
+    return text.data();
+}
+
+void add(const mesh::Repair& repair, const std::string& stone, std::vector<RepairSummary>& summaries)
+{
+    const auto same = [&](const RepairSummary& one) {
+        return !repair.kind.empty() && one.kind == repair.kind && (one.stones > 0) == !stone.empty();
+    };
+    auto found = std::find_if(summaries.begin(), summaries.end(), same);
+    const bool first = found == summaries.end();
+    if (first)
+        found = summaries.insert(summaries.end(), {repair.kind, 0, 0, 0, repair.counted, 0, repair.unit, "", ""});
+    found->stones += !stone.empty();
+    ++found->repairs;
+    found->count += repair.count;
+    if (!first && repair.worst <= found->worst) return;
+    found->worst = repair.worst;
+    found->worst_stone = stone;
+    found->text = repair.text;
+}
+
+}  // namespace
+
+std::vector<RepairSummary> summarised_repairs(const ImportedMesh& mesh)
+{
+    std::vector<RepairSummary> summaries;
+    for (const mesh::Repair& repair : mesh.repairs) add(repair, "", summaries);
+    for (const Stone& stone : mesh.stones)
+        for (const mesh::Repair& repair : stone.repairs) add(repair, stone.name, summaries);
+    return summaries;
+}
+
+std::string in_words(const RepairSummary& summary)
+{
+    if (summary.repairs == 1)
+        return (summary.worst_stone.empty() ? "" : summary.worst_stone + ": ") + summary.text;
+    std::string words = summary.kind + ": ";
+    words += summary.stones > 0 ? std::to_string(summary.stones) + " stones"
+                                : std::to_string(summary.repairs) + " times in the file";
+    if (!summary.counted.empty()) words += ", " + std::to_string(summary.count) + " " + summary.counted;
+    if (summary.worst > 0) words += ", at most " + short_number(summary.worst) + " " + summary.unit;
+    if (summary.worst > 0 && !summary.worst_stone.empty()) words += " (" + summary.worst_stone + ")";
+    return words;
+}
+
+std::vector<std::string> all_repairs(const ImportedMesh& mesh)
+{
+    std::vector<std::string> lines;
+    for (const mesh::Repair& repair : mesh.repairs) lines.push_back(repair.text);
+    for (const Stone& stone : mesh.stones)
+        for (const mesh::Repair& repair : stone.repairs) lines.push_back(stone.name + ": " + repair.text);
+    return lines;
+}
+
+}  // namespace voussoir::importers::helper

@@ -1,0 +1,35 @@
+// Repairs of many stones in a few lines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "importers/helper/geometry.h"
+
+namespace voussoir::importers::helper
+{
+
+/// All repairs of one kind in a file.
+struct RepairSummary {
+    std::string kind;         // of mesh::Repair; empty: one repair like no other
+    int stones = 0;           // that were repaired; 0: the file was
+    int repairs = 0;          // of this kind
+    int count = 0;            // in all, of `counted`
+    std::string counted;      // "vertices"
+    double worst = 0;         // the largest, in `unit`; 0: has no size
+    std::string unit;         // of `worst`
+    std::string worst_stone;  // that has it; the first one where there is no size
+    std::string text;         // the sentence of that repair
+};
+
+/// Repairs of the file first, then of its stones, each kind in the place of its first one.
+std::vector<RepairSummary> summarised_repairs(const ImportedMesh& mesh);
+
+/// "vertices welded: 12 stones, 36 vertices, at most 1.2e-07 m (arch.3)"; the sentence of the repair itself, after
+/// the name of its stone, where there is only one.
+std::string in_words(const RepairSummary& summary);
+
+/// Every repair of a file in full: "arch.3: 2 vertices up to ...".
+std::vector<std::string> all_repairs(const ImportedMesh& mesh);
+
+}  // namespace voussoir::importers::helper
