@@ -6,7 +6,9 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 
+#include "app/generate/generate_vaults.h"
 #include "app/generate/generate_walls.h"
 #include "importers/mesh/write_obj.h"
 #include "importers/patterns/arch_bridge.h"
@@ -72,15 +74,27 @@ int main(int argc, char** argv)
         const auto wall_command = generate::add_wall_options(*wall);
         CLI::App* house = program.add_subcommand("house", "four walls with bonded corners, openings and lintels");
         const auto house_command = generate::add_house_options(*house);
+        CLI::App* dome = program.add_subcommand("dome", "a spherical dome of courses, with supports");
+        const auto dome_command = generate::add_dome_options(*dome);
+        CLI::App* barrel = program.add_subcommand("barrel-vault", "a vault over a circular arc, with supports");
+        const auto barrel_command = generate::add_barrel_vault_options(*barrel);
+        CLI::App* cross = program.add_subcommand("cross-vault", "two barrel vaults that cross, with supports");
+        const auto cross_command = generate::add_cross_vault_options(*cross);
         std::string file;
-        for (CLI::App* command : {arch, wall, house})
+        for (CLI::App* command : {arch, wall, house, dome, barrel, cross})
             command->add_option("-o,--output", file, "OBJ file to write")->required();
         try {
             program.parse(argc, argv);
         } catch (const CLI::ParseError& error) {
             return program.exit(error) == 0 ? 0 : 2;
         }
-        write(arch->parsed() ? make(bridge) : (wall->parsed() ? wall_command : house_command)->make(), file);
+        if (arch->parsed()) write(make(bridge), file);
+        for (const auto& [command, pattern] : {std::pair{wall, wall_command.get()},
+                                               {house, house_command.get()},
+                                               {dome, dome_command.get()},
+                                               {barrel, barrel_command.get()},
+                                               {cross, cross_command.get()}})
+            if (command->parsed()) write(pattern->make(), file);
         return 0;
     } catch (const voussoir::InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());

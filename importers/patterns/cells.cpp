@@ -3,41 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "importers/patterns/even_numbers.h"
+
 namespace voussoir::importers::patterns
 {
 namespace
 {
-
-/// Evenly spread numbers, the same on every machine (the distributions of the standard library are not).
-/// Source: [SteeleLeaFlood2014] (splitmix64).
-class Generator
-{
- public:
-    explicit Generator(std::uint64_t seed) : state_(seed) {}
-
-    /// >= 0 and < 1, a multiple of 2^-53.
-    double share()
-    {
-        state_ += 0x9e3779b97f4a7c15U;
-        std::uint64_t bits = state_;
-        bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9U;
-        bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
-        bits ^= bits >> 31;
-        return static_cast<double>(bits >> 11) * 0x1p-53;
-    }
-    /// >= -1 and < 1.
-    double deviation() { return 2 * share() - 1; }
-
- private:
-    std::uint64_t state_;
-};
 
 /// The five numbers of one block.
 struct Draw {
     double length, thickness, place_along, place_across, friction;
 };
 
-Draw draw(Generator& generator)
+Draw draw(EvenNumbers& generator)
 {
     Draw numbers{};
     numbers.length = generator.share();
@@ -82,7 +60,7 @@ Eigen::Vector2d exact_direction(double angle)
 std::vector<MasonryBlock> blocks_in(const std::vector<Cell>& cells, const Imperfection& imperfection, bool flat,
                                     const Placement& placement)
 {
-    Generator generator(imperfection.seed);
+    EvenNumbers generator(imperfection.seed);
     const Eigen::Vector2d x_axis = exact_direction(placement.direction);
     std::vector<MasonryBlock> blocks;
     blocks.reserve(cells.size());

@@ -1,8 +1,10 @@
 #include "importers/patterns/parameter_checks.h"
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
+#include "importers/patterns/circular_arc.h"
 #include "importers/patterns/max_blocks.h"
 
 namespace voussoir::importers::patterns
@@ -29,6 +31,39 @@ void check_range(const char* name, double value, double limit, const std::string
 void check_positive(const std::string& name, double value, std::vector<Fault>& faults)
 {
     if (!std::isfinite(value) || value <= 0) faults.push_back({name, in_words(value), "must be > 0 m"});
+}
+
+void check_number(const std::string& name, int value, int least, std::vector<Fault>& faults)
+{
+    constexpr int most = 9999;
+    if (value < least || value > most)
+        faults.push_back(
+            {name, std::to_string(value), "must be " + std::to_string(least) + " to " + std::to_string(most)});
+}
+
+void check_stones(const std::string& name, double stones, std::vector<Fault>& faults)
+{
+    if (stones > static_cast<double>(max_blocks))
+        faults.push_back(
+            {name, "more than " + std::to_string(max_blocks) + " stones", "give fewer courses or stones"});
+}
+
+std::string in_degrees(double angle)
+{
+    return in_words(angle * 180 / std::numbers::pi, " deg");
+}
+
+void check_arc(double span, double rise, std::vector<Fault>& faults)
+{
+    check_positive("span", span, faults);
+    if (!(rise > 0 && rise <= span / 2))
+        faults.push_back({"rise", in_words(rise), "must be > 0 m and at most half the span"});
+}
+
+void check_survey(const Survey& survey, std::vector<Fault>& faults)
+{
+    check_range("warp", survey.warp, 0.2, "must be >= 0 and < 20 %", faults, "");
+    check_range("noise", survey.noise, 0.1, "must be >= 0 and < 10 %", faults, "");
 }
 
 void check_block(const BlockFormat& block, double longest, double height, double walls, std::vector<Fault>& faults)

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "app/studies/verify/references/thrust_line.h"
 #include "libdda/analysis/joint_resultants.h"
 #include "tests/verification/bridge_model.h"
-#include "tests/verification/thrust_line.h"
 
 namespace voussoir::verification
 {
@@ -14,6 +14,9 @@ namespace
 {
 
 using Eigen::Vector3d;
+using app::studies::verify::references::HalfArchJoint;
+using app::studies::verify::references::thrust_range;
+using app::studies::verify::references::ThrustRange;
 using testing::gravity;
 
 struct Solved {

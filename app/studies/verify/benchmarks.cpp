@@ -28,6 +28,8 @@ std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
     add(impact_benchmarks());
     add(made_planar(tower_benchmarks(), false));
     add(made_planar(bridge_benchmarks(), false));
+    add(vault_benchmarks());
+    add(cross_vault_benchmarks());
     return all;
 }
 

@@ -56,6 +56,11 @@ TEST(DynamicBenchmarks, Tower)
 {
     run_and_judge(tower_benchmarks());
 }
+TEST(DynamicBenchmarks, Vaults)
+{
+    run_and_judge(vault_benchmarks());
+    run_and_judge(cross_vault_benchmarks());
+}
 TEST(DynamicBenchmarks, KineticDamping)
 {
     run_and_judge(kinetic_damping_benchmarks());

@@ -1,0 +1,192 @@
+// From mesh to shaking: every assembly of the data (VOUSSOIR_DATA).
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "importers/helper/geometry.h"
+#include "tests/verification/assembly_scene.h"
+#include "tests/verification/what_bears.h"
+
+namespace voussoir::verification
+{
+namespace
+{
+
+using nlohmann::json;
+
+enum class Verdict {
+    stands,    // rests on its lowest stones, and is shaken
+    falls,     // accepted; statics says that it falls
+    cured,     // refused as it is; with the cure it rests and is shaken
+    no_stone,  // refused; there is no solid in it
+};
+
+struct Assembly {
+    Verdict verdict;
+    std::string cure;                   // keys of the mesh entry
+    std::string refusal;                // words of the fault
+    std::vector<std::string> supports;  // of what the cure leaves; none: the lowest stones
+};
+
+/// What becomes of each file with several stones, below VOUSSOIR_DATA/meshes.
+const std::map<std::string, Assembly> assemblies{
+    {"masonry/wall.obj", {Verdict::stands, "", "", {}}},
+    {"masonry/crossvault.obj", {Verdict::stands, "", "", {}}},
+    {"masonry/ursula.obj", {Verdict::cured, "fit_tolerance: 60 mm", "overlap", {}}},
+    {"masonry/bridge.json", {Verdict::stands, "", "", {}}},
+    {"masonry/A.json", {Verdict::falls, "", "", {}}},
+    {"masonry/H.json", {Verdict::falls, "", "", {}}},
+    {"masonry/cubes.json", {Verdict::stands, "", "", {}}},
+    {"masonry/concave-long.json", {Verdict::stands, "", "", {}}},
+    {"masonry/shelf.json", {Verdict::stands, "", "", {}}},
+    {"masonry/shelf-s1.json", {Verdict::stands, "", "", {}}},
+    {"masonry/type-a.json", {Verdict::stands, "", "", {}}},
+    {"masonry/type-b.json", {Verdict::stands, "", "", {}}},
+    {"masonry/stack_assembly.json", {Verdict::falls, "", "", {}}},
+    {"masonry/arch_assembly.json", {Verdict::stands, "", "", {}}},
+    {"masonry/wall_assembly.json", {Verdict::stands, "", "", {}}},
+    {"building/no_indices_3storybuilding.glb", {Verdict::stands, "", "", {}}},
+    {"building/wall-with-opening-and-window.ifc", {Verdict::cured, "skip: \"IfcWall*\"", "not closed", {"*"}}},
+    {"awkward/twocubes.obj", {Verdict::cured, "hull: twocubes, skip: ledoux", "not closed", {"*"}}},
+    {"awkward/two_objects_1.obj", {Verdict::cured, "skip: cube_2", "not closed", {"*"}}},
+    {"awkward/two_objects.obj", {Verdict::cured, "skip: tetra", "overlap", {"*"}}},
+    {"awkward/joined_tetrahedra.obj", {Verdict::stands, "", "", {}}},
+    {"awkward/multibody.stl", {Verdict::falls, "", "", {}}},
+    {"awkward/nested.glb", {Verdict::falls, "", "", {}}},
+    {"awkward/cube_and_sphere_same_name.3mf", {Verdict::stands, "", "", {}}},
+    {"awkward/hourglass_ico.obj", {Verdict::stands, "", "", {}}},
+    {"awkward/triangle_with_two_solids.stl", {Verdict::no_stone, "", "not closed", {}}},
+    {"awkward/triangle_with_empty_solid.stl", {Verdict::no_stone, "", "not closed", {}}},
+};
+
+/// Of these expected.json knows one object, or none: what they hold is two.
+const std::set<std::string> two_in_one{"building/wall-with-opening-and-window.ifc", "awkward/hourglass_ico.obj"};
+
+std::filesystem::path data_folder()
+{
+    const char* variable = std::getenv("VOUSSOIR_DATA");
+    return variable != nullptr ? variable : VOUSSOIR_DEFAULT_DATA;
+}
+
+/// The certificate of the mesh, as `import --json` gives it.
+json certificate_of(const TemporaryFolder& folder, const std::filesystem::path& mesh)
+{
+    const app::Ended ended = app::voussoir(folder, {"import", mesh, "--json", "-"});
+    const json all = json::parse(ended.output, nullptr, false);
+    return all.is_array() && !all.empty() ? all[0] : json::object();
+}
+
+/// Patterns of the stones at the lowest level that the cure leaves.
+std::vector<std::string> lowest_stones(const json& certificate)
+{
+    std::vector<std::string> patterns;
+    for (std::string name : certificate.value("assembly", json::object()).value("ground", json::array())) {
+        for (char& letter : name)
+            if (std::string("[]*?").find(letter) != std::string::npos) letter = '?';
+        patterns.push_back(name);
+    }
+    return patterns;
+}
+
+int repairs_in(const json& certificate)
+{
+    std::size_t count = certificate.value("repairs", json::array()).size();
+    for (const json& stone : certificate.value("stones", json::array()))
+        count += stone.value("repairs", json::array()).size();
+    return static_cast<int>(count);
+}
+
+/// The stones as drawn, the supports held.
+Model model_of(const Scene& scene)
+{
+    setenv("VOUSSOIR_BIN_DIR", VOUSSOIR_BINARIES, 1);
+    JointMaterial dry;
+    dry.name = "dry";
+    Model model = make_model(Kinematics::spatial_rigid, {"stone", 2200, 10e9, 0.2}, dry);
+    const importers::helper::Geometry geometry = importers::helper::import_geometry({{.file = scene.mesh}}, {});
+    for (const importers::helper::Stone& stone : geometry.meshes.at(0).stones) {
+        model.blocks.push_back(make_block(stone.name, 0, 0, stone.parts, stone.moments));
+        if (std::count(scene.supports.begin(), scene.supports.end(), stone.name) == 0) continue;
+        Foundation held;
+        held.block = static_cast<int>(model.blocks.size()) - 1;
+        model.foundations.push_back(held);
+    }
+    return model;
+}
+
+std::string expect_collapse(const TemporaryFolder& folder, const Scene& scene)
+{
+    // It finds no rest, and nothing says that it does.
+    const Outcome resting = started(folder, "run", scene.text(rest));
+    EXPECT_NE(resting.word(), "completed");
+    // Let go, it falls.
+    const Outcome falling = started(folder, "run", scene.text(fall));
+    EXPECT_EQ(falling.word(), "collapsed") << falling.said;
+    EXPECT_EQ(falling.unconverged(), 0);
+    const Model model = model_of(scene);
+    std::string told;
+    for (const json& fallen : falling.summary.value("fallen_blocks", json::array())) {
+        const std::string name = fallen.at("block");
+        for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+            if (model.blocks[b].name != name) continue;
+            const std::string cause = why_it_falls(model, static_cast<int>(b));
+            EXPECT_NE(cause, "") << "statics does not say why " << name << " falls";
+            told += (told.empty() ? "" : "; ") + name + ": " + cause;
+        }
+    }
+    EXPECT_NE(told, "") << "no stone is named";
+    return "collapsed: " + told;
+}
+
+std::string expect_refusal(const TemporaryFolder& folder, const Scene& scene, const std::string& words)
+{
+    const Outcome checked = started(folder, "check", scene.text(std::string(rest) + shaking));
+    EXPECT_EQ(checked.exit_code, 2);
+    EXPECT_NE(checked.said.find(words), std::string::npos) << checked.said;
+    return "refused";
+}
+
+TEST(Assemblies, EveryFileWithSeveralStonesIsInTheTable)
+{
+    const std::filesystem::path file = data_folder() / "expected.json";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
+    std::set<std::string> several = two_in_one, listed;
+    const json expected = json::parse(app::contents(file));
+    for (const auto& [name, known] : expected.at("meshes").items())
+        if (known.value("n_objects", 0) >= 2) several.insert(name.substr(std::string("meshes/").size()));
+    for (const auto& [name, assembly] : assemblies) listed.insert(name);
+    EXPECT_EQ(listed, several);
+}
+
+TEST(Assemblies, OfTheDataRunFromMeshToShakingOrFallAsStaticsSays)
+{
+    if (!std::filesystem::exists(data_folder() / "expected.json")) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
+    std::printf("%-42s %6s %8s  %-30s %s\n", "file", "stones", "repairs", "cure", "what becomes of it");
+    for (const auto& [name, assembly] : assemblies) {
+        SCOPED_TRACE(name);
+        const TemporaryFolder folder;
+        Scene scene{data_folder() / "meshes" / name, "", {}, ""};
+        const json certificate = certificate_of(folder, scene.mesh);
+        scene.supports = lowest_stones(certificate);
+        std::string told;
+        if (assembly.verdict == Verdict::cured || assembly.verdict == Verdict::no_stone) {
+            if (scene.supports.empty()) scene.supports = {"*"};
+            told = expect_refusal(folder, scene, assembly.refusal);
+        }
+        if (assembly.verdict == Verdict::cured) {
+            scene.keys = assembly.cure;
+            if (!assembly.supports.empty()) scene.supports = assembly.supports;
+            told += ", then " + expect_rest_and_shaking(folder, scene);
+        }
+        if (assembly.verdict == Verdict::stands) told = expect_rest_and_shaking(folder, scene);
+        if (assembly.verdict == Verdict::falls) told = expect_collapse(folder, scene);
+        std::printf("%-42s %6zu %8d  %-30s %s\n", name.c_str(), certificate.value("stones", json::array()).size(),
+                    repairs_in(certificate), assembly.cure.c_str(), told.c_str());
+    }
+}
+
+}  // namespace
+}  // namespace voussoir::verification
