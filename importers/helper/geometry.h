@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "importers/helper/placed_copy.h"
 #include "importers/mesh/marked_feature.h"
 #include "importers/mesh/mesh_formats.h"
 #include "libdda/geometry/convex_polyhedron.h"
@@ -75,6 +76,7 @@ struct MeshRequest {
     double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
     double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
     mesh::MeshReader reader = mesh::MeshReader::automatic;
+    std::vector<PlacedCopy> copies;  // where its stones stand, metres and z up; none: once, as drawn
 };
 
 /// What the helper may take.

@@ -1,0 +1,74 @@
+#include "importers/helper/placed_copy.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "libdda/errors.h"
+#include "libdda/geometry/plane.h"
+
+namespace voussoir::importers::helper
+{
+namespace
+{
+
+void turn_round(std::vector<std::vector<int>>& faces)
+{
+    for (std::vector<int>& face : faces) std::reverse(face.begin(), face.end());
+}
+
+/// What a rotation about y leaves of the other axes' y components.
+constexpr double in_plane = 1e-12;
+
+bool leaves_plane(const Eigen::Matrix3d& linear)
+{
+    const double most = linear.cwiseAbs().maxCoeff();
+    const Eigen::Vector4d across(linear(0, 1), linear(2, 1), linear(1, 0), linear(1, 2));
+    return across.cwiseAbs().maxCoeff() > in_plane * most;
+}
+
+}  // namespace
+
+PlacedCopy after(const PlacedCopy& second, const PlacedCopy& first)
+{
+    return {second.linear * first.linear, second.linear * first.offset + second.offset, first.suffix};
+}
+
+ConvexPolyhedron placed(ConvexPolyhedron part, const PlacedCopy& copy, const std::string& name)
+{
+    if (copy.is_as_drawn()) return part;
+    for (Eigen::Vector3d& x : part.vertices) x = copy.linear * x + copy.offset;
+    if (copy.is_mirrored()) turn_round(part.faces);
+    ConvexPolyhedron shape = make_convex_polyhedron(std::move(part.vertices), std::move(part.faces), name);
+    shape.glued = std::move(part.glued);
+    return shape;
+}
+
+ConvexPolygon placed(ConvexPolygon outline, const PlacedCopy& copy, const std::string& name)
+{
+    if (copy.is_as_drawn()) return outline;
+    if (leaves_plane(copy.linear))
+        throw InputError(name, "turned out of the plane of the scene",
+                         "outlines [x, z] can be turned about y only: leave away the axis, or give [0, 1, 0]");
+    const Eigen::Matrix2d linear = from_space<2>(copy.linear);
+    const Eigen::Vector2d offset = from_space<2>(copy.offset);
+    for (Eigen::Vector2d& x : outline.vertices) x = linear * x + offset;
+    return make_convex_polygon(std::move(outline.vertices), name);
+}
+
+std::vector<mesh::PolygonSurface> placed(std::vector<mesh::PolygonSurface> surfaces,
+                                         const std::vector<PlacedCopy>& copies)
+{
+    if (copies.empty()) return surfaces;
+    std::vector<mesh::PolygonSurface> all;
+    all.reserve(surfaces.size() * copies.size());
+    for (const PlacedCopy& copy : copies)
+        for (const mesh::PolygonSurface& surface : surfaces) {
+            mesh::PolygonSurface& stone = all.emplace_back(surface);
+            stone.name += copy.suffix;
+            for (Eigen::Vector3d& x : stone.vertices) x = copy.linear * x + copy.offset;
+            if (copy.is_mirrored()) turn_round(stone.faces);
+        }
+    return all;
+}
+
+}  // namespace voussoir::importers::helper
