@@ -62,12 +62,12 @@ Belonging read_belonging(YamlCursor& entry, const Model& model, bool has_name)
 {
     Belonging belonging{entry, {}, default_group, {}, {}};
     const std::optional<std::string> group = entry.find_text("group");
-    if (has_name && !group) entry.took_default("group", default_group);
     belonging.group = group.value_or(default_group);
     belonging.rules = read_group_rules(entry, model.kinematics);
-    if (!has_name && !group && belonging.rules.empty())
-        entry.took_default("groups", std::string("all ") + default_group);
     belonging.material = read_material(entry, model.materials, belonging);
+    if (!group && has_name) entry.took_default("group", default_group);
+    if (!group && !has_name && belonging.rules.empty())
+        entry.took_default("groups", std::string("all ") + default_group);
     belonging.copies = read_placing(entry, model.kinematics);
     return belonging;
 }
