@@ -112,17 +112,28 @@ void take_by_touch(GroupRule& rule, const EntryStones& entry, const std::vector<
     rule.used = !taken.empty();
 }
 
+/// A rule that touches a group without blocks: misspelt, or filled by a later rule.
+void refuse_unknown(const GroupRule& rule, const Groups& groups, const std::vector<EntryStones>& entries)
+{
+    bool comes_later = false;
+    for (const EntryStones& entry : entries)
+        for (const GroupRule& other : entry.belonging.rules)
+            comes_later = comes_later || (other.by == By::touching && other.group == rule.text);
+    const std::set<std::string> known(groups.names.begin(), groups.names.end());
+    rule.written.fault(fmt::format("no block is in group \"{}\"{}", rule.text, comes_later ? " yet" : ""),
+                       comes_later ? "rules by touch act in the order of writing: write that of the group first"
+                                   : words::suggestion(rule.text, {known.begin(), known.end()}));
+}
+
 void take_by_touch(BlockReading& reading, Groups& groups)
 {
     std::vector<std::vector<int>> neighbours;
     for (EntryStones& entry : reading.entries)
         for (GroupRule& rule : entry.belonging.rules) {
             if (rule.by != By::touching) continue;
-            const std::set<std::string> known(groups.names.begin(), groups.names.end());
-            if (known.count(rule.text) == 0) {
-                rule.used = true;  // said here
-                rule.written.fault("no block is in group \"" + rule.text + "\"",
-                                   words::suggestion(rule.text, {known.begin(), known.end()}));
+            if (std::find(groups.names.begin(), groups.names.end(), rule.text) == groups.names.end()) {
+                rule.used = true;  // this fault is enough
+                refuse_unknown(rule, groups, reading.entries);
                 continue;
             }
             if (neighbours.empty()) neighbours = neighbours_of(reading.model);

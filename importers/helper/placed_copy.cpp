@@ -26,6 +26,22 @@ bool leaves_plane(const Eigen::Matrix3d& linear)
     return across.cwiseAbs().maxCoeff() > in_plane * most;
 }
 
+/// A copy so large, small or far that products of its lengths are no numbers. @throws InputError
+template <class Vector>
+void check_size(const std::vector<Vector>& vertices, const std::string& name)
+{
+    constexpr double huge = 1e100;  // m
+    double largest = 0, extent = 0;
+    for (const Vector& x : vertices) {
+        largest = std::max(largest, x.cwiseAbs().maxCoeff());
+        extent = std::max(extent, (x - vertices.front()).cwiseAbs().maxCoeff());
+        if (!x.allFinite()) largest = 2 * huge;
+    }
+    if (largest < huge && extent > 1 / huge) return;
+    throw InputError(name, largest < huge ? "nothing is left of its size" : "it is too large or too far away",
+                     "check scale, rotate, move and copy");
+}
+
 }  // namespace
 
 PlacedCopy after(const PlacedCopy& second, const PlacedCopy& first)
@@ -37,6 +53,7 @@ ConvexPolyhedron placed(ConvexPolyhedron part, const PlacedCopy& copy, const std
 {
     if (copy.is_as_drawn()) return part;
     for (Eigen::Vector3d& x : part.vertices) x = copy.linear * x + copy.offset;
+    check_size(part.vertices, name);
     if (copy.is_mirrored()) turn_round(part.faces);
     ConvexPolyhedron shape = make_convex_polyhedron(std::move(part.vertices), std::move(part.faces), name);
     shape.glued = std::move(part.glued);
@@ -52,6 +69,7 @@ ConvexPolygon placed(ConvexPolygon outline, const PlacedCopy& copy, const std::s
     const Eigen::Matrix2d linear = from_space<2>(copy.linear);
     const Eigen::Vector2d offset = from_space<2>(copy.offset);
     for (Eigen::Vector2d& x : outline.vertices) x = linear * x + offset;
+    check_size(outline.vertices, name);
     return make_convex_polygon(std::move(outline.vertices), name);
 }
 
