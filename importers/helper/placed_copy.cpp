@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 
 #include "libdda/errors.h"
 #include "libdda/geometry/plane.h"
@@ -26,20 +27,27 @@ bool leaves_plane(const Eigen::Matrix3d& linear)
     return across.cwiseAbs().maxCoeff() > in_plane * most;
 }
 
-/// A copy so large, small or far that products of its lengths are no numbers. @throws InputError
+/// @throws InputError for a copy so large, small or far away that its lengths, or products of them, are no numbers
 template <class Vector>
 void check_size(const std::vector<Vector>& vertices, const std::string& name)
 {
-    constexpr double huge = 1e100;  // m
-    double largest = 0, extent = 0;
+    constexpr double huge = 1e100;    // m
+    constexpr double rounded = 1e-6;  // of the size, as where vertices are joined
+    double largest = 0, size = 0;
+    bool finite = true;
     for (const Vector& x : vertices) {
         largest = std::max(largest, x.cwiseAbs().maxCoeff());
-        extent = std::max(extent, (x - vertices.front()).cwiseAbs().maxCoeff());
-        if (!x.allFinite()) largest = 2 * huge;
+        size = std::max(size, (x - vertices.front()).cwiseAbs().maxCoeff());
+        finite = finite && x.allFinite();
     }
-    if (largest < huge && extent > 1 / huge) return;
-    throw InputError(name, largest < huge ? "nothing is left of its size" : "it is too large or too far away",
-                     "check scale, rotate, move and copy");
+    const char* found = nullptr;
+    if (!finite || largest > huge)
+        found = "it is too large or too far away";
+    else if (size < 1 / huge)
+        found = "nothing is left of its size";
+    else if (largest * std::numeric_limits<double>::epsilon() > rounded * size)
+        found = "it is so far away that its shape is rounded";
+    if (found != nullptr) throw InputError(name, found, "check scale, rotate, move and copy");
 }
 
 }  // namespace
@@ -84,6 +92,7 @@ std::vector<mesh::PolygonSurface> placed(std::vector<mesh::PolygonSurface> surfa
             mesh::PolygonSurface& stone = all.emplace_back(surface);
             stone.name += copy.suffix;
             for (Eigen::Vector3d& x : stone.vertices) x = copy.linear * x + copy.offset;
+            if (!copy.is_as_drawn() && !stone.vertices.empty()) check_size(stone.vertices, stone.name);
             if (copy.is_mirrored()) turn_round(stone.faces);
         }
     return all;

@@ -36,6 +36,7 @@ ConvexPolyhedron placed(ConvexPolyhedron part, const PlacedCopy& copy, const std
 ConvexPolygon placed(ConvexPolygon outline, const PlacedCopy& copy, const std::string& name);
 
 /// All surfaces of a file [m, z up] in all their places, copy by copy; as they are if `copies` is empty.
+/// @throws InputError when the size of one of them is no number
 std::vector<mesh::PolygonSurface> placed(std::vector<mesh::PolygonSurface> surfaces,
                                          const std::vector<PlacedCopy>& copies);
 

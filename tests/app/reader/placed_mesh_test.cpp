@@ -10,6 +10,7 @@
 
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/model/state.h"
+#include "libdda/run/run.h"
 #include "tests/app/reader/case_reading.h"
 
 namespace voussoir::app::reader
@@ -148,6 +149,23 @@ TEST_F(PlacedMesh, FarCopiesGetAnOriginOfTheirOwn)
     EXPECT_NEAR(model.blocks[0].moments.volume, 0.7 * 0.5 / 6, 1e-9);
 }
 
+TEST_F(PlacedMesh, BadPlacesAreRefusedInASentence)
+{
+    const auto fault = [&](const std::string& keys) {
+        const std::string all = fault_of("  - {mesh: stones.obj, " + keys + "}\n");
+        return all.substr(std::min(all.find("case.yaml"), all.size()));
+    };
+    const std::string place = "case.yaml:5: blocks[0].mesh: stones.obj: ";
+    EXPECT_NE(fault("scale: 1e200").find("chiral: it is too large or too far away; check scale"),
+              std::string::npos);
+    EXPECT_NE(fault("move: [0, 1e300, 0]").find("too far away"), std::string::npos);
+    EXPECT_NE(fault("scale: 1e-150").find("nothing is left of its size"), std::string::npos);
+    EXPECT_EQ(fault("move: [1e15, 0, 0]").find(place + "chiral: it is so far away that its shape is rounded"), 0U);
+    for (const char* keys : {"scale: 1e90", "scale: 1e-90"})
+        EXPECT_TRUE(fault(keys) == "no fault" || fault(keys).find(place) == 0) << fault(keys);
+    EXPECT_EQ(fault("suffix: ''"), "case.yaml:5: blocks[0].suffix: an empty text; expected a text");
+}
+
 /// One voussoir of a ring of 24, between the radii 4 and 5 m, 1 m high, drawn along x.
 std::string sector()
 {
@@ -192,6 +210,55 @@ TEST_F(PlacedMesh, AClosedRingOfCopiesTouchesAllAround)
         EXPECT_EQ(model.groups[model.blocks[b].group], b == 11 ? "one" : b == 10 || b == 12 ? "two" : "masonry");
     EXPECT_NE(fault_of("  - {mesh: stones.obj, copy: {copies: 2, step: [1 mm, 0, 0]}}\n").find("overlap by"),
               std::string::npos);
+}
+
+/// Volume of a solid whose section at every height is a regular polygon of n corners at the distance r(z) from its
+/// axis, between the corners (r, z) of a profile: each piece is the frustum of a pyramid.
+double volume_around(int n, const std::vector<Eigen::Vector2d>& profile)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const Eigen::Vector2d &a = profile[i], &b = profile[(i + 1) % profile.size()];
+        sum += (b.y() - a.y()) * (a.x() * a.x() + a.x() * b.x() + b.x() * b.x()) / 3;
+    }
+    return sum * n / 2 * std::sin(2 * std::numbers::pi / n);
+}
+
+TEST(DomeCase, IsADomeOnItsLowestCourse)
+{
+    const Model model = read_case(VOUSSOIR_CASES "/dome.yaml", {"output=null"}).model;
+    ASSERT_EQ(model.blocks.size(), 168U);
+    std::vector<Eigen::Vector2d> profile;
+    for (int i = 0; i < 16; ++i) {
+        const double latitude = (i < 8 ? i : 15 - i) * 11 * std::numbers::pi / 180;
+        profile.push_back((i < 8 ? 4.4 : 4) * Eigen::Vector2d(std::cos(latitude), std::sin(latitude)));
+    }
+    double volume = 0;
+    for (const Block& block : model.blocks) volume += block.moments.volume;
+    EXPECT_NEAR(volume, volume_around(24, profile), 1e-6 * volume);
+    ASSERT_EQ(model.foundations.size(), 24U);
+    for (const Foundation& foundation : model.foundations) {
+        EXPECT_EQ(model.blocks[foundation.block].name.substr(0, 8), "course_1");
+        EXPECT_EQ(model.materials[model.blocks[foundation.block].material].name, "granite");
+    }
+}
+
+TEST(DomeCase, SinksAlikeAllAround)
+{
+    const Case the_case = read_case(VOUSSOIR_CASES "/dome.yaml",
+                                    {"output=null", "foundation.motion=null", "stages=[{type: static}]"});
+    const Model& model = the_case.model;
+    State state = initial_state(model);
+    const RunReport report = run(model, the_case.stages, state, {});
+    ASSERT_EQ(report.outcome, Outcome::completed) << testing::PrintToString(report.diagnosis);
+    const auto sinking = [&](int block) {
+        return model.blocks[block].moments.centroid.z() - pose_of(model.kinematics, state, block).centroid.z();
+    };
+    for (int course = 1; course < 7; ++course)
+        for (int slice = 1; slice < 24; ++slice)
+            EXPECT_NEAR(sinking(course + 7 * slice), sinking(course), 1e-3 * sinking(6));
+    EXPECT_GT(sinking(6), 1e-6);
+    EXPECT_LT(sinking(6), 1e-3);
 }
 
 }  // namespace
