@@ -75,7 +75,9 @@ void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, Bl
         }
     }
     if (!mesh.accepted && !stone_refused)
-        reading.findings.faults.push_back({place, mesh.reason, "give another mesh"});
+        reading.findings.faults.push_back(
+            {place, mesh.reason,
+             entry.request.copies.empty() ? "give another mesh" : "give another mesh, or fewer copies"});
     if (mesh.accepted)
         reading.entries.push_back({std::move(entry.belonging), first, reading.model.blocks.size(),
                                    "stones are named as the objects of the mesh"});
