@@ -116,7 +116,7 @@ std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh&
         judge_rounding(content, mesh);
         for (mesh::PolygonSurface& surface : content.surfaces)
             for (Eigen::Vector3d& x : surface.vertices) x = to_metres_z_up(x, mesh.metres_per_unit, up);
-        return content.surfaces;
+        return placed(std::move(content.surfaces), request.copies);
     } catch (const InputError& error) {
         mesh.reason = sentence(error);
     } catch (const std::bad_alloc&) {
