@@ -18,7 +18,7 @@ struct DecomposeOptions {
     double volume_error = 0.01;  // share of the volume that is allowed to approximating parts
     // Planes of its joints: a stone that has any is cut exactly at the edges that lie in one of them, and only there
     // if the hulls of its pieces exceed it by little.
-    std::vector<CutPlane> joints;
+    std::vector<CutPlane> joints{};
 };
 
 /// What became of a solid.
