@@ -22,6 +22,7 @@ struct CertifiedFile {
     importers::helper::ImportedMesh mesh;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, subtracted from all coordinates
     std::vector<importers::helper::Overlap> overlaps;
+    importers::helper::JointFit fit;
     importers::assembly::Assembly assembly;  // of the accepted stones
 };
 
@@ -32,6 +33,7 @@ struct CertifiedCase {
     std::vector<importers::helper::ImportedMesh> meshes;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     std::vector<importers::helper::Overlap> overlaps;
+    importers::helper::JointFit fit;
     importers::assembly::Assembly assembly;
 };
 

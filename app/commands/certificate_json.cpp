@@ -159,6 +159,7 @@ json to_json(const importers::helper::Stone& stone, const importers::helper::Imp
             {"volume_file_units", measured ? json(stone.moments.volume / cube) : json()},
             {"volume_m3", measured ? json(stone.moments.volume) : json()},
             {"volume_error", stone.volume_error},
+            {"fit_move_m", stone.fit_move},
             {"centroid_m", measured ? json({centroid.x(), centroid.y(), centroid.z()}) : json()},
             {"repairs", sentences_of(stone.repairs)},
             {"features", std::move(features)},
@@ -171,6 +172,14 @@ json to_json(const std::vector<importers::helper::Overlap>& overlaps)
     for (const importers::helper::Overlap& overlap : overlaps)
         list.push_back({{"stones", {overlap.stone_a, overlap.stone_b}}, {"volume_m3", overlap.volume}});
     return list;
+}
+
+json to_json(const importers::helper::JointFit& fit)
+{
+    return {{"joints", fit.joints},
+            {"left", fit.left},
+            {"misfit_before_m", fit.misfit_before},
+            {"misfit_after_m", fit.misfit_after}};
 }
 
 json stones_of(const importers::helper::ImportedMesh& mesh, const Eigen::Vector3d& origin)
@@ -200,6 +209,7 @@ std::string certificates_json(const std::vector<CertifiedFile>& files)
                         {"unit", {{"metres", file.mesh.metres_per_unit}, {"from", file.mesh.unit_from}}},
                         {"origin_m", {file.origin.x(), file.origin.y(), file.origin.z()}},
                         {"overlaps", to_json(file.overlaps)},
+                        {"fit_joints", to_json(file.fit)},
                         {"stones", stones_of(file.mesh, file.origin)},
                         {"assembly", to_json(file.assembly)}});
     return dump(list);
@@ -228,6 +238,7 @@ std::string certificate_json(const CertifiedCase& the_case)
                  {"faults", the_case.faults},
                  {"warnings", the_case.warnings},
                  {"origin_m", {the_case.origin.x(), the_case.origin.y(), the_case.origin.z()}},
+                 {"fit_joints", to_json(the_case.fit)},
                  {"overlaps", to_json(the_case.overlaps)},
                  {"files", std::move(meshes)},
                  {"blocks", std::move(blocks)},

@@ -137,6 +137,7 @@ void examine(const reader::CaseStones& stones, bool complete, CertifiedCase& cer
     origin.from_case = true;
     certified.meshes = stones.geometry.meshes;
     certified.overlaps = stones.geometry.overlaps;
+    certified.fit = stones.geometry.fit;
     certified.origin = stones.model.origin;
     if (certified.meshes.size() == 1) origin.metres_per_unit = certified.meshes.front().metres_per_unit;
     const bool has_refused = std::any_of(certified.meshes.begin(), certified.meshes.end(),

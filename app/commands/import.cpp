@@ -69,6 +69,7 @@ void print_mesh(const CertifiedFile& file, bool verbose)
     fmt::print("{}: {}, {} stones, unit {:g} m ({})\n", mesh.file, mesh.accepted ? "accepted" : "refused",
                mesh.stones.size(), mesh.metres_per_unit, mesh.unit_from);
     print_repairs(mesh, verbose);
+    for (const std::string& line : importers::helper::in_words(file.fit)) fmt::print("  {}\n", line);
     for (std::size_t i = 0; i < std::min(mesh.stones.size(), max_rows); ++i) {
         const importers::helper::Stone& stone = mesh.stones[i];
         if (stone.reason.empty())
@@ -111,6 +112,7 @@ CertifiedFile certify(const importers::helper::MeshRequest& request)
     file.mesh = std::move(geometry.meshes.front());
     file.origin = geometry.origin;
     file.overlaps = std::move(geometry.overlaps);
+    file.fit = geometry.fit;
     importers::assembly::AssemblyOrigin origin;
     origin.metres_per_unit = file.mesh.metres_per_unit;
     file.assembly = assembly_of({file.mesh}, file.overlaps, origin);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/reader/placing.h"
 #include "app/reader/yaml_cursor.h"
 #include "importers/helper/geometry.h"
 #include "libdda/model/model.h"
@@ -16,11 +17,48 @@ namespace voussoir::app::reader
 
 constexpr const char* default_group = "masonry";
 
-/// `groups: {foundation: "abutment_*"}`: one pattern.
-struct GroupPattern {
-    std::string group, pattern;
+/// `groups: {foundation: "abutment_*"}` or `{foundation: {lowest: 5 %}}`: one rule.
+struct GroupRule {
+    enum class By { name, lowest, highest, inside, touching };
+    std::string group;
     YamlCursor written;
-    bool used = false;
+    std::string text;  // a pattern of names; of `touching` the other group
+    By by = By::name;
+    double reach = 0;       // of `lowest` and `highest`: m, or share of the height of the entry's stones
+    bool is_share = false;  // the latter
+    Eigen::Vector3d lower = Eigen::Vector3d::Zero(), upper = lower;  // m, of `inside`, user's coordinates
+    bool used = false;                                               // some stone is in the group for it
+};
+
+/// `material`: one for all stones of an entry, or one for each of its groups.
+struct MaterialChoice {
+    std::optional<int> common;            // absent: every stone must be in a group that is named
+    std::map<std::string, int> of_group;  // index into the materials
+};
+
+/// What an entry of `blocks` says beside its shape.
+struct Belonging {
+    YamlCursor entry;
+    MaterialChoice material;
+    std::string group;  // of stones that no rule fits
+    std::vector<GroupRule> rules;
+    std::vector<PlacedCopy> copies;  // at least one
+};
+
+/// The stones that an entry gave. Groups and materials are settled when the stones of all entries are known.
+struct EntryStones {
+    Belonging belonging;
+    std::size_t first = 0, end = 0;  // in Model::blocks
+    std::string naming;              // "blocks are named wall_base, ...": for whoever looks for their names
+};
+
+/// A stone as an entry draws it, before it is placed: its parts, or outlines of a planar scene. Model coordinates,
+/// m.
+struct DrawnStone {
+    std::string name;
+    std::vector<ConvexPolyhedron> parts;
+    std::vector<ConvexPolygon> outlines;
+    double friction_factor = 1;  // of the block
 };
 
 /// An entry of `blocks` that names a mesh file.
@@ -28,8 +66,7 @@ struct MeshEntry {
     YamlCursor file;   // where it is written
     std::string name;  // as it is written
     importers::helper::MeshRequest request;
-    int material = 0;
-    std::vector<GroupPattern> patterns;
+    Belonging belonging;
 };
 
 /// The extent along y of a planar scene's stones that are drawn in space, and the stone that set it.
@@ -46,40 +83,42 @@ struct BlockReading {
     std::map<std::string, std::string> places;  // of each block name
     Eigen::Vector3d mesh_origin = Eigen::Vector3d::Zero();  // m, subtracted from what meshes gave
     std::optional<DrawnDepth> depth;                        // absent in spatial scenes
+    std::vector<EntryStones> entries;
 };
 
-/// Adds a block; a fault instead if its name is taken. Parts are in model coordinates. A planar scene takes their
-/// outlines; stones that are no prisms along y, or of another extent along y than those before them, are faults.
+/// Adds a block, still without group and material; a fault instead if its name is taken. Parts are in model
+/// coordinates. A planar scene takes their outlines; stones that are no prisms along y, or of another extent along
+/// y than those before them, are faults.
 /// @param moments of the stone, where its parts only approximate it
-void add_block(const std::string& name, const std::string& place, const std::string& group, int material,
-               std::vector<ConvexPolyhedron> parts, BlockReading& reading, const Moments* moments = nullptr);
+void add_block(const std::string& name, const std::string& place, std::vector<ConvexPolyhedron> parts,
+               BlockReading& reading, const Moments* moments = nullptr);
 
 /// The same from outlines, for planar scenes. @param outlines (x, z) in model coordinates [m]
-void add_planar_block(const std::string& name, const std::string& place, const std::string& group, int material,
-                      std::vector<ConvexPolygon> outlines, BlockReading& reading);
+void add_planar_block(const std::string& name, const std::string& place, std::vector<ConvexPolygon> outlines,
+                      BlockReading& reading);
+
+/// Adds the stones of an entry in all their places. What is wrong with them becomes faults at the place of the
+/// shape.
+void add_stones(std::vector<DrawnStone> drawn, const YamlCursor& shape, Belonging belonging, std::string naming,
+                BlockReading& reading);
 
 /// Outlines of a stone of a planar scene that is drawn in space; empty, with a fault, when it has none.
 std::vector<ConvexPolygon> outlines_of(const std::string& name, const std::string& place,
                                        const std::vector<ConvexPolyhedron>& parts, BlockReading& reading);
 
-/// Index of `material: name`; the only material if none is named.
-int read_material_name(YamlCursor& entry, const std::vector<BlockMaterial>& materials);
+/// `material`, `group`, `groups` and the keys of placing. @param has_name the shape is one stone with a name of
+/// its own: its group is worth a default
+Belonging read_belonging(YamlCursor& entry, const Model& model, bool has_name);
 
-/// `groups` of an entry that gives several stones.
-std::vector<GroupPattern> read_group_patterns(YamlCursor& entry);
+/// `groups` of an entry.
+std::vector<GroupRule> read_group_rules(YamlCursor& entry, Kinematics kinematics);
 
-/// The group of the first pattern that matches a stone's name, and `masonry` if none does.
-std::string group_of(const std::string& stone, std::vector<GroupPattern>& patterns);
+/// Puts every block into the group of the first rule of its entry that fits it, and gives it its material. A rule
+/// that fits no stone is a fault. Rules by touch come last: they take what the others left.
+void settle_groups(BlockReading& reading);
 
-/// A fault for each pattern that no stone was left for.
-void refuse_unused_patterns(const std::vector<GroupPattern>& patterns, const std::string& how_stones_are_named);
-
-/// What an entry of one block says beside its shape: `material` and `group`.
-struct Belonging {
-    int material = 0;
-    std::string group;
-};
-Belonging read_belonging(YamlCursor& entry, const std::vector<BlockMaterial>& materials);
+/// The blocks that touch each block with a part of a face, as the engine's contact search sees the stones at rest.
+std::vector<std::vector<int>> neighbours_of(const Model& model);
 
 /// `{box: {name, lower, upper}}`: adds the block. Corners [x, y, z]; in planar scenes [x, z] will do.
 void read_box(YamlCursor& entry, YamlCursor& box, BlockReading& reading);

@@ -16,24 +16,6 @@ namespace voussoir::app::reader
 namespace
 {
 
-constexpr std::size_t max_groups = 1000;  // more are a slip of the pen: there is a joint for every pair of them
-
-/// A fault and the first group for one group too many.
-int group_index(const std::string& name, const std::string& place, BlockReading& reading)
-{
-    Model& model = reading.model;
-    const auto at = std::find(model.groups.begin(), model.groups.end(), name);
-    const auto index = at - model.groups.begin();
-    if (at != model.groups.end()) return static_cast<int>(index);
-    if (model.groups.size() == max_groups) {
-        reading.findings.faults.push_back({place, fmt::format("more than {} groups", max_groups),
-                                           "groups are for blocks that are treated alike"});
-        return 0;
-    }
-    model.groups.push_back(name);
-    return static_cast<int>(index);
-}
-
 /// @param without_mesh number of blocks, the first ones, that came from no mesh
 void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
 {
@@ -122,57 +104,25 @@ void read_entry(YamlCursor& entry, BlockReading& reading)
 
 }  // namespace
 
-void add_block(const std::string& name, const std::string& place, const std::string& group, int material,
-               std::vector<ConvexPolyhedron> parts, BlockReading& reading, const Moments* moments)
+void add_block(const std::string& name, const std::string& place, std::vector<ConvexPolyhedron> parts,
+               BlockReading& reading, const Moments* moments)
 {
     Model& model = reading.model;
     if (is_planar(model.kinematics)) {
         std::vector<ConvexPolygon> outlines = outlines_of(name, place, parts, reading);
-        if (!outlines.empty()) add_planar_block(name, place, group, material, std::move(outlines), reading);
+        if (!outlines.empty()) add_planar_block(name, place, std::move(outlines), reading);
     } else if (take_name(name, place, reading)) {
         const Moments own = moments != nullptr ? *moments : moments_of(parts);
-        model.blocks.push_back(
-            make_block(name, group_index(group, place, reading), material, std::move(parts), own));
+        model.blocks.push_back(make_block(name, 0, 0, std::move(parts), own));
     }
 }
 
-void add_planar_block(const std::string& name, const std::string& place, const std::string& group, int material,
-                      std::vector<ConvexPolygon> outlines, BlockReading& reading)
+void add_planar_block(const std::string& name, const std::string& place, std::vector<ConvexPolygon> outlines,
+                      BlockReading& reading)
 {
     Model& model = reading.model;
-    if (!take_name(name, place, reading)) return;
-    model.blocks.push_back(make_planar_block(name, group_index(group, place, reading), material,
-                                             std::move(outlines), model.thickness));
-}
-
-Belonging read_belonging(YamlCursor& entry, const std::vector<BlockMaterial>& materials)
-{
-    const int material = read_material_name(entry, materials);
-    const std::optional<std::string> group = entry.find_text("group");
-    if (!group) entry.took_default("group", default_group);
-    entry.reject_unknown_keys();
-    return {material, group.value_or(default_group)};
-}
-
-int read_material_name(YamlCursor& entry, const std::vector<BlockMaterial>& materials)
-{
-    std::vector<std::string> names;
-    names.reserve(materials.size());
-    for (const BlockMaterial& material : materials) names.push_back(material.name);
-    const std::optional<YamlCursor> value = entry.find("material");
-    if (!value && names.size() == 1) {
-        entry.took_default("material", names[0]);
-        return 0;
-    }
-    if (!value) {
-        entry.require("material", "a material's name");
-        return 0;
-    }
-    const std::string name = value->as_text();
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (at != names.end()) return static_cast<int>(at - names.begin());
-    if (!name.empty()) value->fault("no material \"" + name + "\"", words::suggestion(name, names));
-    return 0;
+    if (take_name(name, place, reading))
+        model.blocks.push_back(make_planar_block(name, 0, 0, std::move(outlines), model.thickness));
 }
 
 bool matches_pattern(std::string_view name, std::string_view pattern)
@@ -203,7 +153,7 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     const std::optional<double> thickness = read_thickness(top, model.kinematics);
     std::optional<YamlCursor> section = top.require("blocks", "the stones, [{mesh: stones.obj}]");
     if (!section) return {};
-    BlockReading reading{folder, model, findings, {}, {}, Eigen::Vector3d::Zero(), {}};
+    BlockReading reading{folder, model, findings, {}, {}, Eigen::Vector3d::Zero(), {}, {}};
     std::vector<YamlCursor> entries = section->items("a list of meshes, boxes, polygons, walls and houses");
     if (entries.empty() && section->is_list())
         section->fault("no block", "give at least one mesh, box, polygon, wall or house");
@@ -222,6 +172,7 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     if (are_too_many(*section)) return {};
     settle_thickness(top, thickness, reading);
     refuse_overlaps(reading, without_mesh);
+    settle_groups(reading);
     refuse_infinite_masses(reading);
     std::vector<std::string> files;
     for (const MeshEntry& mesh : reading.meshes) files.push_back(mesh.name);

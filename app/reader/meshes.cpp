@@ -85,6 +85,7 @@ void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, Bl
 {
     const std::string place = entry.file.place() + ": " + entry.name;
     warn_of_repairs(place, mesh, reading.findings);
+    const std::size_t first = reading.model.blocks.size();
     bool stone_refused = false;
     for (const importers::helper::Stone& stone : mesh.stones) {
         const std::string stone_place = place + ": " + stone.name;
@@ -92,14 +93,25 @@ void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, Bl
         if (!stone.reason.empty()) {
             reading.findings.faults.push_back({stone_place, stone.reason, "repair the mesh"});
         } else if (mesh.accepted) {
-            add_block(stone.name, stone_place, group_of(stone.name, entry.patterns), entry.material, stone.parts,
-                      reading, &stone.moments);
+            add_block(stone.name, stone_place, stone.parts, reading, &stone.moments);
         }
     }
     if (!mesh.accepted && !stone_refused)
-        reading.findings.faults.push_back({place, mesh.reason, "give another mesh"});
-    if (!mesh.accepted) return;
-    refuse_unused_patterns(entry.patterns, "stones are named as the objects of the mesh");
+        reading.findings.faults.push_back(
+            {place, mesh.reason,
+             entry.request.copies.empty() ? "give another mesh" : "give another mesh, or fewer copies"});
+    if (mesh.accepted)
+        reading.entries.push_back({std::move(entry.belonging), first, reading.model.blocks.size(),
+                                   "stones are named as the objects of the mesh"});
+}
+
+/// The places of a mesh's stones, with `suffix: _left`; none for stones that stand once, as they are drawn.
+std::vector<PlacedCopy> read_mesh_copies(YamlCursor& entry, std::vector<PlacedCopy> copies)
+{
+    const std::string suffix = entry.find_text("suffix").value_or("");
+    for (PlacedCopy& copy : copies) copy.suffix.insert(0, suffix);
+    if (copies.size() == 1 && copies.front().is_as_drawn() && suffix.empty()) copies.clear();
+    return copies;
 }
 
 }  // namespace
@@ -107,10 +119,9 @@ void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, Bl
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
 {
     const std::size_t faults_before = reading.findings.faults.size();
-    MeshEntry mesh{file, file.as_text(), {}, 0, {}};
+    MeshEntry mesh{file, file.as_text(), {}, read_belonging(entry, reading.model, false)};
     mesh.request.file = reading.folder / mesh.name;
-    mesh.material = read_material_name(entry, reading.model.materials);
-    mesh.patterns = read_group_patterns(entry);
+    mesh.request.copies = read_mesh_copies(entry, mesh.belonging.copies);
     mesh.request.metres_per_unit = read_unit(entry);
     const std::optional<char> up = entry.find_choice<char>("up", {{"x", 'x'}, {"y", 'y'}, {"z", 'z'}});
     if (!up) entry.took_default("up", "as stated in the file, otherwise z");

@@ -28,13 +28,6 @@ YamlCursor follow(YamlCursor from, std::string_view path)
 
 }  // namespace
 
-PatternEntry read_pattern_entry(YamlCursor& entry, BlockReading& reading)
-{
-    PatternEntry read{read_material_name(entry, reading.model.materials), read_group_patterns(entry)};
-    entry.reject_unknown_keys();
-    return read;
-}
-
 std::string read_pattern_name(YamlCursor& map, const std::string& otherwise)
 {
     const std::optional<std::string> name = map.find_text("name");
@@ -139,30 +132,26 @@ void place_faults(const InputError& error, const YamlCursor& map)
 }
 
 void add_pattern(const std::vector<importers::patterns::MasonryBlock>& blocks, const YamlCursor& map,
-                 PatternEntry& entry, BlockReading& reading)
+                 Belonging belonging, BlockReading& reading)
 {
-    for (const importers::patterns::MasonryBlock& block : blocks) {
-        const auto known = reading.places.find(block.name);
-        if (known == reading.places.end()) continue;
-        return map.fault("a second block named " + block.name,
-                         "the first one is at " + known->second + ": give one of them another name");
-    }
-    if (blocks.empty()) return map.fault("no block remains", "reduce the openings");
-    const std::string place = map.place();
-    std::vector<Block>& all = reading.model.blocks;
-    all.reserve(all.size() + blocks.size());
-    try {
+    for (const PlacedCopy& copy : belonging.copies)
         for (const importers::patterns::MasonryBlock& block : blocks) {
-            const std::size_t before = all.size();
-            add_block(block.name, place, group_of(block.name, entry.groups), entry.material,
-                      {importers::patterns::to_polyhedron(block)}, reading);
-            if (all.size() > before) all.back().friction_factor = block.friction_factor;
+            const auto known = reading.places.find(block.name + copy.suffix);
+            if (known == reading.places.end()) continue;
+            return map.fault("a second block named " + known->first,
+                             "the first one is at " + known->second + ": give one of them another name");
         }
+    if (blocks.empty()) return map.fault("no block remains", "reduce the openings");
+    std::vector<DrawnStone> stones;
+    stones.reserve(blocks.size());
+    try {
+        for (const importers::patterns::MasonryBlock& block : blocks)
+            stones.push_back({block.name, {importers::patterns::to_polyhedron(block)}, {}, block.friction_factor});
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
     }
-    refuse_unused_patterns(entry.groups,
-                           "blocks are named " + blocks.front().name + ", ..., " + blocks.back().name);
+    const std::string naming = "blocks are named " + blocks.front().name + ", ..., " + blocks.back().name;
+    add_stones(std::move(stones), map, std::move(belonging), naming, reading);
 }
 
 }  // namespace voussoir::app::reader

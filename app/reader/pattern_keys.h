@@ -10,13 +10,6 @@
 namespace voussoir::app::reader
 {
 
-/// What an entry says beside its pattern: `material` and `groups`.
-struct PatternEntry {
-    int material = 0;
-    std::vector<GroupPattern> groups;
-};
-PatternEntry read_pattern_entry(YamlCursor& entry, BlockReading& reading);
-
 /// `name`, by default the pattern's.
 std::string read_pattern_name(YamlCursor& map, const std::string& otherwise);
 
@@ -41,8 +34,8 @@ importers::patterns::Placement read_placement(YamlCursor& map, const BlockReadin
 /// Turns the faults of a pattern, named by its parameters ("openings[1]"), into faults of the case.
 void place_faults(const InputError& error, const YamlCursor& map);
 
-/// Adds the blocks of a pattern to the model.
+/// Adds the blocks of a pattern to the model, wherever the entry places them.
 void add_pattern(const std::vector<importers::patterns::MasonryBlock>& blocks, const YamlCursor& map,
-                 PatternEntry& entry, BlockReading& reading);
+                 Belonging belonging, BlockReading& reading);
 
 }  // namespace voussoir::app::reader

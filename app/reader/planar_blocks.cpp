@@ -108,10 +108,12 @@ void read_flat_box(YamlCursor& entry, YamlCursor& box, BlockReading& reading)
     if (std::optional<YamlCursor> rotate = box.find("rotate"))
         rotate_corners(*rotate, (lower + upper) / 2, corners);
     box.reject_unknown_keys();
-    const Belonging belonging = read_belonging(entry, reading.model.materials);
+    Belonging belonging = read_belonging(entry, reading.model, true);
+    entry.reject_unknown_keys();
     if (reading.findings.faults.size() > faults_before) return;
     if (auto outline = outline_from(std::move(corners), box.place(), reading.findings))
-        add_planar_block(name, box.place(), belonging.group, belonging.material, {std::move(*outline)}, reading);
+        add_stones({{name, {}, {std::move(*outline)}}}, box, std::move(belonging), "the block is named " + name,
+                   reading);
 }
 
 void read_polygon(YamlCursor& entry, YamlCursor& polygon, BlockReading& reading)
@@ -127,11 +129,12 @@ void read_polygon(YamlCursor& entry, YamlCursor& polygon, BlockReading& reading)
         for (const YamlCursor& corner : list->items("an outline [[x, z], ...]"))
             corners.push_back(corner.as_plane_vector(words::dimension::length));
     polygon.reject_unknown_keys();
-    const Belonging belonging = read_belonging(entry, reading.model.materials);
+    Belonging belonging = read_belonging(entry, reading.model, true);
+    entry.reject_unknown_keys();
     if (reading.findings.faults.size() > faults_before) return;
     if (auto outline = outline_from(std::move(corners), polygon.place(), reading.findings))
-        add_planar_block(name, polygon.place(), belonging.group, belonging.material, {std::move(*outline)},
-                         reading);
+        add_stones({{name, {}, {std::move(*outline)}}}, polygon, std::move(belonging),
+                   "the block is named " + name, reading);
 }
 
 std::optional<double> read_thickness(YamlCursor& top, Kinematics kinematics)

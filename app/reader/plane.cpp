@@ -8,17 +8,12 @@
 
 namespace voussoir::app::reader
 {
-namespace
-{
 
-/// @returns (3) in space, y as it is written
 Eigen::Vector3d read_vector(const YamlCursor& value, const words::Dimension& dimension, Kinematics kinematics)
 {
     if (is_planar(kinematics) && !value.is_list_of(3)) return to_space(value.as_plane_vector(dimension));
     return value.as_vector(dimension);
 }
-
-}  // namespace
 
 void forbid_y(YamlCursor& map)
 {

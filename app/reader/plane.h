@@ -13,6 +13,9 @@ void forbid_y(YamlCursor& map);
 /// `plane: strain` or `stress`, a fault where there is no strain across a plane.
 void read_plane_condition(YamlCursor& top, Model& model);
 
+/// [x, y, z], in a planar scene [x, z] too. @returns (3) in space, y as it is written
+Eigen::Vector3d read_vector(const YamlCursor& value, const words::Dimension& dimension, Kinematics kinematics);
+
 /// A direction [x, y, z]; in a planar scene [x, z], or [x, 0, z] as spatial scenes write it.
 Eigen::Vector3d read_direction(const YamlCursor& value, Kinematics kinematics);
 

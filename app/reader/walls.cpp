@@ -28,10 +28,11 @@ template <class Make>
 void finish(const YamlCursor& map, YamlCursor& entry, std::size_t faults_before, BlockReading& reading,
             const Make& make)
 {
-    PatternEntry beside = read_pattern_entry(entry, reading);
+    Belonging beside = read_belonging(entry, reading.model, false);
+    entry.reject_unknown_keys();
     if (reading.findings.faults.size() > faults_before) return;
     try {
-        add_pattern(make(), map, beside, reading);
+        add_pattern(make(), map, std::move(beside), reading);
     } catch (const InputError& error) {
         place_faults(error, map);
     }

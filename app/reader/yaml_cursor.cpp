@@ -155,7 +155,7 @@ Eigen::Vector2d YamlCursor::as_plane_vector(const words::Dimension& dimension) c
 
 std::optional<YamlCursor> YamlCursor::find(const std::string& key)
 {
-    asked_.push_back(key);
+    if (!contains(asked_, key)) asked_.push_back(key);
     if (asked_keys != nullptr) asked_keys->keys[path_].insert(key);
     const std::optional<YamlCursor> value = at(key);
     const std::optional<YamlCursor> former = find_former(key, value.has_value());
@@ -199,7 +199,7 @@ void YamlCursor::forbid(const std::string& key, const std::string& why)
     AskedKeys* const notes = std::exchange(asked_keys, nullptr);
     if (const std::optional<YamlCursor> value = find(key)) value->fault("has no meaning here", why);
     asked_keys = notes;
-    asked_.pop_back();  // not a word to suggest
+    std::erase(asked_, key);  // not a word to suggest
     forbidden_.push_back(key);
 }
 

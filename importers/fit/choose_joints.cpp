@@ -11,9 +11,13 @@ namespace voussoir::importers::fit
 namespace
 {
 
-constexpr double flat_enough = 0.12;  // share of a side's size: what bends further is no plane
+constexpr double flat_enough = 0.2;   // share of a side's size: what bends further is no plane
 // A bed of a course that is curved in plan can be made flat if all of the course is bent for it.
 constexpr double nearly_flat = 1e-4;  // share of a side's size: nearer than this to its plane a side stays whole
+
+// A misfit is closed from both sides, a bent side flattened by a few times its bend, for its corners hang together
+// with others. Where corners have to go further, a course would be bent to fit.
+constexpr double far_for_a_bend = 2.5;
 
 /// Sets of sides that joints connect.
 class Components
@@ -93,6 +97,52 @@ std::vector<std::vector<int>> divided(const Side& side, const Opponents& opponen
     return groups;
 }
 
+/// [m] A bent polygon has no surface of its own: each stone would get diagonals as they come.
+double misfit_of(const Facing& joint, const std::vector<SidedStone>& stones)
+{
+    return std::max({joint.misfit(), stones[joint.stone_a].sides[joint.side_a].bent_face,
+                     stones[joint.stone_b].sides[joint.side_b].bent_face});
+}
+
+/// How far the corners of a side have moved at most [m].
+double move_of(const SidedStone& stone, const Side& side, const std::vector<Eigen::Vector3d>& vertices)
+{
+    double move = 0;
+    for (const int v : side.corners) move = std::max(move, (vertices[v] - stone.surface->vertices[v]).norm());
+    return move;
+}
+
+/// Sides that face several others and whose corners had to go further than what was drawn explains.
+std::vector<SideOf> overbent_sides(const std::vector<Facing>& joints, const SharedShape& shape,
+                                   const std::vector<SidedStone>& stones)
+{
+    Components components;
+    for (const Facing& joint : joints) components.join(first_of(joint), second_of(joint));
+    struct Drawn {
+        double misfit = 0, bend = 0;  // m
+        double allowed() const { return std::max(misfit, far_for_a_bend * bend); }
+    };
+    std::map<int, Drawn> drawn;
+    std::map<SideOf, int> opponents;
+    for (const Facing& joint : joints) {
+        Drawn& of_component = drawn[components.of(first_of(joint))];
+        of_component.misfit = std::max(of_component.misfit, misfit_of(joint, stones));
+        for (const SideOf& key : {first_of(joint), second_of(joint)}) {
+            of_component.bend = std::max(of_component.bend, stones[key.stone].sides[key.side].largest_off);
+            ++opponents[key];
+        }
+    }
+    std::vector<SideOf> bent;
+    for (const auto& [key, misfit] : shape.misfit) {
+        if (opponents.at(key) == 1) continue;
+        const Side& side = stones[key.stone].sides[key.side];
+        const double allowed = drawn.at(components.of(key)).allowed();
+        if (misfit > allowed || move_of(stones[key.stone], side, shape.vertices[key.stone]) > allowed)
+            bent.push_back(key);
+    }
+    return bent;
+}
+
 }  // namespace
 
 JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vector<Facing>& joints,
@@ -105,9 +155,7 @@ JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vect
     Components components;
     std::vector<const Facing*> flat, bad;
     for (const Facing& joint : joints) {
-        // A bent polygon has no surface of its own: each stone would get diagonals as they come.
-        const double misfit = std::max({joint.misfit(), stones[joint.stone_a].sides[joint.side_a].bent_face,
-                                        stones[joint.stone_b].sides[joint.side_b].bent_face});
+        const double misfit = misfit_of(joint, stones);
         const bool misfits = misfit > std::min(allowed[joint.stone_a], allowed[joint.stone_b]);
         if (misfits) choice.misfit = std::max(choice.misfit, misfit);
         if (!is_flat(stones, first_of(joint)) || !is_flat(stones, second_of(joint))) {
@@ -174,13 +222,10 @@ std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vec
         const Side& side = stone.sides[key.side];
         Moves& of_component = moves[components.of(key)];
         of_component.allowed = std::max(of_component.allowed, nearly_flat * side.size);
-        for (const int v : side.corners) {
-            const Eigen::Vector3d& drawn = stone.surface->vertices[v];
-            of_component.whole = std::max(of_component.whole, (whole.vertices[key.stone][v] - drawn).norm());
-            of_component.divided = std::max(of_component.divided, (divided.vertices[key.stone][v] - drawn).norm());
-        }
+        of_component.whole = std::max(of_component.whole, move_of(stone, side, whole.vertices[key.stone]));
+        of_component.divided = std::max(of_component.divided, move_of(stone, side, divided.vertices[key.stone]));
     }
-    std::vector<SideOf> bent;
+    std::vector<SideOf> bent = overbent_sides(joints, whole, stones);
     for (const auto& [key, misfit] : whole.misfit) {
         const Moves& of_component = moves.at(components.of(key));
         if (misfit > nearly_flat * stones[key.stone].sides[key.side].size ||
@@ -188,6 +233,22 @@ std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vec
             bent.push_back(key);
     }
     return bent;
+}
+
+bool leave_bent_joints(const SharedShape& shape, const std::vector<SidedStone>& stones, JointChoice& choice)
+{
+    Components components;
+    for (const Facing& joint : choice.joints) components.join(first_of(joint), second_of(joint));
+    std::set<int> bent;
+    for (const SideOf& key : overbent_sides(choice.joints, shape, stones)) bent.insert(components.of(key));
+    std::vector<Facing> kept;
+    for (Facing& joint : choice.joints)
+        if (!bent.contains(components.of(first_of(joint)))) kept.push_back(std::move(joint));
+    const auto left = static_cast<int>(choice.joints.size() - kept.size());
+    choice.left += left;
+    choice.misfitting = std::max(0, choice.misfitting - left);
+    choice.joints = std::move(kept);
+    return left > 0;
 }
 
 }  // namespace voussoir::importers::fit

@@ -34,4 +34,8 @@ std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vec
 std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vector<SidedStone>& stones,
                                const SharedShape& whole, const SharedShape& divided);
 
+/// Takes out the joints that could only be made flat by moving corners far, and what hangs together with them: sides
+/// that face several stones of a curved course and have no edge to be divided at. @returns whether there were any
+bool leave_bent_joints(const SharedShape& shape, const std::vector<SidedStone>& stones, JointChoice& choice);
+
 }  // namespace voussoir::importers::fit

@@ -22,7 +22,7 @@ namespace
 {
 
 constexpr std::size_t many_faces = 2000;  // a stone of more was scanned: its joints are no planes
-constexpr double farthest = 0.15;         // share of a stone's size: corners that had to go further stay
+constexpr double farthest = 0.2;          // share of a stone's size: corners that had to go further stay
 
 double volume_of(const mesh::PolygonSurface& surface)
 {
@@ -173,10 +173,11 @@ Fit fit_joints(const std::vector<mesh::PolygonSurface*>& stones, const FitOption
     fit.misfit_before = drawn.misfit;
     if (drawn.misfitting + drawn.left == 0) return fit;
     if (options.how == FitJoints::shared) divide_sides(options, assembly.stones, joints);
-    const JointChoice choice = choose_joints(assembly.stones, joints, options.planarity);
+    JointChoice choice = choose_joints(assembly.stones, joints, options.planarity);
+    SharedShape shape = share_corners(assembly.stones, choice.joints);
+    if (leave_bent_joints(shape, assembly.stones, choice)) shape = share_corners(assembly.stones, choice.joints);
     fit.joints = choice.misfitting;
     fit.left = choice.left;
-    const SharedShape shape = share_corners(assembly.stones, choice.joints);
     const std::vector<Wanted> wanted = wanted_of(assembly.stones, joints, shape);
     std::vector<std::optional<mesh::PolygonSurface>> surfaces(assembly.stones.size());
     double farthest_shared = 0;

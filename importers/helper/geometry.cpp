@@ -59,23 +59,21 @@ Geometry import_geometry(const std::vector<MeshRequest>& requests, const Geometr
     // Some file kills the helper: each is asked for alone, and those that live are asked for together again.
     std::vector<MeshRequest> survivors;
     std::vector<ImportedMesh> alone;
+    std::vector<bool> survived;
     for (const MeshRequest& request : requests) {
         alone.push_back(import_geometry({request}, limits).meshes.front());
-        if (alone.back().accepted || !alone.back().stones.empty()) survivors.push_back(request);
+        survived.push_back(alone.back().accepted || !alone.back().stones.empty());
+        if (survived.back()) survivors.push_back(request);
     }
     if (survivors.size() < requests.size()) {
         geometry = import_geometry(survivors, limits);
     } else {  // each alone is fine, together they are too much
         for (std::size_t i = 0; i < requests.size(); ++i) alone[i] = refused(requests[i], failure);
-        survivors.clear();
+        survived.assign(requests.size(), false);
     }
     auto survivor = geometry.meshes.begin();
     std::vector<ImportedMesh> merged;
-    for (std::size_t i = 0, s = 0; i < requests.size(); ++i) {
-        const bool survived = s < survivors.size() && survivors[s].file == requests[i].file;
-        merged.push_back(survived ? *survivor++ : alone[i]);
-        s += survived;
-    }
+    for (std::size_t i = 0; i < requests.size(); ++i) merged.push_back(survived[i] ? *survivor++ : alone[i]);
     geometry.meshes = std::move(merged);
     return geometry;
 }

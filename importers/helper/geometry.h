@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "importers/helper/placed_copy.h"
 #include "importers/mesh/marked_feature.h"
 #include "importers/mesh/mesh_formats.h"
 #include "importers/mesh/repair.h"
@@ -92,6 +93,7 @@ struct MeshRequest {
     FitJoints fit_joints = FitJoints::shared;  // what becomes of joints whose two sides were drawn differently
     double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
     mesh::MeshReader reader = mesh::MeshReader::automatic;
+    std::vector<PlacedCopy> copies;  // where its stones stand, metres and z up; none: once, as drawn
 };
 
 /// What the helper may take.

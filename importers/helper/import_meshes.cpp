@@ -116,7 +116,7 @@ std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh&
         judge_rounding(content, mesh);
         for (mesh::PolygonSurface& surface : content.surfaces)
             for (Eigen::Vector3d& x : surface.vertices) x = to_metres_z_up(x, mesh.metres_per_unit, up);
-        return content.surfaces;
+        return placed(std::move(content.surfaces), request.copies);
     } catch (const InputError& error) {
         mesh.reason = sentence(error);
     } catch (const std::bad_alloc&) {
@@ -168,7 +168,8 @@ exact::Certificate shaped(exact::Certificate sound, const fit::FittedStone& fitt
                           const exact::CertifyOptions& options)
 {
     if (!fitted.fitted) {
-        if (!fitted.left.empty()) sound.repairs.push_back("its joints were left as drawn: " + fitted.left);
+        if (!fitted.left.empty())
+            sound.repairs.push_back({"joints left as drawn", "its joints were left as drawn: " + fitted.left});
         return exact::certify_shape(std::move(sound), options);
     }
     exact::CertifyOptions at_joints = options;
@@ -179,7 +180,7 @@ exact::Certificate shaped(exact::Certificate sound, const fit::FittedStone& fitt
     words << "its joints were fitted to its neighbours': corners moved by up to " << fitted.largest_move
           << " m, its volume changed by " << 100 * fitted.volume_change << " %";
     certificate.repairs = std::move(sound.repairs);
-    certificate.repairs.push_back(words.str());
+    certificate.repairs.push_back({"joints fitted", words.str(), 1, "", fitted.largest_move, "m"});
     return certificate;
 }
 

@@ -1,5 +1,7 @@
 #include "importers/helper/repair_summary.h"
 
+#include <sstream>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -65,6 +67,22 @@ std::vector<std::string> all_repairs(const ImportedMesh& mesh)
     for (const mesh::Repair& repair : mesh.repairs) lines.push_back(repair.text);
     for (const Stone& stone : mesh.stones)
         for (const mesh::Repair& repair : stone.repairs) lines.push_back(stone.name + ": " + repair.text);
+    return lines;
+}
+
+std::vector<std::string> in_words(const JointFit& fit)
+{
+    std::vector<std::string> lines;
+    std::ostringstream words;
+    words.precision(3);
+    if (fit.joints > 0) {
+        words << fit.joints << " joints did not fit as drawn, by up to " << fit.misfit_before
+              << " m, and got one surface for both sides; now they fit to " << fit.misfit_after << " m";
+        lines.push_back(words.str());
+    }
+    if (fit.left > 0)
+        lines.push_back(std::to_string(fit.left) +
+                        " joints do not fit and were left as drawn: a side of them is too far from a plane");
     return lines;
 }
 

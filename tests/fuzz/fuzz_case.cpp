@@ -65,6 +65,20 @@ Stone cube(const std::string& name, double z)
     return stone;
 }
 
+/// As the helper places stones; what is no stone then is refused.
+void place(Stone& stone, const PlacedCopy& copy, ImportedMesh& mesh)
+{
+    stone.name += copy.suffix;
+    try {
+        for (ConvexPolyhedron& part : stone.parts) part = placed(std::move(part), copy, stone.name);
+        stone.moments = moments_of(stone.parts);
+    } catch (const InputError& error) {
+        stone.reason = error.what();
+        stone.parts.clear();
+    }
+    mesh.stones.push_back(std::move(stone));
+}
+
 }  // namespace
 
 namespace voussoir::importers::helper
@@ -76,9 +90,12 @@ Geometry import_geometry(const std::vector<MeshRequest>& requests, const Geometr
     for (const MeshRequest& request : requests) {
         ImportedMesh& mesh = geometry.meshes.emplace_back();
         mesh.file = request.file.string();
-        mesh.stones = {cube("base", 0), cube("stone_1", 1), cube("stone_2", 2)};
-        mesh.accepted = request.file.filename() != "refused.obj";
-        if (!mesh.accepted) mesh.reason = mesh.stones.back().reason = "a stone that is not closed";
+        for (const PlacedCopy& copy : request.copies.empty() ? std::vector<PlacedCopy>(1) : request.copies)
+            for (Stone stone : {cube("base", 0), cube("stone_1", 1), cube("stone_2", 2)}) place(stone, copy, mesh);
+        if (request.file.filename() == "refused.obj") mesh.stones.back().reason = "a stone that is not closed";
+        for (const Stone& stone : mesh.stones)
+            if (!stone.reason.empty()) mesh.reason = stone.reason;
+        mesh.accepted = mesh.reason.empty();
         if (request.file.filename() == "overlapping.obj")
             geometry.overlaps.push_back({"stone_1", "stone_2", 1e-3, 1e-3});
     }

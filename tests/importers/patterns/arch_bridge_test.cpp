@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Each, CaseMeshes,
                                          "mosca_bridge_paper_large.obj"));
 INSTANTIATE_TEST_SUITE_P(Each, ShippedMeshes,
                          testing::Values("mosca_bridge.obj", "mosca_bridge_paper.obj",
-                                         "mosca_bridge_paper_large.obj", "dome.obj"));
+                                         "mosca_bridge_paper_large.obj", "surveyed_dome.obj"));
 
 }  // namespace
 }  // namespace voussoir::importers
