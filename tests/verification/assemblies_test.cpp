@@ -106,7 +106,9 @@ Model model_of(const Scene& scene)
     JointMaterial dry;
     dry.name = "dry";
     Model model = make_model(Kinematics::spatial_rigid, {"stone", 2200, 10e9, 0.2}, dry);
-    const importers::helper::Geometry geometry = importers::helper::import_geometry({{.file = scene.mesh}}, {});
+    importers::helper::MeshRequest request;
+    request.file = scene.mesh;
+    const importers::helper::Geometry geometry = importers::helper::import_geometry({request}, {});
     for (const importers::helper::Stone& stone : geometry.meshes.at(0).stones) {
         model.blocks.push_back(make_block(stone.name, 0, 0, stone.parts, stone.moments));
         if (std::count(scene.supports.begin(), scene.supports.end(), stone.name) == 0) continue;

@@ -107,7 +107,7 @@ TEST(Vaults, EveryStoneIsClosedWithFlatFacesAndCertifiedWithoutOverlap)
             EXPECT_EQ(certificate.reason, "") << surface.name;
             EXPECT_GT(patterns::volume_of(surface.vertices, surface.faces), 0) << surface.name;
             for (const mesh::Repair& repair : certificate.repairs)
-                EXPECT_EQ(repair.find("turned"), std::string::npos) << surface.name << ": " << repair;
+                EXPECT_EQ(repair.text.find("orient"), std::string::npos) << surface.name << ": " << repair.text;
             EXPECT_LE(certificate.parts.size(), 2U) << surface.name;
             EXPECT_LT(certificate.volume_error, 1e-8) << surface.name;
             stones.push_back(certificate.parts);
