@@ -273,8 +273,8 @@ Certificate certify_surface(mesh::PolygonSurface surface, const CertifyOptions& 
     draft.surface = std::move(surface);
     draft.options = options;
     draft.certificate.name = draft.surface.name;
-    return finish(std::move(draft), {check_size, weld_vertices, check_closed, orient, check_shells,
-                                     check_crossings, check_volume});
+    return finish(std::move(draft),
+                  {check_size, weld_vertices, check_closed, orient, check_shells, check_crossings, check_volume});
 }
 
 Certificate certify_shape(Certificate sound, const CertifyOptions& options)

@@ -23,8 +23,8 @@ struct CertifyOptions {
     double planarity_tolerance = 1e-5;
     // less than smallest_volume x bounding diagonal^3 is no volume
     double smallest_volume = 1e-9;
-    int max_parts = 64;          // of a concave stone
-    double volume_error = 0.01;  // share of its volume by which the parts of a concave stone may exceed it
+    int max_parts = 64;              // of a concave stone
+    double volume_error = 0.01;      // share of its volume by which the parts of a concave stone may exceed it
     std::vector<CutPlane> joints{};  // of the stone, where they were fitted: concave ones are cut exactly at them
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, added to coordinates in messages
 };

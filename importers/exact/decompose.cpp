@@ -48,8 +48,9 @@ class Cutter
     void cut_all()
     {
         while (static_cast<int>(pieces.size()) < options_.max_parts) {
-            const bool parted = std::all_of(pieces.begin(), pieces.end(),
-                                            [](const Piece& piece) { return piece.at_joints == 0 || piece.stuck; });
+            const bool parted = std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+                return piece.at_joints == 0 || piece.stuck;
+            });
             if (approximate_ && parted && excess() <= options_.volume_error * volume_) return;
             const auto worst = std::max_element(pieces.begin(), pieces.end(),
                                                 [&](const Piece& a, const Piece& b) { return need(a) < need(b); });
@@ -148,7 +149,8 @@ class Cutter
     }
 
     /// What is left of a piece by the best of `count` planes through some of its edges; nothing if none cuts it.
-    std::vector<Piece> best_cut(const Piece& piece, const std::vector<ReentrantEdge>& edges, std::size_t count) const
+    std::vector<Piece> best_cut(const Piece& piece, const std::vector<ReentrantEdge>& edges,
+                                std::size_t count) const
     {
         std::vector<Piece> best;
         for (const CutPlane& plane : cutting_planes(piece.surface, edges, in_plane * diagonal_, count)) {

@@ -75,8 +75,8 @@ extern const std::vector<std::string> stone_level_names;
 /// The names of MeshReader's values, in their order.
 extern const std::vector<std::string> mesh_reader_names;
 
-/// What becomes of joints whose two sides were drawn differently: nothing; a surface for both, a plane where they are
-/// nearly flat; a plane.
+/// What becomes of joints whose two sides were drawn differently: nothing; one plane where they are nearly flat;
+/// one plane, however bent they are, also where both sides were drawn with the same bent surface.
 enum class FitJoints { as_drawn, shared, planar };
 
 /// The names above, in their order.
@@ -91,7 +91,7 @@ struct MeshRequest {
     double planarity = 1e-5;     // share of a stone's diagonal by which a face may bulge and count as flat
     double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
     FitJoints fit_joints = FitJoints::shared;  // what becomes of joints whose two sides were drawn differently
-    double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
+    double close_joints = 0;  // m: facing faces that stand apart by at most this are moved together
     mesh::MeshReader reader = mesh::MeshReader::automatic;
     std::vector<PlacedCopy> copies{};  // where its stones stand, metres and z up; none: once, as drawn
 };

@@ -271,9 +271,8 @@ void certify_shapes(std::vector<exact::Certificate> certificates, const std::vec
     for (std::size_t s = 0; s < certificates.size(); ++s) {
         const std::string name = certificates[s].name;
         try {
-            mesh.stones.push_back(
-                stone_of(shaped(std::move(certificates[s]), fitted[s], certify_options(request, origin)),
-                         fitted[s]));
+            mesh.stones.push_back(stone_of(
+                shaped(std::move(certificates[s]), fitted[s], certify_options(request, origin)), fitted[s]));
         } catch (const std::bad_alloc&) {
             mesh.stones.emplace_back().name = name;
             mesh.stones.back().reason = "certifying it needs more memory than is allowed";
