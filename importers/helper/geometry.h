@@ -76,7 +76,7 @@ struct MeshRequest {
     double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
     double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
     mesh::MeshReader reader = mesh::MeshReader::automatic;
-    std::vector<PlacedCopy> copies;  // where its stones stand, metres and z up; none: once, as drawn
+    std::vector<PlacedCopy> copies = {};  // where its stones stand, metres and z up; none: once, as drawn
 };
 
 /// What the helper may take.
