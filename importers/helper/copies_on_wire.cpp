@@ -8,7 +8,7 @@ namespace voussoir::importers::helper
 
 using nlohmann::json;
 
-json copies_to_json(const std::vector<PlacedCopy>& copies)
+std::string copies_to_json(const std::vector<PlacedCopy>& copies)
 {
     json value = json::array();
     for (const PlacedCopy& copy : copies) {
@@ -17,13 +17,13 @@ json copies_to_json(const std::vector<PlacedCopy>& copies)
         const std::array<double, 3> offset{copy.offset.x(), copy.offset.y(), copy.offset.z()};
         value.push_back({{"linear", linear}, {"offset", offset}, {"suffix", copy.suffix}});
     }
-    return value;
+    return value.dump();
 }
 
-std::vector<PlacedCopy> copies_from_json(const json& value)
+std::vector<PlacedCopy> copies_from_json(const std::string& text)
 {
     std::vector<PlacedCopy> copies;
-    for (const json& entry : value) {
+    for (const json& entry : json::parse(text)) {
         const auto linear = entry.at("linear").get<std::array<double, 9>>();
         const auto offset = entry.at("offset").get<std::array<double, 3>>();
         copies.push_back({Eigen::Map<const Eigen::Matrix3d>(linear.data()),

@@ -1,7 +1,7 @@
-// The places of copies as JSON, for the request to the helper program.
+// The places of copies as JSON text, for the request to the helper program.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
 #include "importers/helper/placed_copy.h"
@@ -10,9 +10,9 @@ namespace voussoir::importers::helper
 {
 
 /// A list of maps with `linear` (columns), `offset` and `suffix`.
-nlohmann::json copies_to_json(const std::vector<PlacedCopy>& copies);
+std::string copies_to_json(const std::vector<PlacedCopy>& copies);
 
-/// @throws nlohmann::json::exception when it is no such list
-std::vector<PlacedCopy> copies_from_json(const nlohmann::json& value);
+/// @throws std::exception when it is no such list
+std::vector<PlacedCopy> copies_from_json(const std::string& text);
 
 }  // namespace voussoir::importers::helper
