@@ -17,7 +17,7 @@ std::string copies_to_json(const std::vector<PlacedCopy>& copies)
         const std::array<double, 3> offset{copy.offset.x(), copy.offset.y(), copy.offset.z()};
         value.push_back({{"linear", linear}, {"offset", offset}, {"suffix", copy.suffix}});
     }
-    return value.dump();
+    return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::vector<PlacedCopy> copies_from_json(const std::string& text)
