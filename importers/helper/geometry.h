@@ -93,7 +93,7 @@ struct MeshRequest {
     FitJoints fit_joints = FitJoints::shared;  // what becomes of joints whose two sides were drawn differently
     double close_joints = 0;  // m: facing faces that stand apart by at most this are moved together
     mesh::MeshReader reader = mesh::MeshReader::automatic;
-    std::vector<PlacedCopy> copies{};  // where its stones stand, metres and z up; none: once, as drawn
+    std::vector<PlacedCopy> copies = {};  // where its stones stand, metres and z up; none: once, as drawn
 };
 
 /// What the helper may take.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "importers/helper/copies_on_wire.h"
 #include "libdda/errors.h"
 
 namespace voussoir::importers::helper
@@ -205,29 +206,6 @@ json to_json_value(const ImportedMesh& mesh)
             {"stones", std::move(stones)}};
 }
 
-json to_json_value(const std::vector<PlacedCopy>& copies)
-{
-    json value = json::array();
-    for (const PlacedCopy& copy : copies) {
-        json linear = json::array();
-        for (int k = 0; k < 3; ++k) linear.push_back(to_json_value(Eigen::Vector3d(copy.linear.col(k))));
-        value.push_back({{"linear", linear}, {"offset", to_json_value(copy.offset)}, {"suffix", copy.suffix}});
-    }
-    return value;
-}
-
-std::vector<PlacedCopy> copies_from(const json& value)
-{
-    std::vector<PlacedCopy> copies;
-    for (const json& entry : value) {
-        PlacedCopy& copy = copies.emplace_back();
-        for (int k = 0; k < 3; ++k) copy.linear.col(k) = vector_from(entry.at("linear").at(k));
-        copy.offset = vector_from(entry.at("offset"));
-        copy.suffix = entry.at("suffix");
-    }
-    return copies;
-}
-
 /// @throws InputError when it names no reader
 mesh::MeshReader reader_from(const json& value)
 {
@@ -278,7 +256,7 @@ std::string to_json(const HelperRequest& request)
                           {"volume_error", mesh.volume_error},
                           {"fit_joints", fit_joints_names.at(static_cast<std::size_t>(mesh.fit_joints))},
                           {"close_joints", mesh.close_joints},
-                          {"copies", to_json_value(mesh.copies)},
+                          {"copies", copies_to_json(mesh.copies)},
                           {"reader", mesh_reader_names.at(static_cast<std::size_t>(mesh.reader))}});
     try {
         return json{{"meshes", meshes}, {"seconds", request.limits.seconds}, {"bytes", request.limits.bytes}}
@@ -299,7 +277,7 @@ HelperRequest request_from_json(const std::string& text)
                                   static_cast<StoneLevel>(mesh.at("stones").get<int>()),
                                   mesh.at("planarity").get<double>(), mesh.at("volume_error").get<double>(),
                                   fit_joints_from(mesh.at("fit_joints")), mesh.at("close_joints").get<double>(),
-                                  reader_from(mesh.at("reader")), copies_from(mesh.at("copies"))});
+                                  reader_from(mesh.at("reader")), copies_from_json(mesh.at("copies"))});
     return request;
 }
 
