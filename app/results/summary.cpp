@@ -1,9 +1,9 @@
 #include "app/results/summary.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/results/energy_terms.h"
+#include "app/results/joint_summary.h"
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
 #include "app/version/version.h"
@@ -105,8 +105,8 @@ double state_bytes_per_block(const State& state, std::size_t blocks)
 
 }  // namespace
 
-std::string summary_json(const Case& the_case, const State& state, const RunReport& report,
-                         const CommandTimes& times, const std::vector<std::string>& files)
+std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& joints, const State& state,
+                         const RunReport& report, const CommandTimes& times, const std::vector<std::string>& files)
 {
     const Model& model = the_case.model;
     std::vector<std::string> warnings = the_case.warnings;
@@ -144,6 +144,7 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
     json["energy"] = energy(report.energy);
     json["fallen_blocks"] = fallen_blocks(model, report.fallen);
     if (has_compressive_strength(model)) json["crushed_joints"] = crushed_joints(model, report.crushed);
+    json["joints"] = joint_summary(model, joints, state, report);
     json["motions"] = motions(the_case.motions);
     json["overrides"] = the_case.overrides;
     json["defaults"] = the_case.defaults;

@@ -7,7 +7,6 @@
 #include "app/words/diagnosis_words.h"
 #include "importers/process/thread_time.h"
 #include "libdda/analysis/joint_openings.h"
-#include "libdda/contact/initial_contacts.h"
 #include "libdda/run/run.h"
 
 namespace voussoir::app::studies::ensemble
@@ -40,18 +39,14 @@ class OpeningBook
     void look(const State& state, MemberRun& run)
     {
         if (state.time == 0) {  // at rest: what a static stage ends with replaces what was before
-            State touching = state;
-            find_initial_contacts(model_, touching);
-            joints_ = joints_of(model_, touching);
+            joints_ = joints_at_start(model_, state);
             opened_.assign(joints_.size(), false);
-            at_rest_.clear();
-            for (const WatchedJoint& joint : joints_)
-                at_rest_.push_back(std::max(opening_of(joint, model_, state), 0.0));
         }
         run.joints = static_cast<int>(joints_.size());
         run.open = 0;
+        const std::vector<PlacedBlock> blocks = placed_blocks(model_, state);
         for (std::size_t i = 0; i < joints_.size(); ++i) {
-            const double opening = opening_of(joints_[i], model_, state) - at_rest_[i];
+            const double opening = motion_of(joints_[i], blocks).opening;
             run.largest_opening = std::max(run.largest_opening, opening);
             run.open += opening > limit_;
             if (opening > limit_) opened_[i] = true;
@@ -63,7 +58,6 @@ class OpeningBook
     const Model& model_;
     double limit_;
     std::vector<WatchedJoint> joints_;
-    std::vector<double> at_rest_;  // m, gaps that joints have before the motion begins
     std::vector<bool> opened_;
 };
 

@@ -28,6 +28,7 @@ std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
     add(impact_benchmarks());
     add(made_planar(tower_benchmarks(), false));
     add(made_planar(bridge_benchmarks(), false));
+    add(made_planar(opening_benchmarks(), false));
     return all;
 }
 

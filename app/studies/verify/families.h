@@ -39,6 +39,9 @@ std::vector<Benchmark> tower_benchmarks();
 /// Mosca's bridge. Source: [Ma1996].
 std::vector<Benchmark> bridge_benchmarks();
 
+/// Openings and slips of joints against geometry: a rocking block, an arch with four hinges, a sheared bond.
+std::vector<Benchmark> opening_benchmarks();
+
 /// A mass under a constant force with damping per step and per second. Source: [YagodaBiranHatzor2017], 4.2.2.
 std::vector<Benchmark> kinetic_damping_benchmarks();
 

@@ -52,7 +52,7 @@ TEST_P(PlanarResults, EveryVectorHasTwoComponents)
     EXPECT_EQ(file.extents("/frames/ground_displacement"), (Extents{3, 2}));
     for (const char* vector : {"force", "centre", "normal", "pressure_centre"})
         EXPECT_EQ(file.extents(std::string("/frames/joints/") + vector), (Extents{joints, 2})) << vector;
-    EXPECT_EQ(file.extents("/frames/joints/moment"), (Extents{joints}));
+    EXPECT_EQ(file.extents("/frames/contacts/moment"), (Extents{joints}));
     const std::uint64_t unknowns = is_deformable(GetParam()) ? 6 : 3;
     EXPECT_EQ(file.extents("/frames/coordinates"), (Extents{3, n, unknowns}));
     EXPECT_EQ(file.extents("/frames/velocities"), (Extents{3, n, unknowns}));

@@ -56,6 +56,10 @@ TEST(DynamicBenchmarks, Tower)
 {
     run_and_judge(tower_benchmarks());
 }
+TEST(DynamicBenchmarks, Openings)
+{
+    run_and_judge(opening_benchmarks());
+}
 TEST(DynamicBenchmarks, KineticDamping)
 {
     run_and_judge(kinetic_damping_benchmarks());

@@ -1,0 +1,229 @@
+// Openings and slips of joints against geometry: a rocking block, the hinges of an arch that becomes a mechanism,
+// the beds and head joint of a sheared running bond.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include "app/studies/verify/families.h"
+#include "app/studies/verify/picture.h"
+#include "app/studies/verify/run_scene.h"
+#include "libdda/analysis/joint_openings.h"
+
+namespace voussoir::app::studies::verify
+{
+
+namespace
+{
+
+using Eigen::Vector3d;
+
+constexpr double stiff = 1e12;  // Pa: what contacts yield by is not in the geometry
+
+/// What geometry says of a joint.
+struct Expected {
+    double opening = 0, slip = 0;  // m
+};
+using Geometry = std::function<Expected(const WatchedJoint& joint, const State& now)>;
+
+/// A rough joint. @param depth of a block [m]
+JointMaterial rough(const scenes::SceneSetting& setting, double depth)
+{
+    return scenes::dry_joint_at_angle(std::numbers::pi / 3, scenes::stiffness_by_rule(setting, depth / stiff));
+}
+
+/// Runs the scene and compares every joint at the end of every step of its last stage.
+VerifyResult compare(const scenes::StagedScene& scene, const Geometry& geometry)
+{
+    VerifyResult result;
+    State state = initial_state(scene.model);
+    const std::vector<WatchedJoint> joints = joints_at_start(scene.model, state);
+    std::vector<double> times, openings, expected;
+    double opening_error = 0, slip_error = 0, most_slip = 0;
+    RunObserver observer;
+    observer.step = [&](const State& now, const StepReport&, const RunReport&) {
+        if (now.stage == 0) return;
+        const std::vector<PlacedBlock> blocks = placed_blocks(scene.model, now);
+        double largest = 0, largest_expected = 0;
+        for (const WatchedJoint& joint : joints) {
+            const JointMotion motion = motion_of(joint, blocks);
+            const Expected exact = geometry(joint, now);
+            opening_error = std::max(opening_error, std::abs(motion.opening - exact.opening));
+            for (const double slip : {motion.slip, motion.largest_slip})
+                slip_error = std::max(slip_error, std::abs(slip - exact.slip));
+            largest = std::max(largest, motion.opening);
+            largest_expected = std::max(largest_expected, exact.opening);
+            most_slip = std::max(most_slip, exact.slip);
+        }
+        times.push_back(now.stage_time);
+        openings.push_back(largest);
+        expected.push_back(largest_expected);
+    };
+    run_scene(scene, state, observer, result);
+    if (openings.empty()) return result;
+    result.error = std::max(opening_error, slip_error);
+    result.answer = {*std::max_element(openings.begin(), openings.end())};
+    result.note = fmt::format(
+        "{} joints, opening up to {:.1f} mm, slip up to {:.1f} mm; openings to {:.1e} m, slips to {:.1e} m",
+        joints.size(), 1e3 * result.answer[0], 1e3 * most_slip, opening_error, slip_error);
+    result.picture =
+        linear_diagram("time [s]", "largest opening [m]",
+                       {curve_of("reference", times, expected, true), curve_of("engine", times, openings)});
+    return result;
+}
+
+/// The chord of the arc that the far edge of a joint describes about the other edge, when its blocks have turned
+/// against each other by so much; nothing slides. @param width of the joint [m]
+Expected hinge(const Model& model, const WatchedJoint& joint, const State& now, double width)
+{
+    const double turn = lean_of(model, now, joint.block_a) - lean_of(model, now, joint.block_b);
+    return {2 * width * std::abs(std::sin(turn / 2)), 0};
+}
+
+Stage shaken(const scenes::SceneSetting& setting, double duration, double amplitude, int foundations)
+{
+    Stage stage = scenes::dynamic_stage(setting, duration);
+    const auto pulse = std::make_shared<const GroundMotion>(
+        GroundMotion::sine_acceleration(amplitude, 0.5 / duration, 0, duration));
+    for (int foundation = 0; foundation < foundations; ++foundation)
+        stage.motions.push_back({foundation, 0, pulse});
+    return stage;
+}
+
+VerifyResult run_rocking(const scenes::SceneSetting& setting)
+{
+    constexpr double width = 0.4, height = 1.2;  // m
+    scenes::StagedScene scene;
+    scene.model = scenes::make_scene_model(setting, {"stone", 2500, stiff, 0.2}, rough(setting, height), 1);
+    scenes::hold(scene.model, scenes::add_box(scene.model, "base", {-3, -0.5, -1}, {3, 0.5, 0}));
+    scenes::add_box(scene.model, "block", {-width / 2, -0.5, 0}, {width / 2, 0.5, height});
+    scene.stages = {scenes::static_stage(setting), shaken(setting, 0.5, 5, 1)};
+    return compare(
+        scene, [&](const WatchedJoint& joint, const State& now) { return hinge(scene.model, joint, now, width); });
+}
+
+constexpr double inner = 4.6, thickness = 0.8;  // m, of the half-round arch
+
+/// A prism across the arch, its section a quadrilateral between two radii, or a corner of an abutment.
+void add_voussoir(Model& model, const std::string& name, double from, double to)
+{
+    std::vector<Vector3d> vertices;
+    for (const double y : {-0.5, 0.5})
+        for (const double angle : {from, to})
+            for (const double radius : {inner, inner + thickness})
+                vertices.emplace_back(-radius * std::cos(angle), y, radius * std::sin(angle));
+    const ConvexPolyhedron shape = make_convex_polyhedron(
+        vertices, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}, name);
+    double depth = 0;
+    model.blocks.push_back(is_planar(model.kinematics)
+                               ? make_planar_block(name, 0, 0, {outline_of(shape, depth, name)}, model.thickness)
+                               : make_block(name, 0, 0, {shape}));
+}
+
+VerifyResult run_arch(const scenes::SceneSetting& setting)
+{
+    constexpr int stones = 9;
+    scenes::StagedScene scene;
+    scene.model = scenes::make_scene_model(setting, {"stone", 2500, stiff, 0.2}, rough(setting, 2), 1);
+    for (const double side : {-1.0, 1.0}) {
+        const double near = side * inner, far = side * (inner + thickness);
+        scenes::hold(scene.model, scenes::add_box(scene.model, side < 0 ? "left" : "right",
+                                                  {std::min(near, far), -0.5, -1}, {std::max(near, far), 0.5, 0}));
+    }
+    for (int i = 0; i < stones; ++i)
+        add_voussoir(scene.model, fmt::format("voussoir {}", i + 1), std::numbers::pi * i / stones,
+                     std::numbers::pi * (i + 1) / stones);
+    scene.stages = {scenes::static_stage(setting), shaken(setting, 0.4, 8, 2)};
+    return compare(scene, [&](const WatchedJoint& joint, const State& now) {
+        return hinge(scene.model, joint, now, thickness);
+    });
+}
+
+/// A stone of the upper course is led along x and lies with its weight on the lower one.
+void lead(Model& model, int block)
+{
+    scenes::hold(model, block);
+    model.foundations.back().translation_held = {true, true, false};
+}
+
+/// Three stones below, two above, all led sideways by motions of their own, each further to the right than the one
+/// before: the beds slip, and the head joint of the upper course opens.
+VerifyResult run_bond(const scenes::SceneSetting& setting)
+{
+    constexpr double length = 0.5, height = 0.25;  // m
+    scenes::StagedScene scene;
+    Model& model = scene.model;
+    model = scenes::make_scene_model(setting, {"stone", 2000, stiff, 0.2}, rough(setting, height), 0.25);
+    const auto add = [&](const char* name, double from, double z) {
+        return scenes::add_box(model, name, {from, -0.125, z}, {from + length, 0.125, z + height});
+    };
+    for (int i = 0; i < 3; ++i) scenes::hold(model, add(fmt::format("lower {}", i + 1).c_str(), i * length, 0));
+    for (int i = 0; i < 2; ++i)
+        lead(model, add(fmt::format("upper {}", i + 1).c_str(), (i + 0.5) * length, height));
+    Stage shear = scenes::dynamic_stage(setting, 0.5);
+    const double amplitudes[] = {0, 0.2, 0.5, 0.05, 0.3};  // m/s2
+    std::vector<std::shared_ptr<const GroundMotion>> motions;
+    for (int block = 0; block < 5; ++block) {
+        motions.push_back(
+            std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(amplitudes[block], 1, 0, 0.5)));
+        shear.motions.push_back({block, 0, motions.back()});
+    }
+    scene.stages = {scenes::static_stage(setting), shear};
+    return compare(scene, [&](const WatchedJoint& joint, const State& now) {
+        const auto moved = [&](int block) {
+            return motions[static_cast<std::size_t>(block)]->displacement(now.stage_time);
+        };
+        const double apart = moved(joint.block_b) - moved(joint.block_a);
+        const bool is_head = std::abs(joint.normal.x()) > 0.5;
+        return is_head ? Expected{apart, 0} : Expected{0, std::abs(apart)};
+    });
+}
+
+Benchmark row(const std::string& name, const std::string& title, const std::string& choices,
+              std::function<VerifyResult(const scenes::SceneSetting&)> run)
+{
+    Benchmark benchmark;
+    benchmark.name = name;
+    benchmark.title = title;
+    benchmark.source = "geometry";
+    benchmark.quantity = "largest |opening or slip of a joint - that of the geometry| in metres";
+    benchmark.choices =
+        choices + " The stones are rigid, the contacts those of 1e12 Pa: what they yield by is the error.";
+    benchmark.setting.time_step = 1e-3;
+    benchmark.tolerance = 1e-6;
+    benchmark.sweep = sweep_of(benchmark.setting, {2e-3, 1e-3, 5e-4, 2.5e-4});
+    for (const double factor : {0.01, 0.1, 10.0}) {
+        benchmark.sweep.push_back(benchmark.setting);
+        benchmark.sweep.back().stiffness_factor = factor;
+    }
+    benchmark.run = std::move(run);
+    return benchmark;
+}
+
+}  // namespace
+
+std::vector<Benchmark> opening_benchmarks()
+{
+    return {
+        row("joint-rocking-block", "The joint under a rocking block",
+            "A block of 0.4 m x 1.2 m is tilted by a half sine of 5 m/s2 of its base. The joint opens by the "
+            "chord 2 "
+            "w sin(theta/2) that belongs to the block's rotation theta and the width w, and does not slip.",
+            run_rocking),
+        row("joint-four-hinge-arch", "The hinges of an arch that becomes a mechanism",
+            "A half-round arch of nine stones, 0.8 m thick on a mean radius of 5 m, is shaken by a half sine of 8 "
+            "m/s2 "
+            "and turns about four hinges. Each joint opens by the chord that belongs to the rotations of its two "
+            "stones and to its depth, the closed ones by nothing, and none slips.",
+            run_arch),
+        row("joint-running-bond", "A sheared running bond",
+            "Three stones below and two above are led sideways, each by a motion of its own, the upper ones lying "
+            "with their weight on the lower. Beds slip and the head joint opens by the differences of the "
+            "motions.",
+            run_bond)};
+}
+
+}  // namespace voussoir::app::studies::verify
