@@ -89,7 +89,7 @@ GrowingFile::GrowingFile(const std::filesystem::path& path, const Case& the_case
     for (const GrowingDataset& dataset : datasets) {
         const std::string group = dataset.name.substr(0, dataset.name.rfind('/'));
         if (!file_.has(group)) file_.make_group(group);
-        series_.push_back(file_.make_series(dataset.name, dataset.type, dataset.row));
+        series_.push_back(file_.make_series(dataset.name, dataset.type, dataset.row, dataset.chunk_bytes));
         if (!dataset.columns.empty()) file_.attribute(dataset.name, "columns", dataset.columns);
     }
     file_.write("/frames/count", std::vector<std::int64_t>{0});

@@ -67,9 +67,10 @@ void add_joint_datasets(const std::vector<WatchedJoint>& joints, std::vector<Gro
 {
     if (joints.empty()) return;
     const Extents row = {joints.size()};
+    constexpr std::uint64_t chunk_bytes = 1U << 15;  // there are many of them, and short runs should stay small
     for (const JointColumn& column : columns)
-        datasets.push_back({dataset(column.name), ElementType::float32, row, {}});
-    if (any_bonded(joints)) datasets.push_back({dataset("broken"), ElementType::int32, row, {}});
+        datasets.push_back({dataset(column.name), ElementType::float32, row, {}, chunk_bytes});
+    if (any_bonded(joints)) datasets.push_back({dataset("broken"), ElementType::int32, row, {}, chunk_bytes});
 }
 
 void add_joint_rows(const std::vector<WatchedJoint>& joints, const std::vector<JointNow>& now,

@@ -1,10 +1,11 @@
 #include "app/results/joint_summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <optional>
-
-#include "libdda/analysis/joints_now.h"
 
 namespace voussoir::app::results
 {
@@ -19,22 +20,28 @@ Json time_or_null(const std::optional<double>& time)
     return time ? Json(*time) : Json(nullptr);
 }
 
+/// As many digits as results.h5 has.
+double short_number(double value)
+{
+    return std::strtod(fmt::format("{:.7g}", value).c_str(), nullptr);
+}
+
 Json entry(const Model& model, const WatchedJoint& joint, const JointNow& now, const JointPeaks& peaks)
 {
     return {{"blocks", {model.blocks[joint.block_a].name, model.blocks[joint.block_b].name}},
-            {"area_m2", joint.area},
-            {"facing_area_m2", joint.facing_area},
-            {"area_in_use_m2", now.area_in_use},
-            {"opening_m", now.motion.opening},
-            {"mean_opening_m", now.motion.mean_opening},
-            {"largest_opening_m", peaks.opening},
+            {"area_m2", short_number(joint.area)},
+            {"facing_area_m2", short_number(joint.facing_area)},
+            {"area_in_use_m2", short_number(now.area_in_use)},
+            {"opening_m", short_number(now.motion.opening)},
+            {"mean_opening_m", short_number(now.motion.mean_opening)},
+            {"largest_opening_m", short_number(peaks.opening)},
             {"opened_time_s", time_or_null(peaks.opened)},
-            {"slip_m", now.motion.slip},
-            {"largest_slip_m", peaks.slip},
+            {"slip_m", short_number(now.motion.slip)},
+            {"largest_slip_m", short_number(peaks.slip)},
             {"slid_time_s", time_or_null(peaks.slid)},
-            {"normal_force_N", now.normal_force},
-            {"shear_force_N", now.shear_force},
-            {"eccentricity_m", now.eccentricity},
+            {"normal_force_N", short_number(now.normal_force)},
+            {"shear_force_N", short_number(now.shear_force)},
+            {"eccentricity_m", short_number(now.eccentricity)},
             {"broken", now.broken}};
 }
 
@@ -54,24 +61,31 @@ std::vector<std::size_t> listed(const std::vector<JointPeaks>& peaks)
 
 }  // namespace
 
-Json joint_summary(const Model& model, const std::vector<WatchedJoint>& joints, const State& state,
-                   const RunReport& report)
+Json joint_counts(const std::vector<JointPeaks>& peaks, const std::vector<JointNow>& now)
 {
-    const std::vector<JointNow> now = joints_now(model, joints, state, joint_resultants(model, state));
-    const std::vector<JointPeaks>& peaks = report.joints;
     const auto have = [&](const std::optional<double> JointPeaks::*time) {
         return std::count_if(peaks.begin(), peaks.end(),
                              [&](const JointPeaks& joint) { return (joint.*time).has_value(); });
     };
-    Json list = Json::array();
-    for (const std::size_t i : listed(peaks)) list.push_back(entry(model, joints[i], now[i], peaks[i]));
-    return {{"count", joints.size()},
+    return {{"count", peaks.size()},
             {"opened", have(&JointPeaks::opened)},
             {"slid", have(&JointPeaks::slid)},
             {"broken", std::count_if(now.begin(), now.end(), [](const JointNow& joint) { return joint.broken; })},
             {"counts_from_m", noteworthy_opening},
-            {"listed", list.size()},
-            {"list", list}};
+            {"listed", std::min(peaks.size(), most_listed_joints)},
+            {"list", Json::array()}};
+}
+
+std::string joint_lines(const Model& model, const std::vector<WatchedJoint>& joints,
+                        const std::vector<JointPeaks>& peaks, const std::vector<JointNow>& now)
+{
+    std::string lines;
+    for (const std::size_t i : listed(peaks)) {
+        if (!lines.empty()) lines += ",";
+        lines += "\n      " +
+                 entry(model, joints[i], now[i], peaks[i]).dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+    return lines;
 }
 
 }  // namespace voussoir::app::results

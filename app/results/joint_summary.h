@@ -2,10 +2,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
-#include "libdda/analysis/joint_openings.h"
-#include "libdda/model/report.h"
+#include "libdda/analysis/joints_now.h"
 
 namespace voussoir::app::results
 {
@@ -13,9 +13,13 @@ namespace voussoir::app::results
 /// More joints than this are not listed: those that opened or slid most are.
 constexpr std::size_t most_listed_joints = 1000;
 
-/// How many joints there are, how many have opened, slid, broken, and a list of them in the order of /joints in
-/// results.h5. @param joints of the start of the run; the report has an entry for each
-nlohmann::ordered_json joint_summary(const Model& model, const std::vector<WatchedJoint>& joints,
-                                     const State& state, const RunReport& report);
+/// How many joints there are, and how many have opened, slid, broken; the `list` of them is empty.
+nlohmann::ordered_json joint_counts(const std::vector<JointPeaks>& peaks, const std::vector<JointNow>& now);
+
+/// The list: a line for each joint, in the order of /joints in results.h5, lengths, areas and forces to seven
+/// digits.
+/// @param joints of the start of the run; @param peaks, now of each of them
+std::string joint_lines(const Model& model, const std::vector<WatchedJoint>& joints,
+                        const std::vector<JointPeaks>& peaks, const std::vector<JointNow>& now);
 
 }  // namespace voussoir::app::results

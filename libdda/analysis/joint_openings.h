@@ -15,7 +15,7 @@
 namespace voussoir
 {
 
-/// An opening or a slip larger than this is told [m]: about the finest crack that a gauge shows.
+/// From where on a joint counts as opened, or slid [m]: the finest crack that a gauge shows.
 constexpr double noteworthy_opening = 1e-4;
 
 /// A corner of a facing area: two material points that faced each other at the start.
@@ -39,7 +39,7 @@ struct WatchedJoint {
     bool bonded = false;                               // it has tensile strength or cohesion at the start
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // m, of the facing area at the start
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, outward from b; mean over that area
-    std::vector<FacingPatch> patches;
+    std::vector<FacingPatch> patches;                  // that the facing area is made of
 };
 
 /// Two faces face each other when their outward normals are within this angle of opposite [rad].
@@ -51,28 +51,32 @@ double touching_distance(const Model& model, int block_a, int block_b);
 /// The joints of a run that begins with this state, in ascending order of the pair.
 std::vector<WatchedJoint> joints_at_start(const Model& model, const State& start);
 
-/// Places of all blocks, and how the normals of their faces turn.
+/// Where a block is, and how the normals of its faces turn.
 struct PlacedBlock {
-    Pose pose;
-    Eigen::Matrix3d turn;  // cofactors of the map: normals of area go with them
+    Pose pose;             // of its material points
+    Eigen::Matrix3d turn;  // of normals: the cofactors of the map
 };
+
+/// All blocks of a state.
 std::vector<PlacedBlock> placed_blocks(const Model& model, const State& state);
 
 /// What a joint has done since the start. Each pair of points is measured along the mean of the normals of its two
-/// faces as they are now: two blocks that turn about a common hinge open and do not slide.
+/// faces as they are now: two blocks that turn about a common edge open and do not slip.
 struct JointMotion {
     double opening = 0;       // m, largest at a corner of the facing area; 0 when closed all over
     double mean_opening = 0;  // m, over that area; < 0: pressed together
     double slip = 0;          // m, mean over that area of how far its points have moved along the joint
     double largest_slip = 0;  // m, of a corner of it
 };
+
+/// Of a joint whose blocks stand like this. @param blocks all of the state
 JointMotion motion_of(const WatchedJoint& joint, std::span<const PlacedBlock> blocks);
+
+/// The entries of report.joints when a run begins.
+std::vector<JointPeaks> no_peaks(const std::vector<WatchedJoint>& joints);
 
 /// Brings report.joints, one entry for each joint, up to this state.
 void note_joints(const Model& model, const std::vector<WatchedJoint>& joints, const State& state,
                  RunReport& report);
-
-/// Entries of a run that begins.
-std::vector<JointPeaks> no_peaks(const std::vector<WatchedJoint>& joints);
 
 }  // namespace voussoir

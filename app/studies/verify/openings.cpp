@@ -136,7 +136,7 @@ VerifyResult run_arch(const scenes::SceneSetting& setting)
     for (int i = 0; i < stones; ++i)
         add_voussoir(scene.model, fmt::format("voussoir {}", i + 1), std::numbers::pi * i / stones,
                      std::numbers::pi * (i + 1) / stones);
-    scene.stages = {scenes::static_stage(setting), shaken(setting, 0.4, 8, 2)};
+    scene.stages = {scenes::static_stage(setting), shaken(setting, 0.4, 6, 2)};
     return compare(scene, [&](const WatchedJoint& joint, const State& now) {
         return hinge(scene.model, joint, now, thickness);
     });

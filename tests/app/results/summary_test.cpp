@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/results/hdf5_file.h"
 #include "app/results/results_writer.h"
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"

@@ -146,8 +146,9 @@ TEST_P(JointOpenings, FacesThatGapeTouchNearTheirEdgeOnly)
     const std::vector<WatchedJoint> joints = joints_at_start(model_, start_);
     ASSERT_EQ(joints.size(), 1u);
     const double touching = touching_distance(model_, 0, 1) / std::sin(angle);
-    EXPECT_NEAR(joints[0].area, width(), 1e-9);
-    EXPECT_NEAR(joints[0].facing_area, touching * width(), 1e-9);
+    const double seen = is_planar(GetParam()) ? 1 : std::cos(angle);  // polygons are measured on the floor
+    EXPECT_NEAR(joints[0].area, seen * width(), 1e-9);
+    EXPECT_NEAR(joints[0].facing_area, seen * touching * width(), 1e-9);
     EXPECT_NEAR(motion(start_).opening, 0, 1e-12);
     const JointMotion further = motion(rocked(angle + 1e-3));
     EXPECT_NEAR(further.opening, 1e-3 * touching, 1e-6 * touching);
@@ -220,7 +221,7 @@ TEST_P(JointOpenings, ForcesAreThoseOfTheWholeJoint)
     EXPECT_NEAR(now.normal_force, weight * std::cos(slope), 1e-4 * weight);
     EXPECT_NEAR(now.shear_force, weight * std::sin(slope), 1e-4 * weight);
     EXPECT_NEAR(now.eccentricity, 0.2 * std::tan(slope), 1e-4);
-    EXPECT_NEAR(now.area_in_use, width(), 1e-9);
+    EXPECT_NEAR(now.area_in_use, width(), 1e-6);
     EXPECT_EQ(now.motion.opening, 0) << "within the kern";
     EXPECT_FALSE(now.broken);
 }
