@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 
@@ -61,19 +62,21 @@ std::vector<std::size_t> listed(const std::vector<JointPeaks>& peaks)
 
 }  // namespace
 
-Json joint_counts(const std::vector<JointPeaks>& peaks, const std::vector<JointNow>& now)
+std::string joint_counts(const std::vector<JointPeaks>& peaks, const std::vector<JointNow>& now)
 {
     const auto have = [&](const std::optional<double> JointPeaks::*time) {
         return std::count_if(peaks.begin(), peaks.end(),
                              [&](const JointPeaks& joint) { return (joint.*time).has_value(); });
     };
-    return {{"count", peaks.size()},
-            {"opened", have(&JointPeaks::opened)},
-            {"slid", have(&JointPeaks::slid)},
-            {"broken", std::count_if(now.begin(), now.end(), [](const JointNow& joint) { return joint.broken; })},
-            {"counts_from_m", noteworthy_opening},
-            {"listed", std::min(peaks.size(), most_listed_joints)},
-            {"list", Json::array()}};
+    const Json json = {
+        {"count", peaks.size()},
+        {"opened", have(&JointPeaks::opened)},
+        {"slid", have(&JointPeaks::slid)},
+        {"broken", std::count_if(now.begin(), now.end(), [](const JointNow& joint) { return joint.broken; })},
+        {"counts_from_m", noteworthy_opening},
+        {"listed", std::min(peaks.size(), most_listed_joints)},
+        {"list", Json::array()}};
+    return json.dump();
 }
 
 std::string joint_lines(const Model& model, const std::vector<WatchedJoint>& joints,

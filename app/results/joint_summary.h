@@ -1,7 +1,6 @@
 // The joints of a run in its summary.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,8 +12,8 @@ namespace voussoir::app::results
 /// More joints than this are not listed: those that opened or slid most are.
 constexpr std::size_t most_listed_joints = 1000;
 
-/// How many joints there are, and how many have opened, slid, broken; the `list` of them is empty.
-nlohmann::ordered_json joint_counts(const std::vector<JointPeaks>& peaks, const std::vector<JointNow>& now);
+/// JSON: how many joints there are, how many have opened, slid, broken; the `list` of them is empty.
+std::string joint_counts(const std::vector<JointPeaks>& peaks, const std::vector<JointNow>& now);
 
 /// The list: a line for each joint, in the order of /joints in results.h5, lengths, areas and forces to seven
 /// digits.

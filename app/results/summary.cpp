@@ -1,5 +1,6 @@
 #include "app/results/summary.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/results/energy_terms.h"
@@ -154,7 +155,7 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
     json["fallen_blocks"] = fallen_blocks(model, report.fallen);
     if (has_compressive_strength(model)) json["crushed_joints"] = crushed_joints(model, report.crushed);
     const std::vector<JointNow> now = joints_now(model, joints, state, joint_resultants(model, state));
-    json["joints"] = joint_counts(report.joints, now);
+    json["joints"] = Json::parse(joint_counts(report.joints, now));
     json["motions"] = motions(the_case.motions);
     json["overrides"] = the_case.overrides;
     json["defaults"] = the_case.defaults;
