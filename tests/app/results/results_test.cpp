@@ -125,6 +125,21 @@ TEST_P(AllKinematics, JointsComeBackInEveryFrame)
     }
 }
 
+TEST_P(AllKinematics, BondsThatAreLostAreToldOnlyWhereThereAreAny)
+{
+    const TemporaryFolder dry_folder, folder;
+    const Hdf5File dry = Hdf5File::open(write_run(synthetic::arch(GetParam()), dry_folder.path()));
+    EXPECT_FALSE(dry.has("/joints/bonded"));
+    EXPECT_FALSE(dry.has("/frames/joints/broken"));
+    Case mortared = synthetic::arch(GetParam());
+    mortared.model.joints[0].tensile_strength = 1e5;
+    const ResultsReader reader(write_run(mortared, folder.path()));
+    for (const WatchedJoint& joint : reader.model.joints) EXPECT_TRUE(joint.bonded);
+    for (const JointNow& joint : reader.frame(0).joints) EXPECT_FALSE(joint.broken);
+    for (const JointNow& joint : reader.frame(2).joints)
+        EXPECT_TRUE(joint.broken) << "the made-up contacts are dry";
+}
+
 TEST_P(AllKinematics, TheMeshIsThatOfTheModel)
 {
     const TemporaryFolder folder;

@@ -206,6 +206,28 @@ TEST_P(JointOpenings, PeaksAndTheirFirstTimesAreKept)
     EXPECT_NEAR(report.joints[0].slip, 3e-4, 1e-12);
 }
 
+// Let go upwards it rises by g t^2 / 2: 0.1 mm after 4.5 ms, so that it has opened at the end of the fifth step.
+TEST_P(JointOpenings, ARunTellsWhenAJointFirstOpened)
+{
+    State state = start_;
+    const RunReport report = run_quietly(model_, {dynamic_stage(0.02, 1e-3, {0, 0, gravity})}, state);
+    ASSERT_EQ(report.joints.size(), 1u);
+    ASSERT_TRUE(report.joints[0].opened);
+    EXPECT_NEAR(*report.joints[0].opened, 5e-3, 1e-9);
+    EXPECT_FALSE(report.joints[0].slid);
+    EXPECT_NEAR(report.joints[0].opening, 0.5 * gravity * 0.02 * 0.02, 1e-9);
+    EXPECT_EQ(report.joints[0].opening, motion(state).opening) << "it is still rising";
+}
+
+TEST_P(JointOpenings, AJointAtRestHasNotOpened)
+{
+    State state = start_;
+    const RunReport report = run_quietly(model_, {static_stage(0.1)}, state);
+    ASSERT_EQ(report.joints.size(), 1u);
+    EXPECT_FALSE(report.joints[0].opened);
+    EXPECT_EQ(report.joints[0].opening, 0);
+}
+
 // On a floor that slopes by 6 degrees: the weight meets it downhill of the middle by half the height times the
 // slope.
 TEST_P(JointOpenings, ForcesAreThoseOfTheWholeJoint)
