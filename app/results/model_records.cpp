@@ -38,7 +38,7 @@ void write_engine(const version::EngineVersion& engine, Hdf5File& file)
 
 void write_case(const Case& the_case, Hdf5File& file)
 {
-    file.attribute("/", "format", std::string("voussoir results 1"));
+    file.attribute("/", "format", std::string("voussoir results 2"));
     write_engine(version::engine_version(), file);
     file.attribute("/", "title", the_case.title);
     write_scene(the_case.model, file);

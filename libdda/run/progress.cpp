@@ -37,12 +37,13 @@ bool is_sound(RunProgress& progress)
     return give_up(std::move(*wrong), progress);
 }
 
-/// Notes crushed joints and fallen blocks.
+/// Notes crushed joints, fallen blocks and how far joints have opened.
 void note_damage(const Stage& stage, RunProgress& progress)
 {
     if (progress.judges_crushing) note_crushing(progress.model, progress.state, progress.report);
-    if (stage.type == StageType::dynamic)
-        note_fallen(progress.model, progress.watch, stage.gravity, progress.state, progress.report);
+    if (stage.type != StageType::dynamic) return;  // on the way to rest nothing moves in time
+    note_fallen(progress.model, progress.watch, stage.gravity, progress.state, progress.report);
+    note_joints(progress.model, progress.joints, progress.state, progress.report);
 }
 
 void frame(RunProgress& progress)

@@ -23,7 +23,10 @@ void begin_run(driver::RunProgress& progress)
     RunReport& report = progress.report;
     // Of a run that goes on, the start is the model's.
     const bool is_new = progress.position.frames == 0 && report.steps == 0;
-    progress.watch = CollapseWatch(model, is_new ? progress.state : initial_state(model));
+    const State start = is_new ? progress.state : initial_state(model);
+    progress.watch = CollapseWatch(model, start);
+    progress.joints = joints_at_start(model, start);
+    if (report.joints.size() != progress.joints.size()) report.joints = no_peaks(progress.joints);
     progress.widths = least_widths(model);
     progress.judges_crushing = has_compressive_strength(model);
     report.outcome = Outcome::completed;
@@ -52,7 +55,10 @@ bool run_stage(const Stage& stage, driver::RunProgress& progress)
     const bool is_static = stage.type == StageType::static_equilibrium;
     const bool done = is_static ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
     progress.position.stage_done = done;
-    if (done && is_static) driver::show(progress);
+    if (done && is_static) {
+        note_joints(progress.model, progress.joints, progress.state, progress.report);
+        driver::show(progress);
+    }
     if (!done) driver::show_end(progress);
     return done;
 }
