@@ -224,6 +224,40 @@ std::string check_volume(Draft& draft)
     return "";
 }
 
+/// All steps in their order. @returns the reason for refusal, or nothing
+std::string prove(Draft& draft)
+{
+    try {
+        for (const CertifyStep step : {check_size, weld_vertices, check_closed, orient, check_shells,
+                                       check_crossings, check_volume, check_shape})
+            if (std::string reason = step(draft); !reason.empty()) return reason;
+    } catch (const InputError& error) {
+        const Fault& fault = error.faults.front();
+        draft.certificate.convex = false;
+        draft.certificate.parts.clear();
+        return fault.found + "; " + fault.expected;
+    }
+    return "";
+}
+
+/// A refused stone becomes its hull where that is the rule; otherwise what would help is noted.
+void mend_refused(Draft& draft)
+{
+    Certificate& certificate = draft.certificate;
+    if (!certificate.cure.empty() && !draft.options.hull_if_refused) return;
+    Draft hull = draft;
+    std::string failure;
+    try {
+        failure = become_hull(hull, certificate.reason);
+    } catch (const InputError& error) {
+        failure = error.faults.front().found;
+    }
+    if (certificate.cure.empty()) certificate.cure = failure.empty() ? "hull" : "skip";
+    if (!failure.empty() || !draft.options.hull_if_refused) return;
+    draft = std::move(hull);
+    draft.certificate.reason.clear();
+}
+
 }  // namespace
 
 void Draft::mark_edges(const std::string& label, const std::vector<std::pair<int, int>>& edges)
@@ -249,17 +283,8 @@ Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options)
     draft.surface = std::move(surface);
     draft.options = options;
     draft.certificate.name = draft.surface.name;
-    std::string& reason = draft.certificate.reason;
-    try {
-        for (const CertifyStep step : {check_size, weld_vertices, check_closed, orient, check_shells,
-                                       check_crossings, check_volume, check_convex})
-            if (reason = step(draft); !reason.empty()) break;
-    } catch (const InputError& error) {
-        const Fault& fault = error.faults.front();
-        reason = fault.found + "; " + fault.expected;
-        draft.certificate.convex = false;
-        draft.certificate.parts.clear();
-    }
+    draft.certificate.reason = options.refuse_because.empty() ? prove(draft) : options.refuse_because;
+    if (!draft.certificate.reason.empty()) mend_refused(draft);
     draft.certificate.surface = std::move(draft.surface);
     return std::move(draft.certificate);
 }

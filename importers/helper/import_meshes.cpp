@@ -8,6 +8,8 @@
 #include "importers/exact/overlap.h"
 #include "importers/exact/stones_of.h"
 #include "importers/exact/triangle_surface.h"
+#include "importers/exact/weld.h"
+#include "importers/helper/choose_stones.h"
 #include "importers/helper/close_joints.h"
 #include "importers/mesh/read_mesh.h"
 #include "libdda/errors.h"
@@ -19,6 +21,16 @@ namespace
 {
 
 constexpr double largest_plain_coordinate = 1e4;  // m; doubles keep 2e-12 m there
+
+constexpr double largest_weld = 1e-3;  // share of a stone's diagonal; wider would change its shape
+
+std::string short_number(double value)
+{
+    std::ostringstream words;
+    words.precision(3);
+    words << value;
+    return words.str();
+}
 
 std::string sentence(const InputError& error)
 {
@@ -42,6 +54,14 @@ void check(const MeshRequest& request)
             "the planarity is " + std::to_string(request.planarity), "must be > 0 and at most 0.01");
     require(request.volume_error > 0 && request.volume_error <= 0.2,
             "the volume error is " + std::to_string(request.volume_error), "must be > 0 and at most 0.2");
+    const StoneSimplification& simplify = request.simplify;
+    require(simplify.parts >= 0 && simplify.parts <= exact::CertifyOptions{}.max_parts,
+            "the parts are " + std::to_string(simplify.parts), "must be 1 to 64");
+    require(simplify.volume_error >= 0 && simplify.volume_error <= 1,
+            "the volume error of simplifying is " + std::to_string(simplify.volume_error),
+            "must be > 0 and at most 1");
+    require(simplify.triangles == 0 || simplify.triangles >= 4,
+            "the triangles are " + std::to_string(simplify.triangles), "must be 4 at least");
     if (!faults.empty()) throw InputError(faults);
 }
 
@@ -87,24 +107,14 @@ mesh::StonesBy stones_by(StoneLevel level)
     return mesh::StonesBy::detect;
 }
 
-/// States the rounding of a file that was read in 32-bit numbers. @throws InputError when it exceeds the weld
-/// tolerance of a stone, for then vertices that were apart may have become one
-void judge_rounding(const mesh::MeshFile& content, ImportedMesh& mesh)
-{
-    if (content.rounding == 0) return;
-    std::ostringstream rounding;
-    rounding << content.rounding * mesh.metres_per_unit << " m";
-    for (const mesh::PolygonSurface& surface : content.surfaces)
-        if (content.rounding > exact::CertifyOptions{}.weld_tolerance * exact::diagonal_of(surface.vertices))
-            throw InputError(
-                mesh.file + ": " + surface.name,
-                "reading rounds its coordinates by up to " + rounding.str() + ", too much for its size",
-                "move the stones nearer to the origin of the file, or convert it to OBJ");
-    mesh.repairs.push_back({"", "coordinates were read as 32-bit numbers: rounded by up to " + rounding.str()});
-}
+/// A file in metres.
+struct ReadFile {
+    std::vector<mesh::PolygonSurface> surfaces;
+    double rounding = 0;  // m, on reading
+};
 
 /// Reads one file into metres. @returns surfaces; a refusal is written into `mesh`
-std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh& mesh)
+ReadFile read(const MeshRequest& request, ImportedMesh& mesh)
 {
     mesh.file = request.file.string();
     try {
@@ -112,10 +122,13 @@ std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh&
         mesh::MeshFile content = mesh::read_mesh(request.file, {stones_by(request.stones), request.reader});
         for (std::string& repair : content.repairs) mesh.repairs.push_back({"", std::move(repair)});
         const char up = settle_frame(request, content, mesh);
-        judge_rounding(content, mesh);
+        const double rounding = content.rounding * mesh.metres_per_unit;
+        if (rounding > 0)
+            mesh.repairs.push_back({"", "coordinates were read as 32-bit numbers: rounded by up to " +
+                                            short_number(rounding) + " m"});
         for (mesh::PolygonSurface& surface : content.surfaces)
             for (Eigen::Vector3d& x : surface.vertices) x = to_metres_z_up(x, mesh.metres_per_unit, up);
-        return content.surfaces;
+        return {std::move(content.surfaces), rounding};
     } catch (const InputError& error) {
         mesh.reason = sentence(error);
     } catch (const std::bad_alloc&) {
@@ -124,11 +137,11 @@ std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh&
     return {};
 }
 
-Eigen::Vector3d choose_origin(const std::vector<std::vector<mesh::PolygonSurface>>& files)
+Eigen::Vector3d choose_origin(const std::vector<ReadFile>& files)
 {
     Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
-    for (const auto& surfaces : files)
-        for (const mesh::PolygonSurface& surface : surfaces)
+    for (const ReadFile& file : files)
+        for (const mesh::PolygonSurface& surface : file.surfaces)
             for (const Eigen::Vector3d& x : surface.vertices) {
                 lower = lower.cwiseMin(x);
                 upper = upper.cwiseMax(x);
@@ -139,20 +152,56 @@ Eigen::Vector3d choose_origin(const std::vector<std::vector<mesh::PolygonSurface
     return (0.5 * lower + 0.5 * upper).array().round();
 }
 
-Stone certified(mesh::PolygonSurface surface, const MeshRequest& request, const Eigen::Vector3d& origin)
+/// Vertices that rounding has parted must be joined, and others must not: the welding of a stone that is small for
+/// the rounding becomes as wide as that needs, unless the stone has corners that are nearly as near.
+void allow_for_rounding(const mesh::PolygonSurface& surface, double rounding, exact::CertifyOptions& options,
+                        std::vector<mesh::Repair>& repairs)
 {
-    for (Eigen::Vector3d& x : surface.vertices) x -= origin;
+    const double diagonal = exact::diagonal_of(surface.vertices);
+    if (rounding <= options.weld_tolerance * diagonal || !(diagonal > 0)) return;
+    const double width = 4 * rounding;  // two roundings along each axis
+    mesh::PolygonSurface joined = surface;
+    exact::weld(joined, width);
+    if (width > largest_weld * diagonal || exact::weld(joined, 4 * width).moved > 0) {
+        options.refuse_because = "reading rounds its coordinates by up to " + short_number(rounding) +
+                                 " m, too much for its size: move it nearer to the origin of the file, or convert "
+                                 "the file to OBJ";
+        return;
+    }
+    options.weld_tolerance = width / diagonal;
+    options.planarity_tolerance = std::max(options.planarity_tolerance, width / diagonal);
+    repairs.push_back({"joined within the rounding of reading",
+                       "vertices within " + short_number(width) +
+                           " m were taken for one, because reading rounds coordinates by up to " +
+                           short_number(rounding) + " m",
+                       1, "", width, "m"});
+}
+
+exact::CertifyOptions options_of(const MeshRequest& request, bool hull, bool simplified)
+{
     exact::CertifyOptions options;
-    options.origin = origin;
     options.planarity_tolerance = request.planarity;
     options.volume_error = request.volume_error;
-    exact::Certificate certificate = exact::certify(std::move(surface), options);
+    options.hull = hull || (simplified && request.simplify.hull);
+    options.hull_if_refused = options.hull || request.choice.repair == RepairRule::hull;
+    if (!simplified) return options;
+    options.triangles = request.simplify.triangles;
+    if (request.simplify.parts == 0 && request.simplify.volume_error == 0) return options;
+    options.simplify = exact::SimplifyOptions{};
+    if (request.simplify.parts > 0) options.simplify->max_parts = request.simplify.parts;
+    options.simplify->volume_error = request.simplify.volume_error;
+    return options;
+}
+
+Stone stone_of(exact::Certificate certificate)
+{
     Stone stone;
     stone.name = certificate.name;
     stone.closed = certificate.closed;
     stone.convex = certificate.convex;
     stone.reason = certificate.reason;
-    stone.repairs = certificate.repairs;
+    stone.cure = certificate.reason.empty() ? "" : certificate.cure;
+    stone.repairs = std::move(certificate.repairs);
     stone.parts = std::move(certificate.parts);
     stone.moments = certificate.moments;
     stone.volume_error = certificate.volume_error;
@@ -164,39 +213,84 @@ Stone certified(mesh::PolygonSurface surface, const MeshRequest& request, const 
     return stone;
 }
 
+/// @param rounding on reading [m]
+Stone certified(mesh::PolygonSurface surface, exact::CertifyOptions options, double rounding,
+                const Eigen::Vector3d& origin)
+{
+    const std::string name = surface.name;
+    for (Eigen::Vector3d& x : surface.vertices) x -= origin;
+    options.origin = origin;
+    std::vector<mesh::Repair> repairs;
+    try {
+        allow_for_rounding(surface, rounding, options, repairs);
+        Stone stone = stone_of(exact::certify(std::move(surface), options));
+        stone.repairs.insert(stone.repairs.begin(), repairs.begin(), repairs.end());
+        return stone;
+    } catch (const std::bad_alloc&) {
+        Stone stone;
+        stone.name = name;
+        stone.reason = "certifying it needs more memory than is allowed";
+        stone.cure = "skip";
+        return stone;
+    }
+}
+
 bool may_be_separated(StoneLevel level)
 {
     return level == StoneLevel::detect || level == StoneLevel::file || level == StoneLevel::component;
 }
 
-void certify_all(std::vector<mesh::PolygonSurface> surfaces, const MeshRequest& request,
-                 const Eigen::Vector3d& origin, ImportedMesh& mesh)
+exact::SeparatedStones separated(mesh::PolygonSurface surface, StoneLevel level)
+{
+    if (may_be_separated(level))
+        return exact::separate_stones(std::move(surface), exact::CertifyOptions{}.weld_tolerance);
+    exact::SeparatedStones one;
+    one.stones.push_back(std::move(surface));
+    return one;
+}
+
+void judge_stones(ImportedMesh& mesh)
 {
     int refused = 0;
     std::string first;
-    for (mesh::PolygonSurface& surface : surfaces) {
-        exact::SeparatedStones separated;
-        if (may_be_separated(request.stones))
-            separated = exact::separate_stones(std::move(surface), exact::CertifyOptions{}.weld_tolerance);
-        else
-            separated.stones.push_back(std::move(surface));
-        mesh.repairs.insert(mesh.repairs.end(), separated.repairs.begin(), separated.repairs.end());
-        for (mesh::PolygonSurface& one : separated.stones) {
-            const std::string name = one.name;
-            try {
-                mesh.stones.push_back(certified(std::move(one), request, origin));
-            } catch (const std::bad_alloc&) {
-                mesh.stones.emplace_back().name = name;
-                mesh.stones.back().reason = "certifying it needs more memory than is allowed";
-            }
-            const Stone& stone = mesh.stones.back();
-            if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
-        }
-    }
+    for (const Stone& stone : mesh.stones)
+        if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
     mesh.accepted = refused == 0 && !mesh.stones.empty();
     if (refused > 0)
         mesh.reason = mesh.file + ": " + std::to_string(refused) + " of " + std::to_string(mesh.stones.size()) +
                       " stones refused; " + first;
+    else if (mesh.stones.empty())
+        mesh.reason = mesh.file + ": every stone was left out";
+}
+
+void certify_all(ReadFile file, const MeshRequest& request, const Eigen::Vector3d& origin, ImportedMesh& mesh)
+{
+    StoneChooser chooser(request);
+    for (mesh::PolygonSurface& surface : file.surfaces) {
+        const std::string whole = surface.name;
+        if (const std::string why = chooser.left_out(whole); !why.empty()) {
+            mesh.skipped.push_back({whole, why});
+            continue;
+        }
+        exact::SeparatedStones stones = separated(std::move(surface), request.stones);
+        mesh.repairs.insert(mesh.repairs.end(), stones.repairs.begin(), stones.repairs.end());
+        for (mesh::PolygonSurface& one : stones.stones) {
+            const std::string name = one.name;
+            if (const std::string why = chooser.left_out(name, whole); !why.empty()) {
+                mesh.skipped.push_back({name, why});
+                continue;
+            }
+            const bool hull = chooser.wants_hull(name, whole),
+                       simplified = chooser.wants_simplification(name, whole);
+            Stone stone = certified(std::move(one), options_of(request, hull, simplified), file.rounding, origin);
+            if (!stone.reason.empty() && request.choice.repair == RepairRule::skip)
+                mesh.skipped.push_back({name, stone.reason});
+            else
+                mesh.stones.push_back(std::move(stone));
+        }
+    }
+    mesh.unmatched = chooser.unmatched();
+    judge_stones(mesh);
 }
 
 std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
@@ -219,7 +313,7 @@ std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
 Geometry import_meshes(const std::vector<MeshRequest>& requests)
 {
     Geometry geometry;
-    std::vector<std::vector<mesh::PolygonSurface>> files;
+    std::vector<ReadFile> files;
     for (const MeshRequest& request : requests) {
         geometry.meshes.emplace_back();
         files.push_back(read(request, geometry.meshes.back()));
