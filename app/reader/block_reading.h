@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/reader/stone_choice.h"
 #include "app/reader/yaml_cursor.h"
 #include "importers/helper/geometry.h"
 #include "libdda/model/model.h"
@@ -30,6 +31,7 @@ struct MeshEntry {
     importers::helper::MeshRequest request;
     int material = 0;
     std::vector<GroupPattern> patterns;
+    std::vector<ChosenPattern> chosen;  // of skip, only, hull, ...
 };
 
 /// The extent along y of a planar scene's stones that are drawn in space, and the stone that set it.

@@ -78,6 +78,8 @@ void warn_of_repairs(const std::string& place, const importers::helper::Imported
 {
     for (const importers::helper::RepairSummary& kind : importers::helper::summarised_repairs(mesh))
         findings.warnings.push_back(fmt::format("{}: {}", place, importers::helper::in_words(kind)));
+    for (const std::string& line : importers::helper::skipped_in_words(mesh))
+        findings.warnings.push_back(fmt::format("{}: {}", place, line));
 }
 
 /// The answer of the geometry helper about one file, as faults, warnings and blocks.
@@ -90,12 +92,13 @@ void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, Bl
         const std::string stone_place = place + ": " + stone.name;
         stone_refused = stone_refused || !stone.reason.empty();
         if (!stone.reason.empty()) {
-            reading.findings.faults.push_back({stone_place, stone.reason, "repair the mesh"});
+            reading.findings.faults.push_back({stone_place, stone.reason, cure_of(stone)});
         } else if (mesh.accepted) {
             add_block(stone.name, stone_place, group_of(stone.name, entry.patterns), entry.material, stone.parts,
                       reading, &stone.moments);
         }
     }
+    refuse_unmatched_patterns(entry.chosen, mesh);
     if (!mesh.accepted && !stone_refused)
         reading.findings.faults.push_back({place, mesh.reason, "give another mesh"});
     if (!mesh.accepted) return;
@@ -107,7 +110,7 @@ void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, Bl
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
 {
     const std::size_t faults_before = reading.findings.faults.size();
-    MeshEntry mesh{file, file.as_text(), {}, 0, {}};
+    MeshEntry mesh{file, file.as_text(), {}, 0, {}, {}};
     mesh.request.file = reading.folder / mesh.name;
     mesh.material = read_material_name(entry, reading.model.materials);
     mesh.patterns = read_group_patterns(entry);
@@ -130,6 +133,7 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
         entry.quantity_or("volume_error", words::dimension::number, words::Range{0, 0.2, false, true}, 0.01);
     mesh.request.close_joints =
         entry.quantity_or("close_joints", words::dimension::length, words::Range::non_negative(), 0);
+    mesh.chosen = read_stone_choice(entry, mesh.request);
     entry.reject_unknown_keys();
     if (mesh.name.empty()) return;
     if (!std::filesystem::is_regular_file(mesh.request.file))
