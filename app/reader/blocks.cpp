@@ -125,28 +125,6 @@ void add_planar_block(const std::string& name, const std::string& place, std::ve
         model.blocks.push_back(make_planar_block(name, 0, 0, std::move(outlines), model.thickness));
 }
 
-bool matches_pattern(std::string_view name, std::string_view pattern)
-{
-    // The last * is remembered and takes one letter more whenever the rest does not fit: no exponential search.
-    std::size_t n = 0, p = 0, star = std::string_view::npos, resume = 0;
-    while (n < name.size()) {
-        if (p < pattern.size() && pattern[p] == '*') {
-            star = p++;
-            resume = n;
-        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-            ++n;
-            ++p;
-        } else if (star != std::string_view::npos) {
-            p = star + 1;
-            n = ++resume;
-        } else {
-            return false;
-        }
-    }
-    while (p < pattern.size() && pattern[p] == '*') ++p;
-    return p == pattern.size();
-}
-
 std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::path& folder, Model& model,
                                      Findings& findings)
 {

@@ -78,6 +78,8 @@ void warn_of_repairs(const std::string& place, const importers::helper::Imported
 {
     for (const importers::helper::RepairSummary& kind : importers::helper::summarised_repairs(mesh))
         findings.warnings.push_back(fmt::format("{}: {}", place, importers::helper::in_words(kind)));
+    for (const std::string& line : importers::helper::skipped_in_words(mesh))
+        findings.warnings.push_back(fmt::format("{}: {}", place, line));
 }
 
 /// The answer of the geometry helper about one file, as faults, warnings and blocks.
@@ -91,11 +93,12 @@ void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, Bl
         const std::string stone_place = place + ": " + stone.name;
         stone_refused = stone_refused || !stone.reason.empty();
         if (!stone.reason.empty()) {
-            reading.findings.faults.push_back({stone_place, stone.reason, "repair the mesh"});
+            reading.findings.faults.push_back({stone_place, stone.reason, cure_of(stone)});
         } else if (mesh.accepted) {
             add_block(stone.name, stone_place, stone.parts, reading, &stone.moments);
         }
     }
+    refuse_unmatched_patterns(entry.chosen, mesh);
     if (!mesh.accepted && !stone_refused)
         reading.findings.faults.push_back(
             {place, mesh.reason,
@@ -119,7 +122,7 @@ std::vector<PlacedCopy> read_mesh_copies(YamlCursor& entry, std::vector<PlacedCo
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
 {
     const std::size_t faults_before = reading.findings.faults.size();
-    MeshEntry mesh{file, file.as_text(), {}, read_belonging(entry, reading.model, false)};
+    MeshEntry mesh{file, file.as_text(), {}, read_belonging(entry, reading.model, false), {}};
     mesh.request.file = reading.folder / mesh.name;
     mesh.request.copies = read_mesh_copies(entry, mesh.belonging.copies);
     mesh.request.metres_per_unit = read_unit(entry);
@@ -147,6 +150,7 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
                                                       importers::helper::FitJoints::shared);
     mesh.request.close_joints =
         entry.quantity_or("close_joints", words::dimension::length, words::Range::non_negative(), 0);
+    mesh.chosen = read_stone_choice(entry, mesh.request);
     entry.reject_unknown_keys();
     if (mesh.name.empty()) return;
     if (!std::filesystem::is_regular_file(mesh.request.file))

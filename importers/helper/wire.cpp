@@ -152,6 +152,7 @@ json to_json_value(const Stone& stone)
             {"closed", stone.closed},
             {"convex", stone.convex},
             {"reason", stone.reason},
+            {"cure", stone.cure},
             {"repairs", to_json_value(stone.repairs)},
             {"parts", std::move(parts)},
             {"moments", to_json_value(stone.moments)},
@@ -184,6 +185,7 @@ Stone stone_from(const json& value)
     stone.closed = value.at("closed");
     stone.convex = value.at("convex");
     stone.reason = value.at("reason");
+    stone.cure = value.at("cure");
     stone.repairs = repairs_from(value.at("repairs"));
     for (const json& part : value.at("parts")) stone.parts.push_back(part_from(part, stone.name));
     stone.moments = moments_from(value.at("moments"));
@@ -200,10 +202,18 @@ json to_json_value(const ImportedMesh& mesh)
 {
     json stones = json::array();
     for (const Stone& stone : mesh.stones) stones.push_back(to_json_value(stone));
-    return {{"file", mesh.file},           {"accepted", mesh.accepted},
-            {"reason", mesh.reason},       {"metres_per_unit", mesh.metres_per_unit},
-            {"unit_from", mesh.unit_from}, {"repairs", to_json_value(mesh.repairs)},
-            {"stones", std::move(stones)}};
+    json skipped = json::array(), unmatched = json::array();
+    for (const SkippedStone& stone : mesh.skipped) skipped.push_back({stone.name, stone.why});
+    for (const UnmatchedPattern& pattern : mesh.unmatched) unmatched.push_back({pattern.key, pattern.pattern});
+    return {{"file", mesh.file},
+            {"accepted", mesh.accepted},
+            {"reason", mesh.reason},
+            {"metres_per_unit", mesh.metres_per_unit},
+            {"unit_from", mesh.unit_from},
+            {"repairs", to_json_value(mesh.repairs)},
+            {"stones", std::move(stones)},
+            {"skipped", std::move(skipped)},
+            {"unmatched", std::move(unmatched)}};
 }
 
 /// @throws InputError when it names no reader
@@ -224,6 +234,41 @@ FitJoints fit_joints_from(const json& value)
     return static_cast<FitJoints>(name - fit_joints_names.begin());
 }
 
+json to_json_value(const StoneChoice& choice)
+{
+    return {{"skip", choice.skip},
+            {"only", choice.only},
+            {"hull", choice.hull},
+            {"skip_types", choice.skip_types},
+            {"repair", static_cast<int>(choice.repair)}};
+}
+
+StoneChoice choice_from(const json& value)
+{
+    using Patterns = std::vector<std::string>;
+    const int repair = index_from(value.at("repair"));
+    if (repair >= static_cast<int>(repair_rule_names.size()))
+        throw InputError("mesh", "no rule of repair", "the request was damaged on the way");
+    return {value.at("skip").get<Patterns>(), value.at("only").get<Patterns>(), value.at("hull").get<Patterns>(),
+            value.at("skip_types").get<Patterns>(), static_cast<RepairRule>(repair)};
+}
+
+json to_json_value(const StoneSimplification& simplify)
+{
+    return {{"stones", simplify.stones},
+            {"hull", simplify.hull},
+            {"parts", simplify.parts},
+            {"volume_error", simplify.volume_error},
+            {"triangles", simplify.triangles}};
+}
+
+StoneSimplification simplification_from(const json& value)
+{
+    return {value.at("stones").get<std::vector<std::string>>(), value.at("hull").get<bool>(),
+            index_from(value.at("parts")), value.at("volume_error").get<double>(),
+            index_from(value.at("triangles"))};
+}
+
 ImportedMesh mesh_from(const json& value)
 {
     ImportedMesh mesh;
@@ -235,6 +280,8 @@ ImportedMesh mesh_from(const json& value)
     mesh.unit_from = value.at("unit_from");
     mesh.repairs = repairs_from(value.at("repairs"));
     for (const json& stone : value.at("stones")) mesh.stones.push_back(stone_from(stone));
+    for (const json& stone : value.at("skipped")) mesh.skipped.push_back({stone.at(0), stone.at(1)});
+    for (const json& pattern : value.at("unmatched")) mesh.unmatched.push_back({pattern.at(0), pattern.at(1)});
     return mesh;
 }
 
@@ -257,7 +304,9 @@ std::string to_json(const HelperRequest& request)
                           {"fit_joints", fit_joints_names.at(static_cast<std::size_t>(mesh.fit_joints))},
                           {"close_joints", mesh.close_joints},
                           {"copies", copies_to_json(mesh.copies)},
-                          {"reader", mesh_reader_names.at(static_cast<std::size_t>(mesh.reader))}});
+                          {"reader", mesh_reader_names.at(static_cast<std::size_t>(mesh.reader))},
+                          {"choice", to_json_value(mesh.choice)},
+                          {"simplify", to_json_value(mesh.simplify)}});
     try {
         return json{{"meshes", meshes}, {"seconds", request.limits.seconds}, {"bytes", request.limits.bytes}}
             .dump();
@@ -277,7 +326,8 @@ HelperRequest request_from_json(const std::string& text)
                                   static_cast<StoneLevel>(mesh.at("stones").get<int>()),
                                   mesh.at("planarity").get<double>(), mesh.at("volume_error").get<double>(),
                                   fit_joints_from(mesh.at("fit_joints")), mesh.at("close_joints").get<double>(),
-                                  reader_from(mesh.at("reader")), copies_from_json(mesh.at("copies"))});
+                                  reader_from(mesh.at("reader")), copies_from_json(mesh.at("copies")),
+                                  choice_from(mesh.at("choice")), simplification_from(mesh.at("simplify"))});
     return request;
 }
 
