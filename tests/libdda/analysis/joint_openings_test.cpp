@@ -164,6 +164,26 @@ TEST_P(JointOpenings, ACornerOnAFaceIsNoJoint)
     EXPECT_TRUE(joints_at_start(model_, start_).empty());
 }
 
+// A part of the stone that rises from the edge of its bed at 45 degrees meets the floor in that edge: its face
+// gapes by 0.4 m from the start, and is no part of the joint.
+TEST(JointOpeningsOfParts, AFaceThatLeansAwayIsNoPartOfTheJoint)
+{
+    Model model = make_model(Kinematics::spatial_rigid, stone(), dry(30));
+    hold(model, add_box(model, "floor", {-2, -2, -1}, {2, 2, 0}));
+    const ConvexPolyhedron flare = make_convex_polyhedron(
+        {{0.5, -0.5, 0}, {0.5, -0.5, 0.4}, {0.9, -0.5, 0.4}, {0.5, 0.5, 0}, {0.5, 0.5, 0.4}, {0.9, 0.5, 0.4}},
+        {{0, 2, 1}, {3, 4, 5}, {0, 3, 5, 2}, {1, 2, 5, 4}, {0, 1, 4, 3}});
+    model.blocks.push_back(make_block("stone", 0, 0, {make_box({-0.5, -0.5, 0}, {0.5, 0.5, 0.4}), flare}));
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    ASSERT_EQ(state.contacts.patches.size(), 2u) << "both parts touch the floor";
+    EXPECT_NEAR(joint_resultants(model, state).at(0).widest_gap, 0.4, 1e-9);
+    const WatchedJoint joint = joints_at_start(model, state).at(0);
+    EXPECT_NEAR(joint.area, 1, 1e-9);
+    EXPECT_NEAR(joint.facing_area, 1, 1e-9);
+    EXPECT_NEAR(motion_of(joint, placed_blocks(model, state)).opening, 0, 1e-12);
+}
+
 TEST_P(JointOpenings, StonesApartAndStonesHeldHaveNoJoint)
 {
     EXPECT_TRUE(joints_at_start(model_, placed({0, 0, 0.01}, 0)).empty());
