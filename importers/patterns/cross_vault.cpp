@@ -1,5 +1,7 @@
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "importers/patterns/circular_arc.h"
 #include "importers/patterns/parameter_checks.h"

@@ -23,15 +23,14 @@ inline constexpr const char* fall = "  - {name: fall, type: dynamic, duration: 4
 /// A mesh and how it is held.
 struct Scene {
     std::filesystem::path mesh;
-    std::string keys;                   // of its entry
-    std::vector<std::string> supports;  // patterns
-    std::string head;                   // of the case
+    std::string keys;      // of its entry
+    std::string supports;  // which stones are held: a rule of a group
+    std::string head;      // of the case
 
     std::string text(const std::string& stages) const
     {
         const std::string entry = "{mesh: " + nlohmann::json(mesh.string()).dump() +
-                                  (keys.empty() ? "" : ", " + keys) +
-                                  ", groups: {support: " + nlohmann::json(supports).dump() + "}}";
+                                  (keys.empty() ? "" : ", " + keys) + ", groups: {support: " + supports + "}}";
         return head +
                "materials: {stone: {density: 2200 kg/m3, young: 10 GPa, poisson: 0.2}}\n"
                "joints: {dry: {friction: 37 deg}}\n"

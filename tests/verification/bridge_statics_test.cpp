@@ -13,10 +13,10 @@ namespace voussoir::verification
 namespace
 {
 
-using Eigen::Vector3d;
 using app::studies::verify::references::HalfArchJoint;
 using app::studies::verify::references::thrust_range;
 using app::studies::verify::references::ThrustRange;
+using Eigen::Vector3d;
 using testing::gravity;
 
 struct Solved {

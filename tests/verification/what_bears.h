@@ -45,26 +45,22 @@ inline std::vector<bool> loose_group(const Model& model, const ContactSet& conta
     return group;
 }
 
-/// In words, why `stone` and what hangs together with it cannot rest on the held stones; empty when statics does
-/// not say so.
+/// In words, why a group of stones cannot rest on the others; empty when statics does not say so.
 ///
 /// A joint whose face looks down on the group bears nothing, and one that stands upright bears by friction only,
 /// which needs a force across it that nothing provides. What is left is the support polygon: points of joints that
 /// bear from below; the centroid of the group must lie over it.
-inline std::string why_it_falls(const Model& model, int stone)
+inline std::string why_group_falls(const Model& model, const ContactSet& contacts, const std::vector<bool>& group)
 {
-    State state = initial_state(model);
-    find_initial_contacts(model, state);
-    const std::vector<bool> group = loose_group(model, state.contacts, stone);
     std::vector<Eigen::Vector2d> polygon;
     bool touches = false;
-    for (const ContactPatch& patch : state.contacts.patches) {
+    for (const ContactPatch& patch : contacts.patches) {
         if (group[patch.block_a] == group[patch.block_b]) continue;
         touches = true;
         const double upward = group[patch.block_a] ? patch.normal.z() : -patch.normal.z();  // on the group
         if (upward < 1e-6) continue;
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
-            polygon.emplace_back(state.contacts.points[i].position.head<2>());
+            polygon.emplace_back(contacts.points[i].position.head<2>());
     }
     if (!touches) return "it touches nothing";
     if (polygon.empty()) return "no joint bears it from below";
@@ -79,6 +75,19 @@ inline std::string why_it_falls(const Model& model, int stone)
     return outside > 0 ? fmt::format("the centroid of {} stones lies {:.3f} m outside their support",
                                      std::count(group.begin(), group.end(), true), outside)
                        : "";
+}
+
+/// Why a stone falls: by itself, or with all that hangs together with it and is not held. Empty: statics does not
+/// say so.
+inline std::string why_it_falls(const Model& model, int stone)
+{
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    std::vector<bool> alone(model.blocks.size(), false);
+    alone[stone] = true;
+    const std::string by_itself = why_group_falls(model, state.contacts, alone);
+    return by_itself.empty() ? why_group_falls(model, state.contacts, loose_group(model, state.contacts, stone))
+                             : by_itself;
 }
 
 }  // namespace voussoir::verification

@@ -102,7 +102,7 @@ std::vector<Benchmark> vault_benchmarks()
     Benchmark row;
     row.setting.kinematics = Kinematics::spatial_rigid;
     row.also = {Kinematics::spatial_deformable};
-    row.source = "statics; no paper";
+    row.source = "docs/vaults.md";
     row.paper_error = "none: not from a paper";
     row.tolerance = 0.01;
     std::vector<Benchmark> rows;

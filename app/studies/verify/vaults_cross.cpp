@@ -116,7 +116,7 @@ std::vector<Benchmark> cross_vault_benchmarks()
     Benchmark row;
     row.setting.kinematics = Kinematics::spatial_rigid;
     row.also = {Kinematics::spatial_deformable};
-    row.source = "statics; no paper";
+    row.source = "docs/vaults.md";
     row.paper_error = "none: not from a paper";
     row.tolerance = 0.01;
     row.name = "cross-vault-thrust";

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -113,6 +116,22 @@ TEST(Vaults, EveryStoneIsClosedWithFlatFacesAndCertifiedWithoutOverlap)
             stones.push_back(certificate.parts);
         }
         EXPECT_TRUE(exact::find_overlaps(stones, 1e-7).empty());
+    }
+}
+
+TEST(Vaults, ConvexPartsFillTheirStones)
+{
+    for (const auto& [name, grid] : all_grids()) {
+        SCOPED_TRACE(name);
+        for (const StoneGrid::Stone& stone : grid.stones()) {
+            if (stone.name == "keystone") continue;
+            const std::vector<ConvexPolyhedron> parts = patterns::parts_of(grid, stone);
+            EXPECT_NEAR(moments_of(parts).volume / patterns::volume_of(grid.corners(), stone.faces), 1, 1e-7);
+            std::ptrdiff_t glued = 0;
+            for (const ConvexPolyhedron& part : parts)
+                glued += std::count(part.glued.begin(), part.glued.end(), true);
+            EXPECT_EQ(glued, 2 * (static_cast<std::ptrdiff_t>(parts.size()) - 1)) << stone.name;
+        }
     }
 }
 
