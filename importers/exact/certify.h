@@ -28,10 +28,10 @@ struct CertifyOptions {
     double volume_error = 0.01;  // share of its volume by which the parts of a concave stone may exceed it
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // m, added to coordinates in messages
     int triangles = 0;                                 // the surface is decimated to so many first; 0: it is not
-    std::optional<SimplifyOptions> simplify;           // a concave stone becomes a few parts, near enough
+    std::optional<SimplifyOptions> simplify{};         // a concave stone becomes a few parts, near enough
     bool hull = false;                                 // the convex hull takes the place of the stone
     bool hull_if_refused = false;                      // the same of a stone that is refused otherwise
-    std::string refuse_because;                        // what is known against it already; empty: nothing
+    std::string refuse_because{};                      // what is known against it already; empty: nothing
 };
 
 /// What is proven about one stone.

@@ -80,8 +80,8 @@ struct MeshRequest {
     double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
     double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
     mesh::MeshReader reader = mesh::MeshReader::automatic;
-    StoneChoice choice;            // which stones are taken
-    StoneSimplification simplify;  // how scans become stones
+    StoneChoice choice{};            // which stones are taken
+    StoneSimplification simplify{};  // how scans become stones
 };
 
 /// What the helper may take.
