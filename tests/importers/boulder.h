@@ -1,7 +1,8 @@
-// How a convex body stands on a floor, and how far the floor may be tilted: by geometry alone.
+// How a convex body stands on a floor, and how far it may be turned before it falls: by geometry alone.
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -38,23 +39,32 @@ class RollingBody
     Eigen::Vector3d normal(int face) const { return face_normal(shape_, face); }
     int corners(int face) const { return static_cast<int>(shape_.faces[face].size()); }
 
-    /// How far the floor may be tilted until gravity, turned towards `x` of the floor, rolls it off its face and
-    /// on past a quarter of a right angle. @param face on which it stands, with its own x along the floor's as
-    /// near as can be @returns [rad]
+    /// How far it may be turned out of its rest on a face towards x, about the floor's y, and still roll back when
+    /// it is let go without speed: it follows the steepest way down of the height of its centroid. [rad]
     double tilting_angle(int face) const
     {
-        const Eigen::Vector3d up = -normal(face);
-        const Eigen::Vector3d x = (Eigen::Vector3d::UnitX() - up.x() * up).normalized();
-        constexpr double step = 1e-4;
-        for (double angle = 0; angle < 1.5; angle += step) {
-            const Eigen::Vector3d against =
-                std::cos(angle) * up - std::sin(angle) * x;  // gravity, in the body's axes
-            // Rolling turns the body by little over the small faces of its underside: what it has turned by
-            // counts.
-            const std::optional<int> on = roll_with(face, up, against);
-            if (!on) return angle;
+        double stands = 0, falls = 1.2;
+        while (falls - stands > 1e-4) {
+            const double angle = 0.5 * (stands + falls);
+            (rolls_back(face, angle) ? stands : falls) = angle;
         }
-        return 1.5;
+        return stands;
+    }
+
+    /// Which way is down for a body that was turned so, in its own axes.
+    Eigen::Vector3d turned(int face, double angle) const
+    {
+        const Eigen::Vector3d down = normal(face);
+        const Eigen::Vector3d x = (Eigen::Vector3d::UnitX() - down.x() * down).normalized();
+        return std::cos(angle) * down + std::sin(angle) * x;
+    }
+
+    /// The corner on which it stands when `down` points down.
+    Eigen::Vector3d lowest(const Eigen::Vector3d& down) const
+    {
+        return *std::max_element(
+            shape_.vertices.begin(), shape_.vertices.end(),
+            [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return down.dot(a) < down.dot(b); });
     }
 
  private:
@@ -101,18 +111,15 @@ class RollingBody
         return std::nullopt;
     }
 
-    /// On a tilted floor: the body turns about each edge it rolls over, and gravity turns back in its axes.
-    std::optional<int> roll_with(int face, const Eigen::Vector3d& start, Eigen::Vector3d against) const
+    bool rolls_back(int face, double angle) const
     {
-        for (int i = 0; i < 10000; ++i) {
-            const int side = overhung(face, against);
-            if (side < 0) return face;
-            const int next = across(face, side);
-            against = Eigen::Quaterniond::FromTwoVectors(normal(face), normal(next)) * against;
-            face = next;
-            if (-normal(face).dot(start) < std::cos(0.4)) return std::nullopt;
+        constexpr double step = 2e-4;  // rad
+        Eigen::Vector3d down = turned(face, angle);
+        for (double way = 0; way < 4; way += step) {
+            const Eigen::Vector3d arm = lowest(down) - centroid_;
+            down = (down - step * (arm - down.dot(arm) * down).normalized()).normalized();
         }
-        return std::nullopt;
+        return down.dot(normal(face)) > std::cos(0.5 * angle + 0.05);
     }
 
     Eigen::Vector3d centroid_;

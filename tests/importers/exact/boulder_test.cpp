@@ -9,6 +9,7 @@
 #include "importers/helper/import_meshes.h"
 #include "importers/mesh/read_mesh.h"
 #include "tests/importers/rough_stone.h"
+#include "tests/libdda/poses.h"
 #include "tests/libdda/scenes.h"
 
 namespace voussoir::importers
@@ -75,12 +76,10 @@ TEST_F(Boulder, StandsOnTheSamePointsAndTiltsAtTheSameAngleAsTheHullOfItsScan)
     EXPECT_NEAR(settled, 0.4, 0.2);
     EXPECT_LT(std::acos(std::min(1.0, whole.normal(on_whole).dot(parts.normal(on_parts)))) / degrees, 0.02);
     const double expected = whole.tilting_angle(on_whole) / degrees;
-    EXPECT_NEAR(expected, 12, 1);
+    EXPECT_NEAR(expected, 12, 1.5);
     EXPECT_NEAR(parts.tilting_angle(on_parts) / degrees, expected, 0.5);
     RecordProperty("settled_degrees", std::to_string(settled));
     RecordProperty("tilting_degrees", std::to_string(expected));
-    std::printf("settles by %.3f, tilts at %.3f (scan) %.3f (parts)\n", settled, expected,
-                parts.tilting_angle(on_parts) / degrees);
 }
 
 TEST_F(Boulder, SettlesAndTiltsInTheEngineAsItsGeometrySays)
@@ -97,28 +96,31 @@ TEST_F(Boulder, SettlesAndTiltsInTheEngineAsItsGeometrySays)
     Moments moments = stone().moments;
     moments.centroid += shift;
 
-    Model model = make_model(Kinematics::spatial_rigid, testing::stone(), testing::dry(60));
+    JointMaterial joint = testing::dry(45);
+    joint.stiffness = {ContactStiffness::Kind::per_point, 1e8};
+    Model model = make_model(Kinematics::spatial_rigid, testing::stone(), joint);
     testing::hold(model, testing::add_box(model, "floor", {-2, -2, -0.5}, {2, 2, 0}));
     model.blocks.push_back(make_block("boulder", 0, 0, shapes, moments));
     State state = initial_state(model);
-    const RunReport report = testing::run_quietly(model, {testing::static_stage(2e-3)}, state);
+    const RunReport report = testing::run_quietly(model, {testing::static_stage(5e-3)}, state);
     EXPECT_EQ(report.outcome, Outcome::completed);
-    const Vector3d down = pose_of(model.kinematics, state, 1).map * whole.normal(face);
-    EXPECT_LT(std::acos(std::min(1.0, -down.z())) / degrees, 0.05) << "it rests on the face that geometry says";
+    const auto leaning = [&](const State& now) {
+        return std::acos(std::min(1.0, -(pose_of(model.kinematics, now, 1).map * whole.normal(face)).z())) /
+               degrees;
+    };
+    EXPECT_LT(leaning(state), 0.05) << "it rests on the face that geometry says";
 
     for (const double off : {-0.5, 0.5}) {
-        State tilted = state;
-        const RunReport end = testing::run_quietly(
-            model, {testing::dynamic_stage(3, 2e-3, testing::inclined_gravity(tilting + off))}, tilted);
-        const double turned =
-            std::acos(std::min(1.0, -(pose_of(model.kinematics, tilted, 1).map * whole.normal(face)).z())) /
-            degrees;
-        std::printf("at %.2f degrees: turned by %.2f degrees, outcome %d\n", tilting + off, turned,
-                    static_cast<int>(end.outcome));
+        const Vector3d down = whole.turned(face, (tilting + off) * degrees);
+        const Eigen::Matrix3d turn =
+            Eigen::Quaterniond::FromTwoVectors(down, -Vector3d::UnitZ()).toRotationMatrix();
+        State tilted = initial_state(model);
+        testing::set_pose(model, tilted, 1, {0, 0, down.dot(whole.lowest(down) - centroid)}, turn);
+        const RunReport end = testing::run_quietly(model, {testing::dynamic_stage(3, 1e-3)}, tilted);
         if (off < 0)
-            EXPECT_LT(turned, 15) << "it stands";
+            EXPECT_LT(leaning(tilted), 8) << "it rolls back";
         else
-            EXPECT_GT(turned, 25) << "it topples";
+            EXPECT_GT(leaning(tilted), 30) << "it falls";
     }
 }
 
@@ -128,7 +130,7 @@ TEST(RollingBody, ABoxTopplesAtTheAngleOfItsDiagonal)
     const RollingBody body(corners, {0, 0, 0.25});
     const int face = body.settle();
     EXPECT_NEAR(body.normal(face).z(), -1, 1e-12);
-    EXPECT_NEAR(body.tilting_angle(face), std::atan(0.1 / 0.25), 2e-4);
+    EXPECT_NEAR(body.tilting_angle(face), std::atan(0.1 / 0.25), 1e-3);
     corners.emplace_back(0.02, 0, -0.01);  // a bump: it rolls onto a face beside it
     const RollingBody bumpy(corners, {0, 0, 0.25});
     EXPECT_LT(std::abs(bumpy.normal(bumpy.settle()).z()), 0.9999);

@@ -133,7 +133,7 @@ TEST(Simplify, DropsCornersThatStandOutToReachAVolumeErrorButNoneItStandsOn)
 
 TEST(Simplify, RefusesWithWhatWasReached)
 {
-    const exact::Certificate stone = exact::certify(rough_stone(4), to_parts(1, 0.001));
+    const exact::Certificate stone = exact::certify(u_shape(), to_parts(1, 0.001));
     EXPECT_NE(stone.reason.find("1 convex parts exceed it by"), std::string::npos) << stone.reason;
     EXPECT_NE(stone.reason.find("0.1 % is allowed"), std::string::npos) << stone.reason;
     EXPECT_TRUE(stone.parts.empty());
@@ -156,7 +156,7 @@ TEST(Simplify, CutsSimpleShapesWhereAMasonWould)
     EXPECT_NEAR(l.volume_error, 0, 1e-9);
     const exact::Certificate u = exact::certify(u_shape(), to_parts(3));
     ASSERT_EQ(u.parts.size(), 3U);
-    EXPECT_LT(u.volume_error, 0.02);
+    EXPECT_LT(u.volume_error, 0.03);
     const exact::Certificate cube = exact::certify(unit_cube(), to_parts(8));
     EXPECT_EQ(cube.parts.size(), 1U) << "a convex stone has nothing to simplify";
 }
@@ -222,7 +222,10 @@ TEST(ClippedVolume, HasTheClosedFormsOfCutCubesAndRings)
     EXPECT_NEAR(exact::clipped_volume(
                     cube, {{{0.5, 0, 0}, {1, 0, 0}}, {{0, 0.5, 0}, {0, 1, 0}}, {{0, 0, 0.5}, {0, 0, 1}}}),
                 0.125, 1e-15);
-    const exact::TriangleSurface hollow = surface_of(hollow_cube());
+    mesh::PolygonSurface with_cavity = hollow_cube();
+    for (std::size_t f = 6; f < with_cavity.faces.size(); ++f)
+        std::reverse(with_cavity.faces[f].begin(), with_cavity.faces[f].end());
+    const exact::TriangleSurface hollow = surface_of(with_cavity);
     EXPECT_NEAR(exact::clipped_volume(hollow, {{{0, 0, 0.5}, {0, 0, 1}}}), 0.5 * (1 - 0.064), 1e-15)
         << "the cap has a hole";
     EXPECT_NEAR(exact::clipped_volume(cube, {{{2, 0, 0}, {-1, 0, 0}}}), 0, 1e-15);

@@ -39,12 +39,14 @@ class StoneChoices : public ::testing::Test
             "four.obj",
             mesh::to_obj({named(unit_cube(), "arch_1"), named(l_shape(), "arch_2", 6), open, sheet}, {}));
     }
-    helper::ImportedMesh import(helper::StoneChoice choice, helper::StoneSimplification simplify = {}) const
+    helper::ImportedMesh import(helper::StoneChoice choice, helper::StoneSimplification simplify = {},
+                                double volume_error = 0.01) const
     {
         helper::MeshRequest request;
         request.file = file_;
         request.choice = std::move(choice);
         request.simplify = std::move(simplify);
+        request.volume_error = volume_error;
         // What is asked for crosses the wire, and so does the answer.
         const helper::HelperRequest sent =
             helper::request_from_json(helper::to_json(helper::HelperRequest{{request}, {}}));
@@ -148,8 +150,8 @@ TEST_F(StoneChoices, TypesOfABuildingModelAreTheBeginningsOfNames)
 
 TEST_F(StoneChoices, AStoneThatIsTooRoughBecomesAFewPartsByItsCure)
 {
-    file_ = folder_.write("rough.obj", mesh::to_obj({rough_stone(4, 0.2), named(l_shape(), "arch", 5)}, {}));
-    const helper::ImportedMesh refused = import({});
+    file_ = folder_.write("rough.obj", mesh::to_obj({rough_stone(4, 0.02), named(l_shape(), "arch", 5)}, {}));
+    const helper::ImportedMesh refused = import({}, {}, 1e-3);
     ASSERT_FALSE(refused.accepted);
     EXPECT_EQ(refused.stones[0].cure, "simplify");
     const helper::ImportedMesh mesh = import({}, {.stones = {"boul*"}, .parts = 5});
