@@ -33,6 +33,13 @@ std::vector<std::string> read_patterns(YamlCursor& map, const std::string& key, 
     return patterns;
 }
 
+/// 0 when the key is absent, and no default is told: then something else says how far to go.
+int read_count(YamlCursor& map, const std::string& key, int lowest, int highest)
+{
+    YamlCursor look = map;
+    return look.find(key) ? map.integer_or(key, lowest, highest, lowest) : (map.find(key), 0);
+}
+
 StoneSimplification read_simplification(YamlCursor& value, std::vector<ChosenPattern>& patterns)
 {
     StoneSimplification simplify;
@@ -44,11 +51,10 @@ StoneSimplification read_simplification(YamlCursor& value, std::vector<ChosenPat
         return simplify;
     }
     if (!value.expect_map("hull or {parts: 12, volume_error: 2 %}")) return simplify;
-    if (value.find("parts")) simplify.parts = value.integer_or("parts", 1, most_parts, most_parts);
+    simplify.parts = read_count(value, "parts", 1, most_parts);
     simplify.volume_error =
         value.find_quantity("volume_error", words::dimension::number, words::Range{0, 1, false, true}).value_or(0);
-    if (value.find("triangles"))
-        simplify.triangles = value.integer_or("triangles", 4, most_triangles, most_triangles);
+    simplify.triangles = read_count(value, "triangles", 4, most_triangles);
     simplify.stones = read_patterns(value, "stones", "simplify.stones", patterns);
     value.reject_unknown_keys();
     if (!simplify.is_asked()) value.fault("nothing to simplify to", "give parts, volume_error or triangles");
@@ -104,9 +110,10 @@ std::string cure_of(const importers::helper::Stone& stone)
 StoneSimplification parse_simplification(const std::string& text, const std::string& option)
 {
     Findings findings;
+    findings.file = option;
     std::vector<ChosenPattern> patterns;
     const YamlNode tree = parse_yaml(text, option, false);
-    YamlCursor value(tree, option, findings);
+    YamlCursor value(tree, "", findings);
     StoneSimplification simplify = read_simplification(value, patterns);
     if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
     return simplify;

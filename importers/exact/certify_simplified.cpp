@@ -30,7 +30,7 @@ std::string become_parts(Draft& draft, const SimplifyOptions& options)
         text += format(
             " (%.2g %% too much, %.2g %% left out: corners that stood out by less than %.3g m were dropped)",
             100 * (certificate.volume_error + result.lack), 100 * result.lack, result.smoothed);
-    text += format(", its vertices up to %.3g m below their surface", result.depth) + own_mass;
+    text += format(", its vertices at most %.3g m below their surface", result.depth) + own_mass;
     draft.repaired({"simplified to convex parts", text, count, "parts", 100 * std::abs(certificate.volume_error),
                     "% of the volume"});
     return "";
