@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "libdda/contact/placed_part.h"
+#include "libdda/contact/contact_history.h"
 #include "libdda/geometry/extent.h"
 
 namespace voussoir
@@ -90,12 +90,13 @@ void look_for_overlap(const Model& model, const ContactSetIn<D>& contacts, const
         const double width = std::min(widths[patch.block_a], widths[patch.block_b]);
         const auto points = std::span(contacts.points).subspan(patch.first_point, patch.point_count);
         for (const ContactPointIn<D>& point : points) {
-            double depth = -(point.gap + point.rest_gap);
+            double depth = contact::depth_beyond_fit(model, point);
             if (depth <= report.max_penetration && depth <= deepest.share * width) continue;
             depth = std::min(depth, strip_width(model, patch, points));
             report.max_penetration = std::max(report.max_penetration, depth);
             if (depth <= deepest.share * width) continue;
-            const double forgiven = std::min(std::max(0.0, -point.rest_gap), depth);
+            const double free_of_stress = std::max(0.0, -point.rest_gap - model.fit_tolerance);
+            const double forgiven = std::min(free_of_stress, depth);
             deepest = {depth / width, depth, forgiven, time, patch.block_a, patch.block_b};
         }
     }
