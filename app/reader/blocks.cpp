@@ -40,6 +40,7 @@ void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
     std::vector<Block>& blocks = reading.model.blocks;
     const std::vector<BlockOverlap> overlaps = find_overlaps(blocks, without_mesh);
     for (const BlockOverlap& overlap : overlaps) {
+        if (overlap.depth <= reading.model.fit_tolerance) continue;
         const std::string& name_b = blocks[overlap.block_b].name;
         reading.findings.faults.push_back(
             {reading.places.at(name_b) + ": " + blocks[overlap.block_a].name + " and " + name_b,

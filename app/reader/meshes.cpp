@@ -25,33 +25,6 @@ double read_unit(YamlCursor& entry)
     return 1;
 }
 
-/// Rounded coordinates make neighbours overlap by next to nothing; a stone that overlaps another by more than this
-/// share of its volume is a mistake.
-constexpr double max_overlap = 0.01;
-
-void judge_overlaps(const importers::helper::Geometry& geometry, BlockReading& reading)
-{
-    const std::string place = reading.meshes.front().file.place();
-    int small = 0;
-    double largest = 0;
-    for (const importers::helper::Overlap& overlap : geometry.overlaps) {
-        if (overlap.fraction > max_overlap) {
-            reading.findings.faults.push_back({place + ": " + overlap.stone_a + " and " + overlap.stone_b,
-                                               fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
-                                                           overlap.volume, 100 * overlap.fraction),
-                                               "stones may touch but not overlap by more than 1 %"});
-            continue;
-        }
-        ++small;
-        largest = std::max(largest, overlap.fraction);
-    }
-    if (small > 0)
-        reading.findings.warnings.push_back(
-            fmt::format("{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: they start under "
-                        "compression; voussoir check lists them",
-                        place, small, 100 * largest));
-}
-
 void warn_of_repairs(const std::string& place, const std::vector<std::string>& repairs, Findings& findings)
 {
     for (const std::string& repair : repairs) findings.warnings.push_back(fmt::format("{}: {}", place, repair));
@@ -123,13 +96,13 @@ void import_meshes(BlockReading& reading)
     for (const MeshEntry& mesh : reading.meshes) requests.push_back(mesh.request);
     const importers::helper::Geometry& geometry = reading.findings.geometry =
         importers::helper::import_geometry(requests, {});
+    reading.findings.mesh_place = reading.meshes.front().file.place();
     reading.mesh_origin = geometry.origin;
     Model& model = reading.model;
     model.origin = is_planar(model.kinematics) ? to_space(from_space<2>(geometry.origin)) : geometry.origin;
     for (Block& box : model.blocks) box.moments.centroid -= model.origin;
     for (std::size_t i = 0; i < reading.meshes.size(); ++i)
         take_mesh(reading.meshes[i], geometry.meshes.at(i), reading);
-    judge_overlaps(geometry, reading);
 }
 
 }  // namespace voussoir::app::reader

@@ -39,7 +39,7 @@ DiagnosisForm make_form(DiagnosisKind kind)
         case DiagnosisKind::no_equilibrium:
             return {"no_equilibrium", true, 0, 0, {"steps", "unbalanced"}};
         case DiagnosisKind::deep_overlap:
-            return {"deep_overlap", true, 2, 2, {"time_s", "depth_m", "share", "forgiven_m", "overlap_time_s"}};
+            return {"deep_overlap", true, 2, 2, {"time_s", "depth_m", "share", "forgiven_m", "overlap_time_s", "drawn_m"}};
         case DiagnosisKind::no_number:
             return {"no_number", true, 1, 1, {"time_s"}};
         case DiagnosisKind::energy_no_number:
@@ -55,7 +55,7 @@ DiagnosisForm make_form(DiagnosisKind kind)
         case DiagnosisKind::energy_given:
             return {"energy_given", false, 0, 0, {"share"}};
         case DiagnosisKind::overlap:
-            return {"overlap", false, 2, 2, {"depth_m", "share", "forgiven_m", "overlap_time_s"}};
+            return {"overlap", false, 2, 2, {"depth_m", "share", "forgiven_m", "overlap_time_s", "drawn_m"}};
         case DiagnosisKind::ground_jump:
             return {"ground_jump", true, 1, 1, {"velocity_jump_m_s"}};
         case DiagnosisKind::dry_joints:
