@@ -167,10 +167,9 @@ void refuse_soft_joints(const Case& the_case, Findings& findings)
     for (std::size_t i = 0; i < std::min(most_told, soft.size()); ++i)
         findings.faults.push_back(
             {findings.file + ": " + the_case.model.blocks[soft[i].block].name,
-             fmt::format("sinks into its neighbours by {} or more under its own weight, {:.2g} % of its width",
+             fmt::format("settles by {} under the weight that it carries, {:.2g} % of the width",
                          millimetres(soft[i].depth), 100 * soft[i].share),
-             fmt::format("give its joints a contact_stiffness at least {:g} times as large",
-                         std::ceil(soft[i].factor))});
+             fmt::format("give its joints a contact_stiffness {:g} times as large", std::ceil(soft[i].factor))});
 }
 
 }  // namespace voussoir::app::reader

@@ -127,7 +127,7 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
     json["unknowns_per_block"] = unknowns_per_block(model.kinematics);
     json["state_bytes_per_block"] = state_bytes_per_block(state, model.blocks.size());
     json["factor_entries"] = report.factor_entries;
-    if (model.fit_tolerance > 0) json["fit_tolerance_m"] = model.fit_tolerance;
+    json["fit_tolerance_m"] = model.fit_tolerance;
     json["contacts"] = state.contacts.patches.size() + state.planar_contacts.patches.size();
     json["integrator"] = integrators(the_case.stages);
     json["steps"] = report.steps;

@@ -85,6 +85,23 @@ std::string too_many_cuts(const Subject& subject)
         words, subject.block(0));
 }
 
+/// "stage 'self-weight' finds no equilibrium: 2 of 10 blocks are falling under their own weight: 'a' by 0.4 m,
+/// ..."
+std::string mechanism(const Subject& subject)
+{
+    constexpr std::size_t most = 5;
+    const Diagnosis& diagnosis = subject.diagnosis;
+    const std::size_t count = diagnosis.blocks.size();
+    std::string words =
+        fmt::format("{} finds no equilibrium: {} of {} blocks {} falling under {} own weight: ", subject.stage(),
+                    count, subject.model.blocks.size(), count == 1 ? "is" : "are", count == 1 ? "its" : "their");
+    for (std::size_t i = 0; i < std::min(most, count); ++i)
+        words += fmt::format("{}{} by {:.3g} m", i > 0 ? ", " : "", subject.block(i), diagnosis.values[i]);
+    const std::string them = count == 1 ? "it" : "them";
+    return words + (count > most ? ", ...; " : "; ") +
+           fmt::format("look at what should carry {}, or add {} to the foundation", them, them);
+}
+
 std::string no_equilibrium(const Subject& subject)
 {
     return fmt::format(
@@ -201,6 +218,8 @@ std::string end_in_words(const Subject& subject)
             return "stopped on request";
         case DiagnosisKind::fallen:
             return fallen(subject);
+        case DiagnosisKind::mechanism:
+            return mechanism(subject);
         case DiagnosisKind::inverted_block:
         case DiagnosisKind::singular_system:
         case DiagnosisKind::inaccurate_solution:

@@ -3,11 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
-#include "libdda/analysis/overlaps.h"
 #include "libdda/contact/find_contacts.h"
 #include "libdda/contact/initial_contacts.h"
+#include "libdda/geometry/plane.h"
 
 namespace voussoir
 {
@@ -18,7 +19,18 @@ namespace
 constexpr double largest = 0.01;           // of the smaller stone's size
 constexpr double largest_of_width = 0.05;  // of the thinner stone's width
 constexpr double smallest = 1e-6;          // of the smaller stone's size: rounding
+constexpr double least_slope = 0.2;        // sine: flatter joints carry stones, steeper ones only lean on them
 constexpr double touching_share = 0.25;    // of the facing area: less is a wedge
+
+Eigen::Vector3d in_space(const Eigen::Vector3d& v)
+{
+    return v;
+}
+
+Eigen::Vector3d in_space(const Eigen::Vector2d& v)
+{
+    return to_space(v);
+}
 
 /// The model with contacts as drawn.
 template <int D>
@@ -90,13 +102,28 @@ DrawnMisfit misfit_in(const Model& model)
     return misfit;
 }
 
+/// One stone upon another.
+struct Support {
+    int below = 0;
+    double stiffness = 0;  // N/m, against a settlement of the upper stone
+    double slope = 0;      // -, of the settlement that the joint closes by
+};
+
+/// What every block stands on.
 template <int D>
-void add_stiffness(const ContactSetIn<D>& contacts, std::vector<double>& stiffness)
+void add_supports(const ContactSetIn<D>& contacts, const Eigen::Vector3d& up,
+                  std::vector<std::vector<Support>>& supports)
 {
-    for (const ContactPatchIn<D>& patch : contacts.patches)
+    for (const ContactPatchIn<D>& patch : contacts.patches) {
+        double stiffness = 0;
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
-            for (const int block : {patch.block_a, patch.block_b})
-                stiffness[block] += patch.stiffness * contacts.points[i].area;
+            stiffness += patch.stiffness * contacts.points[i].area;
+        const double slope = up.dot(in_space(patch.normal));  // > 0: block a is upon block b
+        const int above = slope > 0 ? patch.block_a : patch.block_b;
+        const int below = slope > 0 ? patch.block_b : patch.block_a;
+        if (std::abs(slope) > least_slope)
+            supports[above].push_back({below, stiffness * slope * slope, std::abs(slope)});
+    }
 }
 
 }  // namespace
@@ -116,18 +143,37 @@ DrawnMisfit drawn_misfit(const Model& model)
 
 std::vector<SoftStone> too_soft_stones(const Model& model, const Eigen::Vector3d& gravity)
 {
+    if (gravity.norm() == 0) return {};
+    const Eigen::Vector3d up = -gravity.normalized();
     State state = initial_state(model);
     find_initial_contacts(model, state);
-    std::vector<double> stiffness(model.blocks.size(), 0);
-    add_stiffness(state.contacts, stiffness);
-    add_stiffness(state.planar_contacts, stiffness);
-    for (const Foundation& foundation : model.foundations) stiffness[foundation.block] = 0;
+    const int count = static_cast<int>(model.blocks.size());
+    std::vector<std::vector<Support>> supports(count);
+    add_supports(state.contacts, up, supports);
+    add_supports(state.planar_contacts, up, supports);
+    for (const Foundation& foundation : model.foundations) supports[foundation.block].clear();
+
+    std::vector<int> downwards(count);
+    std::iota(downwards.begin(), downwards.end(), 0);
+    std::stable_sort(downwards.begin(), downwards.end(), [&](int one, int other) {
+        return up.dot(model.blocks[one].moments.centroid) > up.dot(model.blocks[other].moments.centroid);
+    });
     const std::vector<double> widths = least_widths(model);
+    std::vector<double> load(count);
     std::vector<SoftStone> soft;
-    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-        if (stiffness[b] == 0) continue;  // it falls, or is held
-        const double depth = model.mass(b) * gravity.norm() / stiffness[b], share = depth / widths[b];
-        if (share > deepest_share) soft.push_back({b, depth, share, share / deepest_share});
+    for (const int b : downwards) {
+        load[b] += model.mass(b) * gravity.norm();
+        double stiffness = 0;
+        for (const Support& support : supports[b]) stiffness += support.stiffness;
+        SoftStone stone{b, 0, 0, 0};
+        for (const Support& support : supports[b]) {
+            load[support.below] += load[b] * support.stiffness / stiffness;
+            stone.depth = std::max(stone.depth, load[b] / stiffness * support.slope);
+            stone.share = std::max(
+                stone.share, load[b] / stiffness * support.slope / std::min(widths[b], widths[support.below]));
+        }
+        stone.factor = stone.share / softest_share;
+        if (stone.share > softest_share) soft.push_back(stone);
     }
     return soft;
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "libdda/analysis/overlaps.h"
 #include "libdda/model/model.h"
 
 namespace voussoir
@@ -28,16 +29,21 @@ struct DrawnMisfit {
 /// width, is no error of a survey and is left out; so are misfits below 1e-6 of the size.
 DrawnMisfit drawn_misfit(const Model& model);
 
-/// A stone whose own weight presses it too deep into its neighbours.
+/// A stone that sinks too deep into what it stands on.
 struct SoftStone {
     int block = 0;
-    double depth = 0;   // m, at least
-    double share = 0;   // -, of its least width
-    double factor = 0;  // by which all its joints must be stiffer at least
+    double depth = 0;   // m, on the mean over its joints
+    double share = 0;   // -, of the least width of the thinner of the two stones
+    double factor = 0;  // by which its joints must be stiffer to be accepted
 };
 
-/// Stones that are certain to sink into their neighbours by more than deepest_share of their width under a gravity
-/// [m/s2]: their own weight over the normal stiffness of all their joints together says by how much at least.
+/// A mean settlement of more than this share of a stone's width is refused: a stone that lies askew sinks deeper
+/// at its edge, where a run stops at deepest_share.
+constexpr double softest_share = deepest_share / 4;
+
+/// Stones whose joints are too soft for self-weight under a gravity [m/s2], the highest first. Every stone is set
+/// on those below it as a rigid plate on springs, from the top down: its weight and its load go to its supports as
+/// their stiffnesses. Stones that hang or are wedged between others have no such supports and are not judged.
 std::vector<SoftStone> too_soft_stones(const Model& model, const Eigen::Vector3d& gravity);
 
 }  // namespace voussoir

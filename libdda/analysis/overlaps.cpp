@@ -18,6 +18,7 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-9;   // of the smaller block's size
 constexpr double opposite = -0.99;  // cosine: two sides of a strip, within 8 degrees
 
 /// Extent of all parts along a direction [m].
@@ -139,7 +140,7 @@ void add_drawn(const Model& model, const ContactSetIn<D>& contacts, std::map<Pai
         double deepest = 0;
         for (const ContactPointIn<D>& point : points)
             deepest = std::max(deepest, depth_at<D>(model, patch, point, points, deepest));
-        if (deepest == 0) continue;
+        if (deepest <= rounding * std::min(size_of(model, patch.block_a), size_of(model, patch.block_b))) continue;
         double& depth = depths[std::minmax(patch.block_a, patch.block_b)];
         depth = std::max(depth, deepest);
     }
