@@ -250,6 +250,7 @@ std::string certificate_json(const CertifiedCase& the_case)
                  {"warnings", the_case.warnings},
                  {"origin_m", {the_case.origin.x(), the_case.origin.y(), the_case.origin.z()}},
                  {"fit_joints", to_json(the_case.fit)},
+                 {"fit_tolerance_m", the_case.fit_tolerance},
                  {"overlaps", to_json(the_case.overlaps)},
                  {"files", std::move(meshes)},
                  {"blocks", std::move(blocks)},

@@ -22,10 +22,14 @@ void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
     std::vector<Block>& blocks = reading.model.blocks;
     const std::vector<BlockOverlap> overlaps = find_overlaps(blocks, without_mesh);
     for (const BlockOverlap& overlap : overlaps) {
+        if (overlap.depth <= reading.model.fit_tolerance) continue;
         const std::string& name_b = blocks[overlap.block_b].name;
         reading.findings.faults.push_back(
             {reading.places.at(name_b) + ": " + blocks[overlap.block_a].name + " and " + name_b,
-             fmt::format("overlap by {:.3g} m", overlap.depth), "stones may touch but not overlap"});
+             fmt::format("overlap by {:.3g} m", overlap.depth),
+             reading.model.fit_tolerance > 0
+                 ? fmt::format("stones may overlap by the fit_tolerance of {:.3g} m", reading.model.fit_tolerance)
+                 : "stones may touch but not overlap"});
     }
     if (overlaps.size() < max_overlaps) return;
     reading.findings.faults.push_back({reading.findings.file, "more than 1000 pairs of stones overlap",

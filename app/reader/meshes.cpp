@@ -26,53 +26,6 @@ double read_unit(YamlCursor& entry)
     return 1;
 }
 
-/// Rounded coordinates make neighbours overlap by next to nothing; a stone that overlaps another by more than this
-/// share of its volume is a mistake.
-constexpr double max_overlap = 0.01;
-
-/// The worst overlaps one by one, the rest of them in one line.
-void refuse_overlaps(std::vector<importers::helper::Overlap> overlaps, const std::string& place,
-                     Findings& findings)
-{
-    constexpr std::size_t told = 5;
-    const char* expected = "stones may touch but not overlap by more than 1 %";
-    std::stable_sort(overlaps.begin(), overlaps.end(),
-                     [](const auto& a, const auto& b) { return a.fraction > b.fraction; });
-    for (std::size_t i = 0; i < std::min(told, overlaps.size()); ++i)
-        findings.faults.push_back({place + ": " + overlaps[i].stone_a + " and " + overlaps[i].stone_b,
-                                   fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
-                                               overlaps[i].volume, 100 * overlaps[i].fraction),
-                                   expected});
-    if (overlaps.size() > told)
-        findings.faults.push_back({place,
-                                   fmt::format("{} more pairs of stones overlap by up to {:.2g} % of the smaller "
-                                               "one; voussoir check --json lists them",
-                                               overlaps.size() - told, 100 * overlaps[told].fraction),
-                                   expected});
-}
-
-void judge_overlaps(const importers::helper::Geometry& geometry, BlockReading& reading)
-{
-    const std::string place = reading.meshes.front().file.place();
-    int small = 0;
-    double largest = 0;
-    std::vector<importers::helper::Overlap> refused;
-    for (const importers::helper::Overlap& overlap : geometry.overlaps) {
-        if (overlap.fraction > max_overlap) {
-            refused.push_back(overlap);
-            continue;
-        }
-        ++small;
-        largest = std::max(largest, overlap.fraction);
-    }
-    refuse_overlaps(std::move(refused), place, reading.findings);
-    if (small > 0)
-        reading.findings.warnings.push_back(
-            fmt::format("{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: they start under "
-                        "compression; voussoir check lists them",
-                        place, small, 100 * largest));
-}
-
 /// One line for each kind of repair; the certificate has them all.
 void warn_of_repairs(const std::string& place, const importers::helper::ImportedMesh& mesh, Findings& findings)
 {
@@ -166,13 +119,13 @@ void import_meshes(BlockReading& reading)
     for (const MeshEntry& mesh : reading.meshes) requests.push_back(mesh.request);
     const importers::helper::Geometry& geometry = reading.findings.geometry =
         importers::helper::import_geometry(requests, {});
+    reading.findings.mesh_place = reading.meshes.front().file.place();
     reading.mesh_origin = geometry.origin;
     Model& model = reading.model;
     model.origin = is_planar(model.kinematics) ? to_space(from_space<2>(geometry.origin)) : geometry.origin;
     for (Block& box : model.blocks) box.moments.centroid -= model.origin;
     for (std::size_t i = 0; i < reading.meshes.size(); ++i)
         take_mesh(reading.meshes[i], geometry.meshes.at(i), reading);
-    judge_overlaps(geometry, reading);
 }
 
 }  // namespace voussoir::app::reader

@@ -11,7 +11,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 10\n";  // its digit rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 11\n";  // its number rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -45,8 +45,8 @@ void report_fields(Archive& archive, Report& report)
                    factorisations, linear_iterations, factor_entries, simulated_time, max_penetration,
                    static_unbalanced, seconds);
     ledger_fields(archive, energy);
-    auto& [share, depth, forgiven, overlap_time, overlap_a, overlap_b] = deepest;
-    archive.fields(share, depth, forgiven, overlap_time, overlap_a, overlap_b);
+    auto& [share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn] = deepest;
+    archive.fields(share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn);
     archive.list(fallen, [](auto& to, auto& entry) {
         auto& [block, time, left] = entry;
         to.fields(block, time, left);

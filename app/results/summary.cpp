@@ -54,6 +54,7 @@ Json deepest_overlap(const Model& model, const DeepestOverlap& overlap)
     return {{"blocks", {model.blocks[overlap.block_a].name, model.blocks[overlap.block_b].name}},
             {"depth_m", overlap.depth},
             {"forgiven_m", overlap.forgiven},
+            {"drawn_m", overlap.drawn},
             {"fraction_of_width", overlap.share},
             {"share_of_width", overlap.share},  // its former name, for one release
             {"time_s", overlap.time}};
@@ -136,6 +137,7 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
     json["unknowns_per_block"] = unknowns_per_block(model.kinematics);
     json["state_bytes_per_block"] = state_bytes_per_block(state, model.blocks.size());
     json["factor_entries"] = report.factor_entries;
+    json["fit_tolerance_m"] = model.fit_tolerance;
     json["contacts"] = state.contacts.patches.size() + state.planar_contacts.patches.size();
     json["integrator"] = integrators(the_case.stages);
     json["steps"] = report.steps;

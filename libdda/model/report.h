@@ -144,6 +144,7 @@ struct DeepestOverlap {
     double forgiven = 0;             // m of the depth, without stress: of a contact found late or on another face
     double time = 0;                 // s since the run's start
     int block_a = -1, block_b = -1;  // indices into Model::blocks
+    double drawn = 0;                // m of the depth, that the two share as drawn beyond the fit_tolerance
 };
 
 /// The most that a joint of the start of the run has done: see joint_openings.h.

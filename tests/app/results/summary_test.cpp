@@ -55,6 +55,7 @@ TEST(Summary, HasEveryKeyOfTheDesign)
                             "left_out",
                             "warnings",
                             "factor_entries",
+                            "fit_tolerance_m",
                             "state_bytes_per_block",
                             "motions",
                             "defaults",
@@ -99,7 +100,7 @@ TEST(Summary, TellsWhatFellWasCrushedAndOverlapped)
     the_case.model.materials[0].compressive_strength = 1e6;
     report.fallen = {{2, 0.5, true}, {1, 0.75, false}};
     report.crushed = {{1, 2, 1e6, 0.25, 0.3, 3e6}};
-    report.deepest = {0.02, 0.01, 0.006, 0.4, 1, 2};
+    report.deepest = {0.02, 0.01, 0.006, 0.4, 1, 2, 0.003};
     ResultsWriter(the_case, folder.path()).finish(synthetic::swaying(the_case, 0), report, {0, 0});
     const nlohmann::json json = summary_in(folder.path());
     EXPECT_EQ(json["fallen_blocks"], (nlohmann::json{{{"block", third}, {"time_s", 0.5}, {"left", true}},
@@ -112,6 +113,7 @@ TEST(Summary, TellsWhatFellWasCrushedAndOverlapped)
     EXPECT_EQ(json["deepest_overlap"], (nlohmann::json{{"blocks", {second, third}},
                                                        {"depth_m", 0.01},
                                                        {"forgiven_m", 0.006},
+                                                       {"drawn_m", 0.003},
                                                        {"fraction_of_width", 0.02},
                                                        {"share_of_width", 0.02},  // former name
                                                        {"time_s", 0.4}}));
