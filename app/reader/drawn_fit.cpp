@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "libdda/analysis/drawn_misfit.h"
@@ -18,7 +19,8 @@ namespace
 /// A stone of a mesh that overlaps another by more than this share of its volume is a mistake, unless the
 /// fit_tolerance covers the depth.
 constexpr double max_overlap = 0.01;
-constexpr std::size_t most_told = 20;
+constexpr double inside = 0.5;  // of its volume: a stone that shares so much was drawn into another
+constexpr std::size_t worst_told = 5, most_told = 20;
 
 using Pair = std::pair<int, int>;
 
@@ -70,16 +72,18 @@ class MeshOverlaps
     }
     void judge() const
     {
+        std::vector<importers::helper::Overlap> refused;
         int small = 0;
         double most = 0;
         for (const importers::helper::Overlap& overlap : findings_.geometry.overlaps) {
             if (overlap.fraction > max_overlap && !is_covered(overlap)) {
-                refuse(overlap);
+                refused.push_back(overlap);
                 continue;
             }
             ++small;
             most = std::max(most, overlap.fraction);
         }
+        refuse(std::move(refused));
         if (small > 0)
             findings_.warnings.push_back(
                 fmt::format("{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: {}; voussoir "
@@ -88,20 +92,58 @@ class MeshOverlaps
     }
 
  private:
-    /// Whether the fit_tolerance is as large as the depth, which must be known.
-    bool is_covered(const importers::helper::Overlap& overlap) const
+    /// Depth of an overlap [m]; nothing when it is not known.
+    std::optional<double> depth_of(const importers::helper::Overlap& overlap) const
     {
         const auto a = blocks_.find(overlap.stone_a), b = blocks_.find(overlap.stone_b);
-        if (a == blocks_.end() || b == blocks_.end()) return false;
+        if (a == blocks_.end() || b == blocks_.end()) return std::nullopt;
         const auto depth = depths_.find(std::minmax(a->second, b->second));
-        return depth != depths_.end() && depth->second <= model_.fit_tolerance;
+        if (depth == depths_.end()) return std::nullopt;
+        return depth->second;
     }
-    void refuse(const importers::helper::Overlap& overlap) const
+    bool is_covered(const importers::helper::Overlap& overlap) const
     {
-        findings_.faults.push_back({findings_.mesh_place + ": " + overlap.stone_a + " and " + overlap.stone_b,
-                                    fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
-                                                overlap.volume, 100 * overlap.fraction),
-                                    "stones may touch but not overlap by more than 1 %"});
+        const std::optional<double> depth = depth_of(overlap);
+        return depth && *depth <= model_.fit_tolerance;
+    }
+    /// The worst one by one, the rest in one line.
+    void refuse(std::vector<importers::helper::Overlap> overlaps) const
+    {
+        std::stable_sort(overlaps.begin(), overlaps.end(),
+                         [](const auto& a, const auto& b) { return a.fraction > b.fraction; });
+        for (std::size_t i = 0; i < std::min(worst_told, overlaps.size()); ++i)
+            findings_.faults.push_back(
+                {findings_.mesh_place + ": " + overlaps[i].stone_a + " and " + overlaps[i].stone_b,
+                 fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one", overlaps[i].volume,
+                             100 * overlaps[i].fraction),
+                 cure_of(overlaps[i])});
+        if (overlaps.size() > worst_told)
+            findings_.faults.push_back(
+                {findings_.mesh_place,
+                 fmt::format("{} more pairs of stones overlap, by up to {:.2g} % of the smaller one",
+                             overlaps.size() - worst_told, 100 * overlaps[worst_told].fraction),
+                 "voussoir check --json lists them"});
+    }
+    std::string smaller_of(const importers::helper::Overlap& overlap) const
+    {
+        const auto a = blocks_.find(overlap.stone_a), b = blocks_.find(overlap.stone_b);
+        if (a == blocks_.end() || b == blocks_.end()) return overlap.stone_b;
+        const bool first = model_.blocks[a->second].moments.volume < model_.blocks[b->second].moments.volume;
+        return first ? overlap.stone_a : overlap.stone_b;
+    }
+    std::string cure_of(const importers::helper::Overlap& overlap) const
+    {
+        if (overlap.fraction > inside)
+            return fmt::format("the smaller one lies in the other: leave it out (skip: \"{}\")",
+                               smaller_of(overlap));
+        const std::optional<double> depth = depth_of(overlap);
+        if (!depth) return "stones may touch but not overlap by more than 1 %: trim or move one of them";
+        // Rounded up, so that it covers the depth.
+        return fmt::format(
+            "if this is the error of the survey, allow for it (fit_tolerance: {:.0f} mm); otherwise trim or move "
+            "one "
+            "of them by {}",
+            std::ceil(1e3 * *depth), millimetres(*depth));
     }
     /// What becomes of the overlaps that are accepted.
     std::string consequence() const

@@ -126,6 +126,8 @@ void import_meshes(BlockReading& reading)
     for (Block& box : model.blocks) box.moments.centroid -= model.origin;
     for (std::size_t i = 0; i < reading.meshes.size(); ++i)
         take_mesh(reading.meshes[i], geometry.meshes.at(i), reading);
+    for (const std::string& line : importers::helper::in_words(geometry.fit))
+        reading.findings.warnings.push_back(fmt::format("{}: {}", reading.findings.mesh_place, line));
 }
 
 }  // namespace voussoir::app::reader

@@ -26,7 +26,7 @@ struct SharedShape {
 /// be so that every side that faces another one is flat, and the corners of what faces it lie in its plane: a
 /// joint of two sides has one plane, and where four stones meet their corners stay one point. What cannot be flat,
 /// a side that faces two stones of a curved course, keeps the least squares of it, in `misfit`. Gauss-Newton's
-/// iteration on corners and planes. Source: planar quad meshes, [LiuEtAl2006] (the constraint; the rest is ours).
+/// iteration on corners and planes. Source: [LiuPottmann2006] (flat faces as the constraint; the rest is ours).
 /// @param joints sides that are nearly flat
 SharedShape share_corners(const std::vector<SidedStone>& stones, const std::vector<Facing>& joints);
 

@@ -1,4 +1,5 @@
 // Which blocks make a joint, and over which area.
+#include <algorithm>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
@@ -152,7 +153,8 @@ void collect(const Model& model, const std::vector<PlacedBlock>& blocks, const C
 
 double touching_distance(const Model& model, int block_a, int block_b)
 {
-    return contact::contact_distance * (size_of(model, block_a) + size_of(model, block_b));
+    return std::max(contact::contact_distance * (size_of(model, block_a) + size_of(model, block_b)),
+                    model.fit_tolerance);
 }
 
 std::vector<WatchedJoint> joints_at_start(const Model& model, const State& start)
