@@ -80,6 +80,25 @@ void add_check(CLI::App& app, std::function<int()>& chosen)
         [arguments, &chosen] { chosen = [arguments] { return app::commands::check_command(*arguments); }; });
 }
 
+/// Repeatable options that take one value each time, so that what follows them is not swallowed.
+void add_stone_choice(CLI::App& command, app::commands::ImportArguments& arguments)
+{
+    const auto add = [&](const char* name, std::vector<std::string>& patterns, const char* help) {
+        command.add_option(name, patterns, help)->type_name("PATTERN")->allow_extra_args(false);
+    };
+    add("--skip", arguments.skip, "Leave out stones of this name; * and ? stand for others. Repeatable");
+    add("--only", arguments.only, "Leave out all stones but those of this name. Repeatable");
+    add("--hull", arguments.hull, "Replace stones of this name by their convex hulls. Repeatable");
+    add("--skip-type", arguments.skip_types, "Leave out items of this type of a building model: IfcWindow");
+    command.add_option("--repair", arguments.repair, "What becomes of a stone that cannot be certified")
+        ->check(CLI::IsMember(importers::helper::repair_rule_names))
+        ->capture_default_str();
+    command
+        .add_option("--simplify", arguments.simplify,
+                    "Simplify scanned stones, as in a case: hull or '{parts: 12, volume_error: 2 %}'")
+        ->type_name("HOW");
+}
+
 void add_import(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<app::commands::ImportArguments>();
@@ -118,6 +137,7 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
         ->add_option("--close-joints", arguments->close_joints,
                      "Close gaps between facing faces up to this width: 25mm")
         ->type_name("LENGTH");
+    add_stone_choice(*command, *arguments);
     add_certificate(*command, arguments->json, arguments->folder);
     add_verbose(*command, arguments->verbose);
     command->callback([arguments, &chosen] {

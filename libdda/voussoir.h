@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "libdda/analysis/joint_resultants.h"
+#include "libdda/analysis/joints_now.h"
 #include "libdda/errors.h"
 #include "libdda/instruction_set.h"
 #include "libdda/run/run.h"

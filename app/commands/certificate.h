@@ -32,6 +32,7 @@ struct CertifiedCase {
     std::vector<std::string> faults, warnings;  // no fault: the case can be run
     std::vector<importers::helper::ImportedMesh> meshes;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    double fit_tolerance = 0;  // m, as given or measured
     std::vector<importers::helper::Overlap> overlaps;
     importers::helper::JointFit fit;
     importers::assembly::Assembly assembly;

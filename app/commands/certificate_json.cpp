@@ -144,6 +144,14 @@ json kinds_of_repairs(const importers::helper::ImportedMesh& mesh)
     return kinds;
 }
 
+json skipped_of(const importers::helper::ImportedMesh& mesh)
+{
+    json skipped = json::array();
+    for (const importers::helper::SkippedStone& stone : mesh.skipped)
+        skipped.push_back({{"name", stone.name}, {"why", stone.why}});
+    return skipped;
+}
+
 json to_json(const importers::helper::Stone& stone, const importers::helper::ImportedMesh& mesh,
              const Eigen::Vector3d& origin)
 {
@@ -163,7 +171,8 @@ json to_json(const importers::helper::Stone& stone, const importers::helper::Imp
             {"centroid_m", measured ? json({centroid.x(), centroid.y(), centroid.z()}) : json()},
             {"repairs", sentences_of(stone.repairs)},
             {"features", std::move(features)},
-            {"reason", stone.reason}};
+            {"reason", stone.reason},
+            {"cure", stone.cure}};
 }
 
 json to_json(const std::vector<importers::helper::Overlap>& overlaps)
@@ -206,6 +215,7 @@ std::string certificates_json(const std::vector<CertifiedFile>& files)
                         {"reason", file.mesh.reason},
                         {"repairs", sentences_of(file.mesh.repairs)},
                         {"repair_kinds", kinds_of_repairs(file.mesh)},
+                        {"skipped", skipped_of(file.mesh)},
                         {"unit", {{"metres", file.mesh.metres_per_unit}, {"from", file.mesh.unit_from}}},
                         {"origin_m", {file.origin.x(), file.origin.y(), file.origin.z()}},
                         {"overlaps", to_json(file.overlaps)},
@@ -224,6 +234,7 @@ std::string certificate_json(const CertifiedCase& the_case)
                           {"reason", mesh.reason},
                           {"repairs", sentences_of(mesh.repairs)},
                           {"repair_kinds", kinds_of_repairs(mesh)},
+                          {"skipped", skipped_of(mesh)},
                           {"unit", {{"metres", mesh.metres_per_unit}, {"from", mesh.unit_from}}},
                           {"stones", stones_of(mesh, the_case.origin)}});
     for (const importers::assembly::AssemblyStone& stone : the_case.assembly.stones)
@@ -239,6 +250,7 @@ std::string certificate_json(const CertifiedCase& the_case)
                  {"warnings", the_case.warnings},
                  {"origin_m", {the_case.origin.x(), the_case.origin.y(), the_case.origin.z()}},
                  {"fit_joints", to_json(the_case.fit)},
+                 {"fit_tolerance_m", the_case.fit_tolerance},
                  {"overlaps", to_json(the_case.overlaps)},
                  {"files", std::move(meshes)},
                  {"blocks", std::move(blocks)},

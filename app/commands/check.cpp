@@ -139,6 +139,7 @@ void examine(const reader::CaseStones& stones, bool complete, CertifiedCase& cer
     certified.overlaps = stones.geometry.overlaps;
     certified.fit = stones.geometry.fit;
     certified.origin = stones.model.origin;
+    certified.fit_tolerance = stones.model.fit_tolerance;
     if (certified.meshes.size() == 1) origin.metres_per_unit = certified.meshes.front().metres_per_unit;
     const bool has_refused = std::any_of(certified.meshes.begin(), certified.meshes.end(),
                                          [](const auto& mesh) { return !mesh.accepted; });

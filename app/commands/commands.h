@@ -47,10 +47,13 @@ struct ImportArguments {
     std::optional<char> up;           // as the files say, or z, if not given
     std::string stones = "detect";    // of stone_level_names
     double planarity = 1e-5, volume_error = 0.01;
-    std::string fit_joints = "shared";        // of fit_joints_names
-    std::optional<std::string> close_joints;  // a length
-    std::string reader = "auto";              // of mesh_reader_names
-    bool formats = false;                     // list what is read, import nothing
+    std::string fit_joints = "shared";                      // of fit_joints_names
+    std::optional<std::string> close_joints;                // a length
+    std::string reader = "auto";                            // of mesh_reader_names
+    std::vector<std::string> skip, only, hull, skip_types;  // patterns of names of stones, and of types of items
+    std::string repair = "refuse";                          // of repair_rule_names
+    std::optional<std::string> simplify;                    // as in a case: "{parts: 12, volume_error: 2 %}"
+    bool formats = false;                                   // list what is read, import nothing
     std::optional<std::filesystem::path> json, folder;
     bool verbose = false;  // every repair, not one line a kind
 };

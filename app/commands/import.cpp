@@ -5,6 +5,8 @@
 #include "app/commands/certificate.h"
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
+#include "app/reader/stone_choice.h"
+#include "app/words/nearest_word.h"
 #include "app/words/quantity.h"
 #include "importers/helper/geometry.h"
 #include "importers/helper/repair_summary.h"
@@ -49,6 +51,14 @@ importers::helper::MeshRequest request_of(const ImportArguments& arguments)
         static_cast<importers::helper::FitJoints>(fit - importers::helper::fit_joints_names.begin());
     request.planarity = arguments.planarity;
     request.volume_error = arguments.volume_error;
+    request.choice.skip = arguments.skip;
+    request.choice.only = arguments.only;
+    request.choice.hull = arguments.hull;
+    request.choice.skip_types = arguments.skip_types;
+    const auto& rules = importers::helper::repair_rule_names;
+    request.choice.repair = static_cast<importers::helper::RepairRule>(
+        std::find(rules.begin(), rules.end(), arguments.repair) - rules.begin());
+    if (arguments.simplify) request.simplify = reader::parse_simplification(*arguments.simplify, "--simplify");
     return request;
 }
 
@@ -61,6 +71,8 @@ void print_repairs(const importers::helper::ImportedMesh& mesh, bool verbose)
     else
         for (const importers::helper::RepairSummary& kind : importers::helper::summarised_repairs(mesh))
             fmt::print("  repaired: {}\n", importers::helper::in_words(kind));
+    if (!verbose)
+        for (const std::string& line : importers::helper::skipped_in_words(mesh)) fmt::print("  {}\n", line);
 }
 
 void print_mesh(const CertifiedFile& file, bool verbose)
@@ -88,10 +100,32 @@ void print_refusals(const importers::helper::ImportedMesh& mesh)
     bool said = false;
     for (const importers::helper::Stone& stone : mesh.stones)
         if (!stone.reason.empty()) {
-            fmt::print(stderr, "{}: {}: {}\n", mesh.file, stone.name, stone.reason);
+            fmt::print(stderr, "{}: {}: {}; {}\n", mesh.file, stone.name, stone.reason, reader::cure_of(stone));
             said = true;
         }
     if (!said) fmt::print(stderr, "{}: {}\n", mesh.file, mesh.reason);
+}
+
+/// A pattern that matches no stone of any file is a mistake; files may have different names.
+void refuse_unmatched_patterns(const std::vector<CertifiedFile>& files)
+{
+    std::vector<Fault> faults;
+    for (const importers::helper::UnmatchedPattern& pattern : files.front().mesh.unmatched) {
+        std::vector<std::string> names;
+        bool everywhere = true;
+        for (const CertifiedFile& file : files) {
+            everywhere =
+                everywhere && std::any_of(file.mesh.unmatched.begin(), file.mesh.unmatched.end(),
+                                          [&](const importers::helper::UnmatchedPattern& other) {
+                                              return other.key == pattern.key && other.pattern == pattern.pattern;
+                                          });
+            for (std::string& name : reader::names_of_stones(file.mesh)) names.push_back(std::move(name));
+        }
+        if (everywhere)
+            faults.push_back({pattern.key, "\"" + pattern.pattern + "\" matches no stone",
+                              words::suggestion(pattern.pattern, names)});
+    }
+    if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 /// One file by itself: a file that kills the reader or lies far away does not touch the others.
@@ -170,6 +204,7 @@ int import_command(const ImportArguments& arguments)
         if (!to_stdout) print_mesh(files.back(), arguments.verbose);
         print_refusals(files.back().mesh);
     }
+    if (!files.empty()) refuse_unmatched_patterns(files);
     if (arguments.json) write_json_text(*arguments.json, certificates_json(files));
     if (arguments.folder) {
         write_folder(arguments, files);

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -22,6 +23,7 @@
 #include "app/results/run_lock.h"
 #include "app/words/diagnosis_words.h"
 #include "libdda/analysis/energies.h"
+#include "libdda/analysis/joint_openings.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::commands
@@ -105,6 +107,22 @@ RunReport run_unbroken(const Case& the_case, Start& start, results::ResultsWrite
     }
 }
 
+void print_joints(const std::vector<JointPeaks>& joints)
+{
+    if (joints.empty()) return;
+    int opened = 0, slid = 0;
+    double opening = 0, slip = 0;
+    for (const JointPeaks& joint : joints) {
+        opened += joint.opened.has_value();
+        slid += joint.slid.has_value();
+        opening = std::max(opening, joint.opening);
+        slip = std::max(slip, joint.slip);
+    }
+    fmt::print(
+        "  of {} joints {} opened and {} slid by more than {:g} mm; at most {:.3g} mm open, {:.3g} mm of slip\n",
+        joints.size(), opened, slid, 1e3 * noteworthy_opening, 1e3 * opening, 1e3 * slip);
+}
+
 void print_report(const Case& the_case, const RunReport& report, double wall_time)
 {
     fmt::print("{}: {} steps for {:g} s of motion in {:.1f} s of wall time\n", name_of(report.outcome),
@@ -121,6 +139,7 @@ void print_report(const Case& the_case, const RunReport& report, double wall_tim
         e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3,
         (e.damping_kinetic + e.damping_contact + e.fracture) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3);
+    print_joints(report.joints);
     for (const std::string& warning : words::warnings_of(report, the_case.model, the_case.stages))
         fmt::print("  warning: {}\n", warning);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/reader/placing.h"
+#include "app/reader/stone_choice.h"
 #include "app/reader/yaml_cursor.h"
 #include "importers/helper/geometry.h"
 #include "libdda/model/model.h"
@@ -67,6 +68,7 @@ struct MeshEntry {
     std::string name;  // as it is written
     importers::helper::MeshRequest request;
     Belonging belonging;
+    std::vector<ChosenPattern> chosen;  // of skip, only, hull, ...
 };
 
 /// The extent along y of a planar scene's stones that are drawn in space, and the stone that set it.

@@ -22,10 +22,14 @@ void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
     std::vector<Block>& blocks = reading.model.blocks;
     const std::vector<BlockOverlap> overlaps = find_overlaps(blocks, without_mesh);
     for (const BlockOverlap& overlap : overlaps) {
+        if (overlap.depth <= reading.model.fit_tolerance) continue;
         const std::string& name_b = blocks[overlap.block_b].name;
         reading.findings.faults.push_back(
             {reading.places.at(name_b) + ": " + blocks[overlap.block_a].name + " and " + name_b,
-             fmt::format("overlap by {:.3g} m", overlap.depth), "stones may touch but not overlap"});
+             fmt::format("overlap by {:.3g} m", overlap.depth),
+             reading.model.fit_tolerance > 0
+                 ? fmt::format("stones may overlap by the fit_tolerance of {:.3g} m", reading.model.fit_tolerance)
+                 : "stones may touch but not overlap"});
     }
     if (overlaps.size() < max_overlaps) return;
     reading.findings.faults.push_back({reading.findings.file, "more than 1000 pairs of stones overlap",
@@ -123,28 +127,6 @@ void add_planar_block(const std::string& name, const std::string& place, std::ve
     Model& model = reading.model;
     if (take_name(name, place, reading))
         model.blocks.push_back(make_planar_block(name, 0, 0, std::move(outlines), model.thickness));
-}
-
-bool matches_pattern(std::string_view name, std::string_view pattern)
-{
-    // The last * is remembered and takes one letter more whenever the rest does not fit: no exponential search.
-    std::size_t n = 0, p = 0, star = std::string_view::npos, resume = 0;
-    while (n < name.size()) {
-        if (p < pattern.size() && pattern[p] == '*') {
-            star = p++;
-            resume = n;
-        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-            ++n;
-            ++p;
-        } else if (star != std::string_view::npos) {
-            p = star + 1;
-            n = ++resume;
-        } else {
-            return false;
-        }
-    }
-    while (p < pattern.size() && pattern[p] == '*') ++p;
-    return p == pattern.size();
 }
 
 std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::path& folder, Model& model,

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/reader/yaml_cursor.h"
+#include "importers/helper/stone_choice.h"
 #include "libdda/model/model.h"
 
 namespace voussoir::app::reader
@@ -16,7 +17,6 @@ namespace voussoir::app::reader
 std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::path& folder, Model& model,
                                      Findings& findings);
 
-/// Does a name match a pattern in which * stands for any letters and ? for one?
-bool matches_pattern(std::string_view name, std::string_view pattern);
+using importers::helper::matches_pattern;
 
 }  // namespace voussoir::app::reader

@@ -5,6 +5,7 @@
 
 #include "app/reader/attached_masses.h"
 #include "app/reader/blocks.h"
+#include "app/reader/drawn_fit.h"
 #include "app/reader/foundation.h"
 #include "app/reader/materials.h"
 #include "app/reader/motion.h"
@@ -48,10 +49,13 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
     read_plane_condition(top, model);
     model.materials = read_materials(top);
     model.joints = read_joints(top);
+    const std::optional<double> fit_tolerance = read_fit_tolerance(top);
+    model.fit_tolerance = fit_tolerance.value_or(0);
     result.mesh_files = read_blocks(top, result.file.parent_path(), model, findings);
     model.joint_of_groups = read_joint_rules(top, model.joints, model.groups);
     read_attached_masses(top, model);
     foundations = read_foundations(top, model);
+    settle_fit(top, fit_tolerance, result, findings);
 }
 
 void read_everything(YamlCursor& top, Case& result, Findings& findings)
@@ -62,6 +66,7 @@ void read_everything(YamlCursor& top, Case& result, Findings& findings)
     MotionContext motions{result.file.parent_path(), result.model.kinematics, result.motions};
     result.stages = read_stages(top, result.model, foundations, motions);
     result.output = read_output(top, result.model, result.stages);
+    refuse_soft_joints(result, findings);
     top.reject_unknown_keys();
 }
 

@@ -26,58 +26,13 @@ double read_unit(YamlCursor& entry)
     return 1;
 }
 
-/// Rounded coordinates make neighbours overlap by next to nothing; a stone that overlaps another by more than this
-/// share of its volume is a mistake.
-constexpr double max_overlap = 0.01;
-
-/// The worst overlaps one by one, the rest of them in one line.
-void refuse_overlaps(std::vector<importers::helper::Overlap> overlaps, const std::string& place,
-                     Findings& findings)
-{
-    constexpr std::size_t told = 5;
-    const char* expected = "stones may touch but not overlap by more than 1 %";
-    std::stable_sort(overlaps.begin(), overlaps.end(),
-                     [](const auto& a, const auto& b) { return a.fraction > b.fraction; });
-    for (std::size_t i = 0; i < std::min(told, overlaps.size()); ++i)
-        findings.faults.push_back({place + ": " + overlaps[i].stone_a + " and " + overlaps[i].stone_b,
-                                   fmt::format("overlap by {:.3g} m3, {:.2g} % of the smaller one",
-                                               overlaps[i].volume, 100 * overlaps[i].fraction),
-                                   expected});
-    if (overlaps.size() > told)
-        findings.faults.push_back({place,
-                                   fmt::format("{} more pairs of stones overlap by up to {:.2g} % of the smaller "
-                                               "one; voussoir check --json lists them",
-                                               overlaps.size() - told, 100 * overlaps[told].fraction),
-                                   expected});
-}
-
-void judge_overlaps(const importers::helper::Geometry& geometry, BlockReading& reading)
-{
-    const std::string place = reading.meshes.front().file.place();
-    int small = 0;
-    double largest = 0;
-    std::vector<importers::helper::Overlap> refused;
-    for (const importers::helper::Overlap& overlap : geometry.overlaps) {
-        if (overlap.fraction > max_overlap) {
-            refused.push_back(overlap);
-            continue;
-        }
-        ++small;
-        largest = std::max(largest, overlap.fraction);
-    }
-    refuse_overlaps(std::move(refused), place, reading.findings);
-    if (small > 0)
-        reading.findings.warnings.push_back(
-            fmt::format("{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: they start under "
-                        "compression; voussoir check lists them",
-                        place, small, 100 * largest));
-}
-
 /// One line for each kind of repair; the certificate has them all.
 void warn_of_repairs(const std::string& place, const importers::helper::ImportedMesh& mesh, Findings& findings)
 {
     for (const importers::helper::RepairSummary& kind : importers::helper::summarised_repairs(mesh))
         findings.warnings.push_back(fmt::format("{}: {}", place, importers::helper::in_words(kind)));
+    for (const std::string& line : importers::helper::skipped_in_words(mesh))
+        findings.warnings.push_back(fmt::format("{}: {}", place, line));
 }
 
 /// The answer of the geometry helper about one file, as faults, warnings and blocks.
@@ -91,11 +46,12 @@ void take_mesh(MeshEntry& entry, const importers::helper::ImportedMesh& mesh, Bl
         const std::string stone_place = place + ": " + stone.name;
         stone_refused = stone_refused || !stone.reason.empty();
         if (!stone.reason.empty()) {
-            reading.findings.faults.push_back({stone_place, stone.reason, "repair the mesh"});
+            reading.findings.faults.push_back({stone_place, stone.reason, cure_of(stone)});
         } else if (mesh.accepted) {
             add_block(stone.name, stone_place, stone.parts, reading, &stone.moments);
         }
     }
+    refuse_unmatched_patterns(entry.chosen, mesh);
     if (!mesh.accepted && !stone_refused)
         reading.findings.faults.push_back(
             {place, mesh.reason,
@@ -119,7 +75,7 @@ std::vector<PlacedCopy> read_mesh_copies(YamlCursor& entry, std::vector<PlacedCo
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
 {
     const std::size_t faults_before = reading.findings.faults.size();
-    MeshEntry mesh{file, file.as_text(), {}, read_belonging(entry, reading.model, false)};
+    MeshEntry mesh{file, file.as_text(), {}, read_belonging(entry, reading.model, false), {}};
     mesh.request.file = reading.folder / mesh.name;
     mesh.request.copies = read_mesh_copies(entry, mesh.belonging.copies);
     mesh.request.metres_per_unit = read_unit(entry);
@@ -147,6 +103,7 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
                                                       importers::helper::FitJoints::shared);
     mesh.request.close_joints =
         entry.quantity_or("close_joints", words::dimension::length, words::Range::non_negative(), 0);
+    mesh.chosen = read_stone_choice(entry, mesh.request);
     entry.reject_unknown_keys();
     if (mesh.name.empty()) return;
     if (!std::filesystem::is_regular_file(mesh.request.file))
@@ -162,13 +119,13 @@ void import_meshes(BlockReading& reading)
     for (const MeshEntry& mesh : reading.meshes) requests.push_back(mesh.request);
     const importers::helper::Geometry& geometry = reading.findings.geometry =
         importers::helper::import_geometry(requests, {});
+    reading.findings.mesh_place = reading.meshes.front().file.place();
     reading.mesh_origin = geometry.origin;
     Model& model = reading.model;
     model.origin = is_planar(model.kinematics) ? to_space(from_space<2>(geometry.origin)) : geometry.origin;
     for (Block& box : model.blocks) box.moments.centroid -= model.origin;
     for (std::size_t i = 0; i < reading.meshes.size(); ++i)
         take_mesh(reading.meshes[i], geometry.meshes.at(i), reading);
-    judge_overlaps(geometry, reading);
 }
 
 }  // namespace voussoir::app::reader

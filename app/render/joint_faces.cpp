@@ -61,7 +61,7 @@ BestFace best_face(const results::SurfaceMesh& mesh, const std::vector<Vector3d>
 }  // namespace
 
 std::vector<int> faces_of_joint(const results::SurfaceMesh& mesh, const std::vector<Vector3d>& places,
-                                const JointResultant& joint)
+                                const WatchedJoint& joint)
 {
     const BestFace a = best_face(mesh, places, joint.block_a, -joint.normal, joint.centre);
     const BestFace b = best_face(mesh, places, joint.block_b, joint.normal, joint.centre);

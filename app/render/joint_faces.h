@@ -10,8 +10,8 @@ namespace voussoir::app::render
 
 /// For each of the two blocks the face that lies at the joint's centre and looks across it; a face more than three
 /// times as large as the other's (a floor under a pillar) is left away.
-/// @param places of the mesh's vertices when the joint was found [m]
+/// @param joint of the start of the run; @param places of the mesh's vertices there [m]
 std::vector<int> faces_of_joint(const results::SurfaceMesh& mesh, const std::vector<Eigen::Vector3d>& places,
-                                const JointResultant& joint);
+                                const WatchedJoint& joint);
 
 }  // namespace voussoir::app::render

@@ -174,10 +174,9 @@ std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& f
 
     const SceneOptions scene_options{options.color, options.deformation_scale.value_or(1), joint_threshold};
     const results::RecordedModel model = in_space(results.model);
-    const results::RecordedFrame first = results.frame(0);
     std::vector<Scene> scenes;
     for (const std::size_t frame : choose_frames(results, options)) {
-        scenes.push_back(make_scene(model, first, results.frame(frame), scene_options));
+        scenes.push_back(make_scene(model, results.frame(frame), scene_options));
     }
     const drawing::ColorScale scale = scale_of(scenes, options.color);
     const double aspect = static_cast<double>(options.width) / options.height;

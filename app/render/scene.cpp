@@ -14,10 +14,10 @@ using Eigen::Vector3d;
 namespace
 {
 
-/// Places of all vertices as they are, as they are drawn, and the value of each in the coloured quantity.
+/// Places of all vertices as they are drawn, and the value of each in the coloured quantity.
 struct Vertices {
-    std::vector<Vector3d> actual, drawn;  // m
-    std::vector<double> values;           // SI
+    std::vector<Vector3d> drawn;  // m
+    std::vector<double> values;   // SI
 };
 
 Vertices place_vertices(const results::RecordedModel& model, const results::RecordedFrame& frame,
@@ -31,7 +31,6 @@ Vertices place_vertices(const results::RecordedModel& model, const results::Reco
         const Vector3d actual(positions.data() + 3 * v);
         const Vector3d reference = model.centroids[block] + Vector3d(mesh.levers.data() + 3 * v);
         const Vector3d moved = actual - reference - frame.ground;
-        vertices.actual.push_back(actual);
         vertices.drawn.push_back(reference + options.deformation_scale * moved);
         vertices.values.push_back(options.color == SnapshotColor::displacement
                                       ? moved.norm()
@@ -73,29 +72,36 @@ void add_outline(const results::SurfaceMesh& mesh, int face, const std::vector<V
     }
 }
 
-void mark_joints(const results::RecordedModel& model, const results::RecordedFrame& first,
-                 const results::RecordedFrame& frame, const Vertices& vertices, const SceneOptions& options,
-                 Scene& scene)
+/// Where all vertices were at the start of the run.
+std::vector<Vector3d> start_places(const results::RecordedModel& model)
 {
-    const auto same_pair = [](const JointResultant& a, const JointResultant& b) {
-        return a.block_a == b.block_a && a.block_b == b.block_b;
-    };
-    const auto mark = [&](const JointResultant& joint, const std::vector<Vector3d>& places, bool open) {
-        for (const int face : faces_of_joint(model.mesh, places, joint)) {
+    std::vector<Vector3d> places;
+    for (std::size_t v = 0; v < model.mesh.vertex_block.size(); ++v)
+        places.push_back(model.centroids[model.mesh.vertex_block[v]] + Vector3d(model.mesh.levers.data() + 3 * v));
+    return places;
+}
+
+bool touch(const results::RecordedFrame& frame, const WatchedJoint& joint)
+{
+    return std::any_of(frame.contacts.begin(), frame.contacts.end(), [&](const JointResultant& contact) {
+        return contact.block_a == joint.block_a && contact.block_b == joint.block_b;
+    });
+}
+
+void mark_joints(const results::RecordedModel& model, const results::RecordedFrame& frame,
+                 const Vertices& vertices, const SceneOptions& options, Scene& scene)
+{
+    const std::vector<Vector3d> before = start_places(model);
+    for (std::size_t i = 0; i < model.joints.size(); ++i) {
+        const WatchedJoint& joint = model.joints[i];
+        const JointMotion& motion = frame.joints[i].motion;
+        const bool slid = motion.largest_slip > options.joint_threshold;
+        // Blocks that have slid off each other do not lie on each other any more.
+        const bool open = motion.opening > options.joint_threshold || (slid && !touch(frame, joint));
+        if (!open && !slid) continue;
+        for (const int face : faces_of_joint(model.mesh, before, joint))
             add_outline(model.mesh, face, vertices.drawn, open ? scene.opened : scene.slid);
-        }
         ++(open ? scene.opened_joints : scene.slid_joints);
-    };
-    for (const JointResultant& joint : frame.joints) {
-        const bool open = joint.max_opening > options.joint_threshold;
-        if (open || joint.slip > options.joint_threshold) mark(joint, vertices.actual, open);
-    }
-    const SceneOptions any;
-    const Vertices before = place_vertices(model, first, any);
-    for (const JointResultant& joint : first.joints) {
-        const bool lost = std::none_of(frame.joints.begin(), frame.joints.end(),
-                                       [&](const JointResultant& other) { return same_pair(joint, other); });
-        if (lost && joint.closed_area > 0) mark(joint, before.actual, true);
     }
 }
 
@@ -106,8 +112,8 @@ double largest_compression(const Eigen::Matrix3d& stress)
     return -Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& first,
-                 const results::RecordedFrame& frame, const SceneOptions& options)
+Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& frame,
+                 const SceneOptions& options)
 {
     Scene scene;
     scene.time = frame.time;
@@ -119,7 +125,7 @@ Scene make_scene(const results::RecordedModel& model, const results::RecordedFra
     for (std::size_t face = 0; face < model.mesh.face_block.size(); ++face) {
         add_face(model.mesh, static_cast<int>(face), vertices, foundation[model.mesh.face_block[face]], scene);
     }
-    mark_joints(model, first, frame, vertices, options, scene);
+    mark_joints(model, frame, vertices, options, scene);
     return scene;
 }
 

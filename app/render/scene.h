@@ -13,7 +13,7 @@ namespace voussoir::app::render
 struct SceneOptions {
     SnapshotColor color = SnapshotColor::displacement;
     double deformation_scale = 1;
-    double joint_threshold = 1e-4;  // m, an opening or a slip larger than this is marked
+    double joint_threshold = noteworthy_opening;  // m, an opening or a slip larger than this is marked
 };
 
 struct Triangle {
@@ -36,10 +36,9 @@ struct Scene {
     int opened_joints = 0, slid_joints = 0;
 };
 
-/// @param model with a mesh in space; @param first the run's first frame: joints that it has and `frame` has not
-/// are wide open
-Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& first,
-                 const results::RecordedFrame& frame, const SceneOptions& options);
+/// @param model with a mesh in space
+Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& frame,
+                 const SceneOptions& options);
 
 /// Largest compressive principal stress [Pa], > 0 in compression.
 double largest_compression(const Eigen::Matrix3d& stress);

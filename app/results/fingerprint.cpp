@@ -37,7 +37,10 @@ std::uint64_t hash_of_blocks(const Model& model)
         add_block(block, packer);
         hash = fnv1a(packer.bytes, hash);
     }
-    return hash;
+    if (model.fit_tolerance == 0) return hash;
+    Packer packer;
+    packer.field(model.fit_tolerance);
+    return fnv1a(packer.bytes, hash);
 }
 
 /// Displacement, velocity and acceleration of the whole stage.

@@ -3,8 +3,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "app/results/energy_terms.h"
+#include "app/results/joint_rows.h"
 #include "app/results/scene_vectors.h"
-#include "libdda/analysis/joint_resultants.h"
 
 namespace voussoir::app::results
 {
@@ -55,43 +55,42 @@ std::vector<float> face_displacements(const Model& model, const SurfaceMesh& mes
     return values;
 }
 
-void add_joint_datasets(Kinematics kinematics, std::vector<GrowingDataset>& datasets)
+void add_contact_datasets(Kinematics kinematics, std::vector<GrowingDataset>& datasets)
 {
     const auto real = ElementType::float64;
     const Extents vector = {static_cast<std::uint64_t>(dimension_of(kinematics))};
-    const std::string group = "/frames/joints/";
+    const std::string group = "/frames/contacts/";
     datasets.push_back({group + "rows", ElementType::int64, {2}, {"first", "count"}});
     datasets.push_back({group + "pair", ElementType::int32, {2}, {}});
     for (const char* name : {"force", "moment", "centre", "pressure_centre", "normal"})
         datasets.push_back({group + name, real, vector, {}});
     if (is_planar(kinematics)) datasets[datasets.size() - 4].row = {};  // the moment
-    for (const char* name : {"normal_force", "opening", "slip", "area", "closed_area"})
+    for (const char* name : {"normal_force", "area", "closed_area"})
         datasets.push_back({group + name, real, {}, {}});
 }
 
-void add_joint_rows(const Model& model, const State& state, std::int64_t& first, std::vector<Rows>& rows)
+/// Of all contacts, those of no joint too.
+void add_contact_rows(Kinematics kinematics, const std::vector<JointResultant>& contacts, std::int64_t& first,
+                      std::vector<Rows>& rows)
 {
-    const std::vector<JointResultant> joints = joint_resultants(model, state);
     std::vector<std::int32_t> pair;
-    std::vector<double> force, moment, centre, pressure_centre, normal, normal_force, opening, slip, area, closed;
-    for (const JointResultant& joint : joints) {
-        pair.insert(pair.end(), {joint.block_a, joint.block_b});
-        append_vector(force, joint.force, model.kinematics);
-        append_moment(moment, joint.moment, model.kinematics);
-        append_vector(centre, joint.centre, model.kinematics);
-        append_vector(pressure_centre, joint.pressure_centre, model.kinematics);
-        append_vector(normal, joint.normal, model.kinematics);
-        normal_force.push_back(joint.normal_force);
-        opening.push_back(joint.max_opening);
-        slip.push_back(joint.slip);
-        area.push_back(joint.area);
-        closed.push_back(joint.closed_area);
+    std::vector<double> force, moment, centre, pressure_centre, normal, normal_force, area, closed;
+    for (const JointResultant& contact : contacts) {
+        pair.insert(pair.end(), {contact.block_a, contact.block_b});
+        append_vector(force, contact.force, kinematics);
+        append_moment(moment, contact.moment, kinematics);
+        append_vector(centre, contact.centre, kinematics);
+        append_vector(pressure_centre, contact.pressure_centre, kinematics);
+        append_vector(normal, contact.normal, kinematics);
+        normal_force.push_back(contact.normal_force);
+        area.push_back(contact.area);
+        closed.push_back(contact.closed_area);
     }
-    const auto count = static_cast<std::int64_t>(joints.size());
+    const auto count = static_cast<std::int64_t>(contacts.size());
     const auto add = [&](const char* name, auto& values) {
-        rows.push_back({std::string("/frames/joints/") + name, std::move(values), joints.size()});
+        rows.push_back({std::string("/frames/contacts/") + name, std::move(values), contacts.size()});
     };
-    rows.push_back({"/frames/joints/rows", std::vector<std::int64_t>{first, count}});
+    rows.push_back({"/frames/contacts/rows", std::vector<std::int64_t>{first, count}});
     add("pair", pair);
     add("force", force);
     add("moment", moment);
@@ -99,8 +98,6 @@ void add_joint_rows(const Model& model, const State& state, std::int64_t& first,
     add("pressure_centre", pressure_centre);
     add("normal", normal);
     add("normal_force", normal_force);
-    add("opening", opening);
-    add("slip", slip);
     add("area", area);
     add("closed_area", closed);
     first += count;
@@ -130,7 +127,8 @@ void add_stress_rows(const Model& model, const SurfaceMesh& mesh, const State& s
 
 }  // namespace
 
-std::vector<GrowingDataset> frame_datasets(const Model& model, const SurfaceMesh& mesh)
+std::vector<GrowingDataset> frame_datasets(const Model& model, const SurfaceMesh& mesh,
+                                           const std::vector<WatchedJoint>& joints)
 {
     const std::uint64_t blocks = model.blocks.size();
     const auto dimension = static_cast<std::uint64_t>(mesh.dimension);
@@ -155,12 +153,13 @@ std::vector<GrowingDataset> frame_datasets(const Model& model, const SurfaceMesh
     const std::vector<std::string> energies = names_of(energy_terms({})), figures = names_of(report_columns({}));
     datasets.push_back({"/frames/energy", real, {energies.size()}, energies});
     datasets.push_back({"/frames/report", real, {figures.size()}, figures});
-    add_joint_datasets(model.kinematics, datasets);
+    add_contact_datasets(model.kinematics, datasets);
+    add_joint_datasets(joints, datasets);
     return datasets;
 }
 
-std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const State& state,
-                             const RunReport& report, std::int64_t& first_joint)
+std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const std::vector<WatchedJoint>& joints,
+                             const State& state, const RunReport& report, std::int64_t& first_contact)
 {
     const Vector3d ground = ground_displacement(model, state);
     const std::vector<double> places = positions_of(mesh, model.kinematics, state);
@@ -175,7 +174,9 @@ std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const 
                               {"/frames/energy", values_of(energy_terms(report.energy))},
                               {"/frames/report", values_of(report_columns(report))}};
     if (is_deformable(model.kinematics)) add_stress_rows(model, mesh, state, rows);
-    add_joint_rows(model, state, first_joint, rows);
+    const std::vector<JointResultant> contacts = joint_resultants(model, state);
+    add_contact_rows(model.kinematics, contacts, first_contact, rows);
+    add_joint_rows(joints, joints_now(model, joints, state, contacts), rows);
     return rows;
 }
 

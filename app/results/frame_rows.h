@@ -3,17 +3,19 @@
 
 #include "app/results/growing_rows.h"
 #include "app/results/surface_mesh.h"
+#include "libdda/analysis/joint_openings.h"
 #include "libdda/model/report.h"
 
 namespace voussoir::app::results
 {
 
 /// The datasets under /frames.
-std::vector<GrowingDataset> frame_datasets(const Model& model, const SurfaceMesh& mesh);
+std::vector<GrowingDataset> frame_datasets(const Model& model, const SurfaceMesh& mesh,
+                                           const std::vector<WatchedJoint>& joints);
 
-/// The rows of one frame. @param first_joint rows that the tables of joints have already; raised by those of this
-/// frame
-std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const State& state,
-                             const RunReport& report, std::int64_t& first_joint);
+/// The rows of one frame. @param joints of the start of the run; @param first_contact rows that the tables of
+/// contacts have already; raised by those of this frame
+std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const std::vector<WatchedJoint>& joints,
+                             const State& state, const RunReport& report, std::int64_t& first_contact);
 
 }  // namespace voussoir::app::results

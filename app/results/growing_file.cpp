@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "app/results/counts.h"
+#include "app/results/joint_rows.h"
 #include "app/results/model_records.h"
 #include "libdda/errors.h"
 
@@ -20,9 +21,9 @@ bool is_of_histories(const std::string& dataset)
     return dataset.starts_with("/histories/");
 }
 
-bool is_of_joints(const std::string& dataset)
+bool is_of_contacts(const std::string& dataset)
 {
-    return dataset.starts_with("/frames/joints/") && dataset != "/frames/joints/rows";
+    return dataset.starts_with("/frames/contacts/") && dataset != "/frames/contacts/rows";
 }
 
 [[noreturn]] void refuse_rows(const std::filesystem::path& file, const std::string& dataset)
@@ -69,10 +70,10 @@ struct Copy {
 
 }  // namespace
 
-std::int64_t joint_rows_in(const std::filesystem::path& path, std::int64_t frames)
+std::int64_t contact_rows_in(const std::filesystem::path& path, std::int64_t frames)
 {
     if (frames <= 0) return 0;
-    const std::string name = "/frames/joints/rows";
+    const std::string name = "/frames/contacts/rows";
     const Hdf5File file = Hdf5File::open(path);
     const auto last = file.read_rows<std::int64_t>(name, static_cast<std::uint64_t>(frames) - 1, 1);
     if (last.size() != 2 || !is_count(last[0]) || !is_count(last[1])) refuse_rows(path, name);
@@ -80,14 +81,15 @@ std::int64_t joint_rows_in(const std::filesystem::path& path, std::int64_t frame
 }
 
 GrowingFile::GrowingFile(const std::filesystem::path& path, const Case& the_case, const SurfaceMesh& mesh,
-                         const std::vector<GrowingDataset>& datasets)
+                         const std::vector<WatchedJoint>& joints, const std::vector<GrowingDataset>& datasets)
     : file_(Hdf5File::create(path))
 {
     write_model_records(the_case, mesh, file_);
+    write_joints(the_case.model, joints, file_);
     for (const GrowingDataset& dataset : datasets) {
         const std::string group = dataset.name.substr(0, dataset.name.rfind('/'));
         if (!file_.has(group)) file_.make_group(group);
-        series_.push_back(file_.make_series(dataset.name, dataset.type, dataset.row));
+        series_.push_back(file_.make_series(dataset.name, dataset.type, dataset.row, dataset.chunk_bytes));
         if (!dataset.columns.empty()) file_.attribute(dataset.name, "columns", dataset.columns);
     }
     file_.write("/frames/count", std::vector<std::int64_t>{0});
@@ -106,11 +108,11 @@ void GrowingFile::copy(const CopiedRows& rows)
     const Hdf5File from = Hdf5File::open(rows.file);
     const Copy copy{from, rows.file, file_};
     const auto frames = static_cast<std::uint64_t>(rows.frames);
-    const auto joints = static_cast<std::uint64_t>(joint_rows_in(rows.file, rows.frames));
+    const auto contacts = static_cast<std::uint64_t>(contact_rows_in(rows.file, rows.frames));
     for (Hdf5Series& series : series_) {
         std::uint64_t count = frames;
         if (is_of_histories(series.name)) count = static_cast<std::uint64_t>(rows.history_rows);
-        if (is_of_joints(series.name)) count = joints;
+        if (is_of_contacts(series.name)) count = contacts;
         copy(count, series);
     }
 }
@@ -122,9 +124,10 @@ void GrowingFile::append(const std::vector<Rows>& rows)
                    each.values);
 }
 
-void GrowingFile::write_summary(const std::string& text)
+void GrowingFile::write_end(const std::string& summary, std::span<const JointPeaks> peaks)
 {
-    file_.write_text("/summary", text);
+    write_joint_peaks(peaks, file_);
+    file_.write_text("/summary", summary);
 }
 
 void GrowingFile::flush()

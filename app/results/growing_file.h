@@ -1,9 +1,12 @@
 // One HDF5 file of a run: what is constant, and datasets that grow.
 #pragma once
 
+#include <span>
+
 #include "app/case/case.h"
 #include "app/results/growing_rows.h"
 #include "app/results/surface_mesh.h"
+#include "libdda/analysis/joint_openings.h"
 
 namespace voussoir::app::results
 {
@@ -14,21 +17,22 @@ struct CopiedRows {
     std::int64_t frames = 0, history_rows = 0;
 };
 
-/// Rows that the tables of joints have for the first frames of a results file.
+/// Rows that the tables of contacts have for the first frames of a results file.
 /// @throws InputError when the file has fewer frames, or is damaged there
-std::int64_t joint_rows_in(const std::filesystem::path& path, std::int64_t frames);
+std::int64_t contact_rows_in(const std::filesystem::path& path, std::int64_t frames);
 
 class GrowingFile
 {
  public:
-    /// Makes the file with the records of the model and empty datasets. @throws InputError
+    /// Makes the file with the records of the model and of its joints, and empty datasets. @throws InputError
     GrowingFile(const std::filesystem::path& path, const Case& the_case, const SurfaceMesh& mesh,
-                const std::vector<GrowingDataset>& datasets);
+                const std::vector<WatchedJoint>& joints, const std::vector<GrowingDataset>& datasets);
 
     /// Copies the rows of the first frames. @throws InputError when the file has fewer, or rows of another length
     void copy(const CopiedRows& rows);
     void append(const std::vector<Rows>& rows);
-    void write_summary(const std::string& text);
+    /// What is known only at the end of a run.
+    void write_end(const std::string& summary, std::span<const JointPeaks> peaks);
     /// What was appended reaches the operating system, and /frames/count counts it.
     void flush();
     void close();

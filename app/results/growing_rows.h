@@ -15,8 +15,9 @@ namespace voussoir::app::results
 struct GrowingDataset {
     std::string name;
     ElementType type = ElementType::float64;
-    Extents row;                       // extents of one row; empty for one number per row
-    std::vector<std::string> columns;  // names of the numbers in a row, for an attribute; none if empty
+    Extents row;                           // extents of one row; empty for one number per row
+    std::vector<std::string> columns;      // names of the numbers in a row, for an attribute; none if empty
+    std::uint64_t chunk_bytes = 1U << 18;  // by which the file grows, about
 };
 
 /// Rows for one of them.

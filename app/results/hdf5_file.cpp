@@ -25,10 +25,10 @@ Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept
 namespace
 {
 
-/// Chunks of about 256 kB; at least 8 rows unless these are huge.
-std::uint64_t rows_per_chunk(std::uint64_t row_bytes)
+/// Chunks of about so many bytes; at least 8 rows unless these are huge.
+std::uint64_t rows_per_chunk(std::uint64_t row_bytes, std::uint64_t chunk_bytes)
 {
-    const std::uint64_t usual = std::clamp<std::uint64_t>((1U << 18) / row_bytes, 8, 1024);
+    const std::uint64_t usual = std::clamp<std::uint64_t>(chunk_bytes / row_bytes, 8, 1024);
     return std::clamp<std::uint64_t>((1U << 24) / row_bytes, 1, usual);
 }
 
@@ -157,7 +157,8 @@ void Hdf5File::attribute(const std::string& object, const std::string& name, std
     write_attribute(object, name, H5T_NATIVE_INT64, Hdf5Id(H5Screate(H5S_SCALAR)), &value);
 }
 
-Hdf5Series Hdf5File::make_series(const std::string& name, ElementType type, const Extents& row)
+Hdf5Series Hdf5File::make_series(const std::string& name, ElementType type, const Extents& row,
+                                 std::uint64_t chunk_bytes)
 {
     Extents extents{0}, chunk{1}, limit{H5S_UNLIMITED};
     for (const std::uint64_t size : row) {
@@ -165,7 +166,7 @@ Hdf5Series Hdf5File::make_series(const std::string& name, ElementType type, cons
         chunk.push_back(std::max<std::uint64_t>(size, 1));
         limit.push_back(size);
     }
-    chunk[0] = rows_per_chunk(product(chunk, 1) * bytes_of(type));
+    chunk[0] = rows_per_chunk(product(chunk, 1) * bytes_of(type), chunk_bytes);
     const std::vector<hsize_t> size = to_hsize(extents), chunk_size = to_hsize(chunk), max_size = to_hsize(limit);
     const Hdf5Id space(H5Screate_simple(static_cast<int>(size.size()), size.data(), max_size.data()));
     const Hdf5Id create = timeless(H5P_DATASET_CREATE);

@@ -91,8 +91,9 @@ class Hdf5File
     void attribute(const std::string& object, const std::string& name, double value);
     void attribute(const std::string& object, const std::string& name, std::int64_t value);
 
-    /// @param row extents of one row; empty for one number per row
-    Hdf5Series make_series(const std::string& name, ElementType type, const Extents& row);
+    /// @param row extents of one row; empty for one number per row; @param chunk_bytes by which the file grows
+    Hdf5Series make_series(const std::string& name, ElementType type, const Extents& row,
+                           std::uint64_t chunk_bytes);
     template <typename T>
     void append(Hdf5Series& series, const std::vector<T>& values, std::uint64_t rows = 1)
     {

@@ -17,6 +17,7 @@ void write_scene(const Model& model, Hdf5File& file)
 {
     file.attribute("/", "kinematics", std::string(name_of(model.kinematics)));
     file.attribute("/", "unknowns_per_block", static_cast<std::int64_t>(unknowns_per_block(model.kinematics)));
+    if (model.fit_tolerance > 0) file.attribute("/", "fit_tolerance_m", model.fit_tolerance);
     if (!is_planar(model.kinematics)) return;
     file.attribute("/", "thickness_m", model.thickness);
     if (is_deformable(model.kinematics)) file.attribute("/", "plane", std::string(name_of(model.plane)));
@@ -38,7 +39,7 @@ void write_engine(const version::EngineVersion& engine, Hdf5File& file)
 
 void write_case(const Case& the_case, Hdf5File& file)
 {
-    file.attribute("/", "format", std::string("voussoir results 1"));
+    file.attribute("/", "format", std::string("voussoir results 2"));
     write_engine(version::engine_version(), file);
     file.attribute("/", "title", the_case.title);
     write_scene(the_case.model, file);

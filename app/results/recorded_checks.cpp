@@ -58,6 +58,9 @@ void check_recorded(const RecordedModel& model, const std::string& place)
     expect(all_below(mesh.face_vertices, vertices), "a face with a corner that is not there");
     expect(all_below(mesh.face_block, blocks), "a face that belongs to no block");
     expect(mesh.face_part.size() == faces, "a face that belongs to no part");
+    const auto is_block = [&](int block) { return block >= 0 && static_cast<std::size_t>(block) < blocks; };
+    for (const WatchedJoint& joint : model.joints)
+        expect(is_block(joint.block_a) && is_block(joint.block_b), "a joint between no blocks");
 }
 
 void check_recorded(const RecordedFrame& frame, const RecordedModel& model, const std::string& place)
@@ -78,8 +81,9 @@ void check_recorded(const RecordedFrame& frame, const RecordedModel& model, cons
         "a frame without the velocities of its blocks");
     expect(frame.stresses.size() == (is_deformable(model.kinematics) ? blocks : 0),
            "a frame without the stresses of its blocks");
-    for (const JointResultant& joint : frame.joints)
-        expect(is_block(joint.block_a) && is_block(joint.block_b), "a joint between no blocks");
+    expect(frame.joints.size() == model.joints.size(), "a frame without its joints");
+    for (const JointResultant& contact : frame.contacts)
+        expect(is_block(contact.block_a) && is_block(contact.block_b), "a contact between no blocks");
 }
 
 }  // namespace voussoir::app::results

@@ -6,6 +6,7 @@
 
 #include "app/results/counts.h"
 #include "app/results/state_checks.h"
+#include "libdda/analysis/joint_openings.h"
 
 namespace voussoir::app::results
 {
@@ -63,6 +64,16 @@ bool told_fits(const RunReport& report, const Case& the_case)
                        [&](const Diagnosis& warning) { return fits(warning, the_case); });
 }
 
+/// The run would go on with the joints that the model has at its start.
+bool are_joints_of(const std::vector<JointPeaks>& peaks, const Model& model)
+{
+    const std::vector<WatchedJoint> joints = joints_at_start(model, initial_state(model));
+    return std::equal(peaks.begin(), peaks.end(), joints.begin(), joints.end(),
+                      [](const JointPeaks& entry, const WatchedJoint& joint) {
+                          return entry.block_a == joint.block_a && entry.block_b == joint.block_b;
+                      });
+}
+
 bool fits(const RunReport& report, const Model& model)
 {
     const auto is_block = [&](int block) {
@@ -71,6 +82,7 @@ bool fits(const RunReport& report, const Model& model)
     const DeepestOverlap& deepest = report.deepest;
     const bool no_overlap = deepest.share == 0 && deepest.block_a == -1 && deepest.block_b == -1;
     if (!no_overlap && (!is_block(deepest.block_a) || !is_block(deepest.block_b))) return false;
+    if (!are_joints_of(report.joints, model)) return false;
     return std::all_of(report.fallen.begin(), report.fallen.end(),
                        [&](const FallenBlock& fallen) { return is_block(fallen.block); }) &&
            std::all_of(report.crushed.begin(), report.crushed.end(), [&](const CrushedJoint& crushed) {

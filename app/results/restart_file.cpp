@@ -11,7 +11,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 9\n";  // its digit rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 11\n";  // its number rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -40,13 +40,13 @@ void report_fields(Archive& archive, Report& report)
 {
     auto& [outcome, diagnosis, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
            factorisations, linear_iterations, factor_entries, simulated_time, max_penetration, deepest,
-           static_unbalanced, energy, fallen, crushed, seconds, warnings] = report;
+           static_unbalanced, energy, fallen, crushed, joints, seconds, warnings] = report;
     archive.fields(outcome, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
                    factorisations, linear_iterations, factor_entries, simulated_time, max_penetration,
                    static_unbalanced, seconds);
     ledger_fields(archive, energy);
-    auto& [share, depth, forgiven, overlap_time, overlap_a, overlap_b] = deepest;
-    archive.fields(share, depth, forgiven, overlap_time, overlap_a, overlap_b);
+    auto& [share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn] = deepest;
+    archive.fields(share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn);
     archive.list(fallen, [](auto& to, auto& entry) {
         auto& [block, time, left] = entry;
         to.fields(block, time, left);
@@ -54,6 +54,13 @@ void report_fields(Archive& archive, Report& report)
     archive.list(crushed, [](auto& to, auto& entry) {
         auto& [block_a, block_b, strength, first_time, worst_time, worst_stress] = entry;
         to.fields(block_a, block_b, strength, first_time, worst_time, worst_stress);
+    });
+    const auto time = [](auto& to, auto& value) { to.field(value); };
+    archive.list(joints, [&](auto& to, auto& entry) {
+        auto& [block_a, block_b, opening, slip, opened, slid] = entry;
+        to.fields(block_a, block_b, opening, slip);
+        to.maybe(opened, time);
+        to.maybe(slid, time);
     });
     const auto told = [](auto& to, auto& entry) { diagnosis_fields(to, entry); };
     archive.maybe(diagnosis, told);

@@ -60,6 +60,32 @@ std::vector<double> read_for_each(const Hdf5File& file, const std::string& name,
                      "expected " + std::to_string(count) + ": the file is damaged, run the case again");
 }
 
+/// What they were at the start, without their patches.
+std::vector<WatchedJoint> read_joints(const Hdf5File& file, Kinematics kinematics, const std::string& place)
+{
+    if (!file.has("/joints")) return {};
+    const std::vector<std::int32_t> pairs = file.read<std::int32_t>("/joints/pair");
+    const std::size_t count = pairs.size() / 2, dimension = axes_of(kinematics).size();
+    const auto read = [&](const char* name, std::size_t each) {
+        return read_for_each(file, std::string("/joints/") + name, each * count, place);
+    };
+    const std::vector<double> area = read("area", 1), facing = read("facing_area", 1),
+                              centre = read("centre", dimension), normal = read("normal", dimension);
+    std::vector<WatchedJoint> joints(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        joints[i].block_a = pairs[2 * i];
+        joints[i].block_b = pairs[2 * i + 1];
+        joints[i].area = area[i];
+        joints[i].facing_area = facing[i];
+        joints[i].centre = vector_at(centre, i, kinematics);
+        joints[i].normal = vector_at(normal, i, kinematics);
+    }
+    if (!file.has("/joints/bonded")) return joints;
+    const std::vector<std::int32_t> bonded = file.read<std::int32_t>("/joints/bonded");
+    for (std::size_t i = 0; i < std::min(count, bonded.size()); ++i) joints[i].bonded = bonded[i] != 0;
+    return joints;
+}
+
 RecordedModel read_model(const Hdf5File& file, const std::string& place)
 {
     RecordedModel model;
@@ -77,6 +103,7 @@ RecordedModel read_model(const Hdf5File& file, const std::string& place)
     if (file.has("/model/foundations")) model.foundations = file.read<std::int32_t>("/model/foundations/block");
     model.mesh = read_mesh(file);
     model.mesh.dimension = dimension_of(model.kinematics);
+    model.joints = read_joints(file, model.kinematics, place);
     check_recorded(model, place);
     for (std::size_t b = 0; b + 1 < model.mesh.block_first_vertex.size(); ++b)
         model.mesh.vertex_block.resize(model.mesh.block_first_vertex[b + 1], static_cast<std::int32_t>(b));
@@ -88,7 +115,7 @@ RecordedModel read_model(const Hdf5File& file, const std::string& place)
 ResultsReader::ResultsReader(const std::filesystem::path& path)
     : file_(Hdf5File::open(path)), place_(path.string())
 {
-    if (file_.text_attribute("/", "format") != "voussoir results 1") {
+    if (file_.text_attribute("/", "format") != "voussoir results 2") {
         throw InputError(place_, "results in the format \"" + file_.text_attribute("/", "format") + "\"",
                          "give a results file of this version of voussoir");
     }
@@ -135,6 +162,7 @@ RecordedFrame ResultsReader::frame(std::size_t index) const
     frame.ground = vector_at(rows<double>("/frames/ground_displacement", row, 1, dimension), 0, model.kinematics);
     if (is_deformable(model.kinematics)) frame.stresses = stresses(index);
     frame.joints = joints(index);
+    frame.contacts = contacts(index);
     check_recorded(frame, model, place_);
     return frame;
 }
@@ -155,37 +183,58 @@ std::vector<Matrix3d> ResultsReader::stresses(std::size_t frame) const
     return stresses;
 }
 
-std::vector<JointResultant> ResultsReader::joints(std::size_t frame) const
+std::vector<JointNow> ResultsReader::joints(std::size_t frame) const
 {
-    const auto span = rows<std::int64_t>("/frames/joints/rows", static_cast<std::int64_t>(frame), 1, 2);
+    std::vector<JointNow> joints(model.joints.size());
+    if (joints.empty()) return joints;
+    const auto read = [&](const char* name, const auto& put) {
+        const std::vector<float> values =
+            rows<float>(std::string("/frames/joints/") + name, static_cast<std::int64_t>(frame), 1, joints.size());
+        for (std::size_t i = 0; i < joints.size(); ++i) put(joints[i]) = static_cast<double>(values[i]);
+    };
+    read("opening", [](JointNow& joint) -> double& { return joint.motion.opening; });
+    read("mean_opening", [](JointNow& joint) -> double& { return joint.motion.mean_opening; });
+    read("slip", [](JointNow& joint) -> double& { return joint.motion.slip; });
+    read("largest_slip", [](JointNow& joint) -> double& { return joint.motion.largest_slip; });
+    read("normal_force", [](JointNow& joint) -> double& { return joint.normal_force; });
+    read("shear_force", [](JointNow& joint) -> double& { return joint.shear_force; });
+    read("eccentricity", [](JointNow& joint) -> double& { return joint.eccentricity; });
+    read("area_in_use", [](JointNow& joint) -> double& { return joint.area_in_use; });
+    if (!file_.has("/frames/joints/broken")) return joints;
+    const auto broken =
+        rows<std::int32_t>("/frames/joints/broken", static_cast<std::int64_t>(frame), 1, joints.size());
+    for (std::size_t i = 0; i < joints.size(); ++i) joints[i].broken = broken[i] != 0;
+    return joints;
+}
+
+std::vector<JointResultant> ResultsReader::contacts(std::size_t frame) const
+{
+    const auto span = rows<std::int64_t>("/frames/contacts/rows", static_cast<std::int64_t>(frame), 1, 2);
     const std::size_t dimension = axes_of(model.kinematics).size();
     const auto read = [&](const char* name, std::size_t columns) {
-        return rows<double>(std::string("/frames/joints/") + name, span[0], span[1], columns);
+        return rows<double>(std::string("/frames/contacts/") + name, span[0], span[1], columns);
     };
-    const auto pair = rows<std::int32_t>("/frames/joints/pair", span[0], span[1], 2);
+    const auto pair = rows<std::int32_t>("/frames/contacts/pair", span[0], span[1], 2);
     const std::vector<double> force = read("force", dimension),
                               moment = read("moment", is_planar(model.kinematics) ? 1 : dimension),
                               centre = read("centre", dimension), pressure = read("pressure_centre", dimension),
                               normal = read("normal", dimension), normal_force = read("normal_force", 1),
-                              opening = read("opening", 1), slip = read("slip", 1), area = read("area", 1),
-                              closed = read("closed_area", 1);
-    std::vector<JointResultant> joints(static_cast<std::size_t>(span[1]));
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        JointResultant& joint = joints[i];
-        joint.block_a = pair[2 * i];
-        joint.block_b = pair[2 * i + 1];
-        joint.force = vector_at(force, i, model.kinematics);
-        joint.moment = moment_at(moment, i, model.kinematics);
-        joint.centre = vector_at(centre, i, model.kinematics);
-        joint.pressure_centre = vector_at(pressure, i, model.kinematics);
-        joint.normal = vector_at(normal, i, model.kinematics);
-        joint.normal_force = normal_force[i];
-        joint.max_opening = opening[i];
-        joint.slip = slip[i];
-        joint.area = area[i];
-        joint.closed_area = closed[i];
+                              area = read("area", 1), closed = read("closed_area", 1);
+    std::vector<JointResultant> contacts(static_cast<std::size_t>(span[1]));
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        JointResultant& contact = contacts[i];
+        contact.block_a = pair[2 * i];
+        contact.block_b = pair[2 * i + 1];
+        contact.force = vector_at(force, i, model.kinematics);
+        contact.moment = moment_at(moment, i, model.kinematics);
+        contact.centre = vector_at(centre, i, model.kinematics);
+        contact.pressure_centre = vector_at(pressure, i, model.kinematics);
+        contact.normal = vector_at(normal, i, model.kinematics);
+        contact.normal_force = normal_force[i];
+        contact.area = area[i];
+        contact.closed_area = closed[i];
     }
-    return joints;
+    return contacts;
 }
 
 }  // namespace voussoir::app::results

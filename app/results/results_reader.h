@@ -8,7 +8,7 @@
 
 #include "app/results/hdf5_file.h"
 #include "app/results/surface_mesh.h"
-#include "libdda/analysis/joint_resultants.h"
+#include "libdda/analysis/joints_now.h"
 
 namespace voussoir::app::results
 {
@@ -23,6 +23,7 @@ struct RecordedModel {
     std::vector<Eigen::Vector3d> centroids;  // m, in space, at the start
     std::vector<std::int32_t> foundations;   // blocks that follow the ground
     SurfaceMesh mesh;
+    std::vector<WatchedJoint> joints;  // of the start, without their patches
 };
 
 /// What one frame holds, vectors and tensors in space.
@@ -33,7 +34,8 @@ struct RecordedFrame {
     State state;                                       // places and velocities only; no contacts
     Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement
     std::vector<Eigen::Matrix3d> stresses;             // (blocks) Pa; empty if rigid
-    std::vector<JointResultant> joints;
+    std::vector<JointNow> joints;                      // those of the model
+    std::vector<JointResultant> contacts;              // of all pairs of blocks
 };
 
 class ResultsReader
@@ -57,7 +59,8 @@ class ResultsReader
     template <typename T>
     T one(const std::string& name, std::size_t row) const;
     std::vector<Eigen::Matrix3d> stresses(std::size_t frame) const;
-    std::vector<JointResultant> joints(std::size_t frame) const;
+    std::vector<JointResultant> contacts(std::size_t frame) const;
+    std::vector<JointNow> joints(std::size_t frame) const;
     Hdf5File file_;
     std::string place_;  // the file, for faults
 };

@@ -78,14 +78,18 @@ std::vector<std::string> files_in(const fs::path& folder)
 
 struct ResultsWriter::Implementation {
     Implementation(const Case& a_case, const fs::path& a_folder, const Restart* from)
-        : the_case(a_case), folder(a_folder), mesh(surface_mesh_of(a_case.model)), histories(a_case)
+        : the_case(a_case),
+          folder(a_folder),
+          mesh(surface_mesh_of(a_case.model)),
+          joints(joints_at_start(a_case.model, initial_state(a_case.model))),
+          histories(a_case)
     {
         std::optional<CopiedRows> begin_with;
         if (from)
             begin_with = rows_of(results(), *from);
         else
             prepare(folder);
-        twins.emplace(results(), the_case, mesh, datasets(), begin_with);
+        twins.emplace(results(), the_case, mesh, joints, datasets(), begin_with);
         restart.computed_from = fingerprint_of(the_case);
         std::vector<double> lines;
         if (from) {
@@ -99,7 +103,7 @@ struct ResultsWriter::Implementation {
 
     std::vector<GrowingDataset> datasets() const
     {
-        std::vector<GrowingDataset> datasets = frame_datasets(the_case.model, mesh);
+        std::vector<GrowingDataset> datasets = frame_datasets(the_case.model, mesh, joints);
         if (!histories.columns.empty())
             datasets.push_back(
                 {"/histories/values", ElementType::float64, {histories.columns.size()}, histories.columns});
@@ -111,7 +115,7 @@ struct ResultsWriter::Implementation {
     {
         restart.history_rows = from.history_rows;
         restart.remarks = from.remarks;
-        joint_rows = joint_rows_in(results(), from.position.frames);
+        contact_rows = contact_rows_in(results(), from.position.frames);
         if (!histories.columns.empty())
             lines = Hdf5File::open(results()).read_rows<double>("/histories/values", 0,
                                                                 static_cast<std::uint64_t>(from.history_rows));
@@ -130,10 +134,11 @@ struct ResultsWriter::Implementation {
     const Case& the_case;
     fs::path folder;
     SurfaceMesh mesh;
+    std::vector<WatchedJoint> joints;  // of the start
     Histories histories;
     std::optional<TwinFiles> twins;
-    std::int64_t joint_rows = 0;  // in the tables of joints
-    Restart restart;              // as it was saved last
+    std::int64_t contact_rows = 0;  // in the tables of contacts
+    Restart restart;                // as it was saved last
 };
 
 ResultsWriter::ResultsWriter(const Case& the_case, const fs::path& folder)
@@ -152,7 +157,7 @@ void ResultsWriter::frame(const State& state, const RunReport& report)
 {
     Implementation& the = *implementation_;
     the.flush_histories();
-    the.twins->add(frame_rows(the.the_case.model, the.mesh, state, report, the.joint_rows));
+    the.twins->add(frame_rows(the.the_case.model, the.mesh, the.joints, state, report, the.contact_rows));
     the.twins->store();
 }
 
@@ -177,8 +182,11 @@ void ResultsWriter::finish(const State& state, const RunReport& report, const Co
 {
     Implementation& the = *implementation_;
     the.flush_histories();
-    const std::string summary = summary_json(the.the_case, state, report, times, files_in(the.folder));
-    the.twins->finish(summary);
+    RunReport last = report;  // a run that stops on the way to rest has not noted its last state
+    if (last.joints.size() != the.joints.size()) last.joints = no_peaks(the.joints);
+    note_joints(the.the_case.model, the.joints, state, last);
+    const std::string summary = summary_json(the.the_case, the.joints, state, last, times, files_in(the.folder));
+    the.twins->finish(summary, last.joints);
     write_xdmf(results_file(), the.folder / "results.xdmf");
     write_atomically(the.folder / "summary.json", summary);
 }

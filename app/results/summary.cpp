@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/results/energy_terms.h"
+#include "app/results/joint_summary.h"
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
 #include "app/version/version.h"
@@ -53,6 +54,7 @@ Json deepest_overlap(const Model& model, const DeepestOverlap& overlap)
     return {{"blocks", {model.blocks[overlap.block_a].name, model.blocks[overlap.block_b].name}},
             {"depth_m", overlap.depth},
             {"forgiven_m", overlap.forgiven},
+            {"drawn_m", overlap.drawn},
             {"fraction_of_width", overlap.share},
             {"share_of_width", overlap.share},  // its former name, for one release
             {"time_s", overlap.time}};
@@ -103,10 +105,19 @@ double state_bytes_per_block(const State& state, std::size_t blocks)
     return static_cast<double>(numbers * sizeof(double)) / static_cast<double>(blocks);
 }
 
+/// Puts the joints where the text has the one list of that name, still empty. (A quotation mark within a text
+/// would have a backslash before it.)
+std::string with_list(std::string text, const std::string& lines)
+{
+    const std::string empty = "\"list\": []";
+    if (!lines.empty()) text.replace(text.find(empty), empty.size(), "\"list\": [" + lines + "\n    ]");
+    return text;
+}
+
 }  // namespace
 
-std::string summary_json(const Case& the_case, const State& state, const RunReport& report,
-                         const CommandTimes& times, const std::vector<std::string>& files)
+std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& joints, const State& state,
+                         const RunReport& report, const CommandTimes& times, const std::vector<std::string>& files)
 {
     const Model& model = the_case.model;
     std::vector<std::string> warnings = the_case.warnings;
@@ -126,6 +137,7 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
     json["unknowns_per_block"] = unknowns_per_block(model.kinematics);
     json["state_bytes_per_block"] = state_bytes_per_block(state, model.blocks.size());
     json["factor_entries"] = report.factor_entries;
+    json["fit_tolerance_m"] = model.fit_tolerance;
     json["contacts"] = state.contacts.patches.size() + state.planar_contacts.patches.size();
     json["integrator"] = integrators(the_case.stages);
     json["steps"] = report.steps;
@@ -144,13 +156,16 @@ std::string summary_json(const Case& the_case, const State& state, const RunRepo
     json["energy"] = energy(report.energy);
     json["fallen_blocks"] = fallen_blocks(model, report.fallen);
     if (has_compressive_strength(model)) json["crushed_joints"] = crushed_joints(model, report.crushed);
+    const std::vector<JointNow> now = joints_now(model, joints, state, joint_resultants(model, state));
+    json["joints"] = Json::parse(joint_counts(report.joints, now));
     json["motions"] = motions(the_case.motions);
     json["overrides"] = the_case.overrides;
     json["defaults"] = the_case.defaults;
     json["left_out"] = left_out(the_case);
     json["warnings"] = warnings;
     json["files"] = files;
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return with_list(text, joint_lines(model, joints, report.joints, now));
 }
 
 }  // namespace voussoir::app::results

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "libdda/analysis/joint_openings.h"
 #include "libdda/model/report.h"
 #include "libdda/model/state.h"
 
@@ -15,9 +16,10 @@ struct CommandTimes {
     double wall = 0, cpu = 0;  // s, of the whole command
 };
 
-/// @param files names of the files the run wrote, relative to its folder
+/// @param joints of the start of the run; @param files names of the files the run wrote, relative to its folder
 /// @returns JSON text; keys in docs/results_format.md
-std::string summary_json(const Case& the_case, const State& state, const RunReport& report,
-                         const CommandTimes& times, const std::vector<std::string>& files);
+std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& joints, const State& state,
+                         const RunReport& report, const CommandTimes& times,
+                         const std::vector<std::string>& files);
 
 }  // namespace voussoir::app::results

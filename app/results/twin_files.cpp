@@ -40,7 +40,8 @@ void rename_file(const fs::path& from, const fs::path& to)
 }  // namespace
 
 TwinFiles::TwinFiles(const fs::path& results_file, const Case& the_case, const SurfaceMesh& mesh,
-                     const std::vector<GrowingDataset>& datasets, const std::optional<CopiedRows>& begin_with)
+                     const std::vector<WatchedJoint>& joints, const std::vector<GrowingDataset>& datasets,
+                     const std::optional<CopiedRows>& begin_with)
     : results_(results_file),
       next_(with_suffix(results_file, ".next")),
       former_(with_suffix(results_file, ".last"))
@@ -48,7 +49,7 @@ TwinFiles::TwinFiles(const fs::path& results_file, const Case& the_case, const S
     require_memory();
     remove_twin();  // a killed run's; it may be a second name of results.h5, so it must not be written into
     const auto make = [&](const fs::path& path) {
-        auto file = std::make_unique<GrowingFile>(path, the_case, mesh, datasets);
+        auto file = std::make_unique<GrowingFile>(path, the_case, mesh, joints, datasets);
         if (begin_with) file->copy(*begin_with);
         file->flush();
         return file;
@@ -115,10 +116,10 @@ void TwinFiles::store()
     last_ = std::exchange(added_, {});
 }
 
-void TwinFiles::finish(const std::string& summary)
+void TwinFiles::finish(const std::string& summary, std::span<const JointPeaks> peaks)
 {
     catch_up();
-    back_->write_summary(summary);
+    back_->write_end(summary, peaks);
     back_->flush();
     back_->close();
     sync_file(next_);

@@ -21,7 +21,8 @@ class TwinFiles
     /// @param begin_with rows of an earlier file, maybe results.h5 itself, which is replaced when they are copied
     /// @throws InputError; a results.h5 that was there is then as it was
     TwinFiles(const std::filesystem::path& results_file, const Case& the_case, const SurfaceMesh& mesh,
-              const std::vector<GrowingDataset>& datasets, const std::optional<CopiedRows>& begin_with);
+              const std::vector<WatchedJoint>& joints, const std::vector<GrowingDataset>& datasets,
+              const std::optional<CopiedRows>& begin_with);
     ~TwinFiles();
     TwinFiles(const TwinFiles&) = delete;
     TwinFiles& operator=(const TwinFiles&) = delete;
@@ -29,8 +30,8 @@ class TwinFiles
     void add(std::vector<Rows> rows);  // held in memory until store()
     /// What was added is in results.h5 and on the disk. @throws InputError; results.h5 is then as it was
     void store();
-    /// The same, with the summary; results.h5 then stands alone.
-    void finish(const std::string& summary);
+    /// The same, with what is known only at the end; results.h5 then stands alone.
+    void finish(const std::string& summary, std::span<const JointPeaks> peaks);
 
     /// Gives results.h5 its name back where a process died while it had another; only file systems without hard
     /// links know such a moment.

@@ -85,6 +85,23 @@ std::string too_many_cuts(const Subject& subject)
         words, subject.block(0));
 }
 
+/// "stage 'self-weight' finds no equilibrium: 2 of 10 blocks are falling under their own weight: 'a' by 0.4 m,
+/// ..."
+std::string mechanism(const Subject& subject)
+{
+    constexpr std::size_t most = 5;
+    const Diagnosis& diagnosis = subject.diagnosis;
+    const std::size_t count = diagnosis.blocks.size();
+    std::string words =
+        fmt::format("{} finds no equilibrium: {} of {} blocks {} falling under {} own weight: ", subject.stage(),
+                    count, subject.model.blocks.size(), count == 1 ? "is" : "are", count == 1 ? "its" : "their");
+    for (std::size_t i = 0; i < std::min(most, count); ++i)
+        words += fmt::format("{}{} by {:.3g} m", i > 0 ? ", " : "", subject.block(i), diagnosis.values[i]);
+    const std::string them = count == 1 ? "it" : "them";
+    return words + (count > most ? ", ...; " : "; ") +
+           fmt::format("look at what should carry {}, or add {} to the foundation", them, them);
+}
+
 std::string no_equilibrium(const Subject& subject)
 {
     return fmt::format(
@@ -94,13 +111,14 @@ std::string no_equilibrium(const Subject& subject)
         subject.stage(), subject.value("steps"), subject.value("unbalanced"));
 }
 
-/// "blocks 'a' and 'b' overlap by 0.02 m, 4 % of the thinner one's width", and the remedy: a stiffer contact, or,
-/// where contacts were forgiven most of it, a shorter step and a look at them.
+/// "blocks 'a' and 'b' overlap by 0.02 m, 4 % of the thinner one's width", and the remedy: a stiffer contact;
+/// where most of it is drawn, other geometry; where contacts were forgiven most of it, a shorter step and a look
+/// at them.
 /// @param why of contacts that are too soft
 std::string overlap(const Subject& subject, const std::string& what, const std::string& why)
 {
     const double depth = subject.value("depth_m"), share = subject.value("share");
-    const double forgiven = subject.value("forgiven_m");
+    const double forgiven = subject.value("forgiven_m"), drawn = subject.value("drawn_m");
     const std::string words = fmt::format(
         "blocks {} and {} {} by {:g} m, {:g} % of the thinner one's width, at t = {:g} s: ", subject.block(0),
         subject.block(1), what, depth, 100 * share, subject.value("overlap_time_s"));
@@ -109,6 +127,12 @@ std::string overlap(const Subject& subject, const std::string& what, const std::
             "{}{:g} m of it is free of stress, because their contact was detected late or alternates between two "
             "faces; try a smaller time_step, and look at bearing edges and corners",
             words, forgiven);
+    if (2 * drawn > depth)
+        return fmt::format(
+            "{}{:g} m of it is drawn, beyond the fit_tolerance of {:g} m; trim or move one of them by this, or "
+            "give a "
+            "larger fit_tolerance if it is an error of the survey",
+            words, drawn, subject.model.fit_tolerance);
     return fmt::format("{}{}; give the joint a contact_stiffness {:g} times as large", words, why,
                        std::ceil(share / good_share));
 }
@@ -194,6 +218,8 @@ std::string end_in_words(const Subject& subject)
             return "stopped on request";
         case DiagnosisKind::fallen:
             return fallen(subject);
+        case DiagnosisKind::mechanism:
+            return mechanism(subject);
         case DiagnosisKind::inverted_block:
         case DiagnosisKind::singular_system:
         case DiagnosisKind::inaccurate_solution:

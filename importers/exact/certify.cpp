@@ -225,6 +225,39 @@ std::string check_volume(Draft& draft)
     return "";
 }
 
+/// Steps in their order. @returns the reason for refusal, or nothing
+std::string prove(Draft& draft, std::initializer_list<CertifyStep> steps)
+{
+    try {
+        for (const CertifyStep step : steps)
+            if (std::string reason = step(draft); !reason.empty()) return reason;
+    } catch (const InputError& error) {
+        const Fault& fault = error.faults.front();
+        draft.certificate.convex = false;
+        draft.certificate.parts.clear();
+        return fault.found + "; " + fault.expected;
+    }
+    return "";
+}
+
+/// A refused stone becomes its hull where that is the rule; otherwise what would help is noted.
+void mend_refused(Draft& draft)
+{
+    Certificate& certificate = draft.certificate;
+    if (!certificate.cure.empty() && !draft.options.hull_if_refused) return;
+    Draft hull = draft;
+    std::string failure;
+    try {
+        failure = become_hull(hull, certificate.reason);
+    } catch (const InputError& error) {
+        failure = error.faults.front().found;
+    }
+    if (certificate.cure.empty()) certificate.cure = failure.empty() ? "hull" : "skip";
+    if (!failure.empty() || !draft.options.hull_if_refused) return;
+    draft = std::move(hull);
+    draft.certificate.reason.clear();
+}
+
 }  // namespace
 
 void Draft::mark_edges(const std::string& label, const std::vector<std::pair<int, int>>& edges)
@@ -247,18 +280,8 @@ void Draft::mark_faces(const std::string& label, const std::vector<int>& faces)
 namespace
 {
 
-Certificate finish(Draft draft, std::initializer_list<CertifyStep> steps)
+Certificate finish(Draft draft)
 {
-    std::string& reason = draft.certificate.reason;
-    try {
-        for (const CertifyStep step : steps)
-            if (reason = step(draft); !reason.empty()) break;
-    } catch (const InputError& error) {
-        const Fault& fault = error.faults.front();
-        reason = fault.found + "; " + fault.expected;
-        draft.certificate.convex = false;
-        draft.certificate.parts.clear();
-    }
     draft.certificate.surface = std::move(draft.surface);
     draft.certificate.examination = std::move(draft.examination);
     draft.certificate.diagonal = draft.diagonal;
@@ -273,20 +296,24 @@ Certificate certify_surface(mesh::PolygonSurface surface, const CertifyOptions& 
     draft.surface = std::move(surface);
     draft.options = options;
     draft.certificate.name = draft.surface.name;
-    return finish(std::move(draft), {check_size, weld_vertices, check_closed, orient, check_shells,
-                                     check_crossings, check_volume});
+    draft.certificate.reason = options.refuse_because.empty()
+                                   ? prove(draft, {check_size, weld_vertices, check_closed, orient, check_shells,
+                                                   check_crossings, check_volume})
+                                   : options.refuse_because;
+    return finish(std::move(draft));
 }
 
 Certificate certify_shape(Certificate sound, const CertifyOptions& options)
 {
-    if (!sound.reason.empty()) return sound;
     Draft draft;
     draft.surface = std::move(sound.surface);
     draft.examination = std::move(sound.examination);
     draft.options = options;
     draft.diagonal = sound.diagonal;
     draft.certificate = std::move(sound);
-    return finish(std::move(draft), {check_convex});
+    if (draft.certificate.reason.empty()) draft.certificate.reason = prove(draft, {check_shape});
+    if (!draft.certificate.reason.empty()) mend_refused(draft);
+    return finish(std::move(draft));
 }
 
 Certificate certify(mesh::PolygonSurface surface, const CertifyOptions& options)

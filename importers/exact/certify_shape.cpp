@@ -12,19 +12,6 @@ namespace voussoir::importers::exact
 namespace
 {
 
-/// Every vertex against every face; of a large surface every face against its neighbours, and the whole against
-/// its hull.
-bool is_convex(const Draft& draft, double allowed)
-{
-    const mesh::PolygonSurface& surface = draft.surface;
-    if (surface.faces.size() * surface.vertices.size() < 100'000'000)
-        return worst_outlier(surface).distance <= allowed;
-    const TriangleSurface triangles{surface.vertices, draft.examination.triangles};
-    if (!reentrant_edges(triangles, allowed).empty()) return false;
-    const TriangleSurface hull = convex_hull(surface.vertices);
-    return volume_of(hull) - draft.certificate.moments.volume <= allowed * area_of(hull);
-}
-
 /// A convex stone: one part, with coplanar faces merged.
 void make_one_part(Draft& draft)
 {
@@ -54,6 +41,7 @@ std::string make_glued_parts(Draft& draft)
     how.joints = options.joints;
     Decomposition result =
         decompose({draft.surface.vertices, draft.examination.triangles}, how, draft.certificate.name);
+    if (!result.reason.empty()) draft.certificate.cure = "simplify";
     if (!result.reason.empty())
         return format("it is concave in %d edges and ", result.reentrant_edges) + result.reason +
                format(
@@ -86,6 +74,19 @@ double largest_distance(const std::vector<Outlier>& outliers)
 }
 
 }  // namespace
+
+/// Every vertex against every face; of a large surface every face against its neighbours, and the whole against
+/// its hull.
+bool is_convex(const Draft& draft, double allowed)
+{
+    const mesh::PolygonSurface& surface = draft.surface;
+    if (surface.faces.size() * surface.vertices.size() < 100'000'000)
+        return worst_outlier(surface).distance <= allowed;
+    const TriangleSurface triangles{surface.vertices, draft.examination.triangles};
+    if (!reentrant_edges(triangles, allowed).empty()) return false;
+    const TriangleSurface hull = convex_hull(surface.vertices);
+    return volume_of(hull) - draft.certificate.moments.volume <= allowed * area_of(hull);
+}
 
 std::string check_convex(Draft& draft)
 {

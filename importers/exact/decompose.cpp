@@ -6,8 +6,7 @@
 #include <iterator>
 
 #include "importers/exact/cut_choice.h"
-#include "importers/exact/weld.h"
-#include "libdda/errors.h"
+#include "importers/exact/part_of_hull.h"
 #include "libdda/geometry/moments.h"
 
 namespace voussoir::importers::exact
@@ -48,8 +47,9 @@ class Cutter
     void cut_all()
     {
         while (static_cast<int>(pieces.size()) < options_.max_parts) {
-            const bool parted = std::all_of(pieces.begin(), pieces.end(),
-                                            [](const Piece& piece) { return piece.at_joints == 0 || piece.stuck; });
+            const bool parted = std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+                return piece.at_joints == 0 || piece.stuck;
+            });
             if (approximate_ && parted && excess() <= options_.volume_error * volume_) return;
             const auto worst = std::max_element(pieces.begin(), pieces.end(),
                                                 [&](const Piece& a, const Piece& b) { return need(a) < need(b); });
@@ -148,7 +148,8 @@ class Cutter
     }
 
     /// What is left of a piece by the best of `count` planes through some of its edges; nothing if none cuts it.
-    std::vector<Piece> best_cut(const Piece& piece, const std::vector<ReentrantEdge>& edges, std::size_t count) const
+    std::vector<Piece> best_cut(const Piece& piece, const std::vector<ReentrantEdge>& edges,
+                                std::size_t count) const
     {
         std::vector<Piece> best;
         for (const CutPlane& plane : cutting_planes(piece.surface, edges, in_plane * diagonal_, count)) {
@@ -183,37 +184,6 @@ class Cutter
     bool approximate_ = false;
 };
 
-/// The hull of the corners that are further than `distance` from one another: where a cut passes close by a corner
-/// there are two. The hull itself if nothing would be left of it.
-TriangleSurface without_near_corners(const TriangleSurface& hull, double distance)
-{
-    std::vector<Vector3d> kept;
-    for (const Vector3d& x : hull.vertices)
-        if (std::none_of(kept.begin(), kept.end(), [&](const Vector3d& k) { return (k - x).norm() <= distance; }))
-            kept.push_back(x);
-    if (kept.size() == hull.vertices.size()) return hull;
-    TriangleSurface thinned = convex_hull(kept);
-    return thinned.triangles.empty() ? hull : thinned;
-}
-
-/// The hull of a piece; the faces in its cuts are glued.
-ConvexPolyhedron part_of(const Piece& piece, double planarity, double diagonal, const std::string& name)
-{
-    const TriangleSurface hull = without_near_corners(piece.hull, planarity * diagonal);
-    mesh::PolygonSurface merged{name, hull.vertices, {}};
-    for (const Eigen::Vector3i& t : hull.triangles) merged.faces.push_back({t[0], t[1], t[2]});
-    merged.faces = merge_coplanar_faces(merged.vertices, merged.faces, planarity / 4);
-    drop_unused_vertices(merged);
-    ConvexPolyhedron part = make_convex_polyhedron(merged.vertices, merged.faces, name, planarity);
-    for (const std::vector<int>& face : part.faces)
-        part.glued.push_back(std::any_of(piece.cuts.begin(), piece.cuts.end(), [&](const CutPlane& cut) {
-            return std::all_of(face.begin(), face.end(), [&](int v) {
-                return std::abs(cut.distance(part.vertices[v])) <= planarity * diagonal;
-            });
-        }));
-    return part;
-}
-
 }  // namespace
 
 Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& options, const std::string& name)
@@ -230,7 +200,7 @@ Decomposition decompose(const TriangleSurface& surface, const DecomposeOptions& 
         return result;
     }
     for (const Piece& piece : cutter.pieces)
-        result.parts.push_back(part_of(piece, options.planarity, cutter.diagonal(), name));
+        result.parts.push_back(part_of_hull(piece.hull, piece.cuts, options.planarity, cutter.diagonal(), name));
     return result;
 }
 

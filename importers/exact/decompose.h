@@ -16,9 +16,9 @@ struct DecomposeOptions {
     int max_exact_edges = 48;    // stones with more reentrant edges are approximated
     int max_parts = 64;          // of any stone
     double volume_error = 0.01;  // share of the volume that is allowed to approximating parts
-    // Planes of its joints: a stone that has any is cut exactly at the edges that lie in one of them, and only there
-    // if the hulls of its pieces exceed it by little.
-    std::vector<CutPlane> joints;
+    // Planes of its joints: a stone that has any is cut exactly at the edges that lie in one of them, and only
+    // there if the hulls of its pieces exceed it by little.
+    std::vector<CutPlane> joints{};
 };
 
 /// What became of a solid.

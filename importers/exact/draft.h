@@ -50,4 +50,14 @@ using CertifyStep = std::string (*)(Draft&);
 // The shape of a closed, outward surface: one convex part, or several.
 std::string check_convex(Draft& draft);
 
+/// Whether faces bulge by no more than `allowed` [m] and no vertex lies outside any.
+bool is_convex(const Draft& draft, double allowed);
+
+/// The same as the options ask for it: by its hull, simplified, or as drawn.
+std::string check_shape(Draft& draft);
+
+/// Takes the convex hull of the vertices in place of the stone. @param why it is refused else; empty: it was asked
+/// for
+std::string become_hull(Draft& draft, const std::string& why);
+
 }  // namespace voussoir::importers::exact

@@ -11,7 +11,6 @@ namespace voussoir::importers::fit
 namespace
 {
 
-constexpr double flat_enough = 0.2;   // share of a side's size: what bends further is no plane
 // A bed of a course that is curved in plan can be made flat if all of the course is bent for it.
 constexpr double nearly_flat = 1e-4;  // share of a side's size: nearer than this to its plane a side stays whole
 
@@ -55,10 +54,10 @@ SideOf second_of(const Facing& joint)
     return {joint.stone_b, joint.side_b};
 }
 
-bool is_flat(const std::vector<SidedStone>& stones, const SideOf& key)
+bool is_flat(const std::vector<SidedStone>& stones, const SideOf& key, const JointLimits& limits)
 {
     const Side& side = stones[key.stone].sides[key.side];
-    return side.largest_off <= flat_enough * side.size;
+    return side.largest_off <= limits.flat_enough * side.size;
 }
 
 /// For each face of a side the opponent that it faces with most of its area; its own number where it faces none.
@@ -68,10 +67,8 @@ std::map<SideOf, Opponents> opponents_of(const std::vector<Facing>& joints)
 {
     std::map<SideOf, Opponents> all;
     for (const Facing& joint : joints) {
-        for (const auto& [face, area] : joint.area_of_face_a)
-            all[first_of(joint)][face][second_of(joint)] += area;
-        for (const auto& [face, area] : joint.area_of_face_b)
-            all[second_of(joint)][face][first_of(joint)] += area;
+        for (const auto& [face, area] : joint.area_of_face_a) all[first_of(joint)][face][second_of(joint)] += area;
+        for (const auto& [face, area] : joint.area_of_face_b) all[second_of(joint)][face][first_of(joint)] += area;
     }
     return all;
 }
@@ -146,19 +143,22 @@ std::vector<SideOf> overbent_sides(const std::vector<Facing>& joints, const Shar
 }  // namespace
 
 JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vector<Facing>& joints,
-                          double planarity)
+                          const JointLimits& limits)
 {
     std::vector<double> allowed;
     for (const SidedStone& stone : stones)
-        allowed.push_back(planarity * exact::diagonal_of(stone.surface->vertices));
+        allowed.push_back(limits.planarity * exact::diagonal_of(stone.surface->vertices));
     JointChoice choice;
     Components components;
     std::vector<const Facing*> flat, bad;
     for (const Facing& joint : joints) {
-        const double misfit = misfit_of(joint, stones);
+        double misfit = misfit_of(joint, stones);
+        if (limits.flatten)
+            for (const SideOf& key : {first_of(joint), second_of(joint)})
+                misfit = std::max(misfit, stones[key.stone].sides[key.side].largest_off);
         const bool misfits = misfit > std::min(allowed[joint.stone_a], allowed[joint.stone_b]);
         if (misfits) choice.misfit = std::max(choice.misfit, misfit);
-        if (!is_flat(stones, first_of(joint)) || !is_flat(stones, second_of(joint))) {
+        if (!is_flat(stones, first_of(joint), limits) || !is_flat(stones, second_of(joint), limits)) {
             choice.left += misfits ? 1 : 0;
             continue;
         }
@@ -174,7 +174,8 @@ JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vect
     return choice;
 }
 
-bool split_sides(const std::vector<Facing>& joints, const std::vector<SideOf>& bent, std::vector<SidedStone>& stones)
+bool split_sides(const std::vector<Facing>& joints, const std::vector<SideOf>& bent,
+                 std::vector<SidedStone>& stones)
 {
     Components components;
     for (const Facing& joint : joints) components.join(first_of(joint), second_of(joint));
@@ -199,12 +200,13 @@ bool split_sides(const std::vector<Facing>& joints, const std::vector<SideOf>& b
     return !divisions.empty();
 }
 
-std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vector<SidedStone>& stones)
+std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vector<SidedStone>& stones,
+                               const JointLimits& limits)
 {
     std::vector<SideOf> bent;
     for (const Facing& joint : joints)
         for (const SideOf& key : {first_of(joint), second_of(joint)})
-            if (!is_flat(stones, key)) bent.push_back(key);
+            if (!is_flat(stones, key, limits)) bent.push_back(key);
     return bent;
 }
 

@@ -16,17 +16,25 @@ struct JointChoice {
     double misfit = 0;           // m: the largest of all, as drawn
 };
 
-/// @param planarity share of a stone's diagonal: joints whose sides are nearer to each other than this fit
+/// What is a joint that can be fitted.
+struct JointLimits {
+    double planarity = 1e-5;   // share of a stone's diagonal: joints whose sides are nearer to each other fit
+    double flat_enough = 0.2;  // share of a side's size: what bends further is no plane
+    bool flatten = false;      // joints whose sides are bent alike do not fit either
+};
+
 JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vector<Facing>& joints,
-                          double planarity);
+                          const JointLimits& limits);
 
 /// Divides sides that face several stones, as the beds of a curved course in bond, into one for each of those
 /// stones, along edges of the surface: those of `bent`, and all that hang together with one by joints.
 /// @returns whether there were any
-bool split_sides(const std::vector<Facing>& joints, const std::vector<SideOf>& bent, std::vector<SidedStone>& stones);
+bool split_sides(const std::vector<Facing>& joints, const std::vector<SideOf>& bent,
+                 std::vector<SidedStone>& stones);
 
 /// Sides of joints that bend too much to be flattened.
-std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vector<SidedStone>& stones);
+std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vector<SidedStone>& stones,
+                               const JointLimits& limits);
 
 /// Sides that are no plane when whole: sharing corners has not made them flat, or only by moving corners more than
 /// twice as far as it takes when every side is divided.
@@ -34,8 +42,9 @@ std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vec
 std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vector<SidedStone>& stones,
                                const SharedShape& whole, const SharedShape& divided);
 
-/// Takes out the joints that could only be made flat by moving corners far, and what hangs together with them: sides
-/// that face several stones of a curved course and have no edge to be divided at. @returns whether there were any
+/// Takes out the joints that could only be made flat by moving corners far, and what hangs together with them:
+/// sides that face several stones of a curved course and have no edge to be divided at. @returns whether there
+/// were any
 bool leave_bent_joints(const SharedShape& shape, const std::vector<SidedStone>& stones, JointChoice& choice);
 
 }  // namespace voussoir::importers::fit

@@ -21,8 +21,8 @@ namespace
 const double opposite = -std::cos(25 * EIGEN_PI / 180);  // of normals
 constexpr double least_share = 0.05;                     // of the smaller side's area
 // Shares of the smaller side's size:
-constexpr double mean_off = 0.06;      // sides further apart on average do not lie on each other
-constexpr double touching = 2e-3;      // sides nearer than this somewhere touch
+constexpr double mean_off = 0.06;       // sides further apart on average do not lie on each other
+constexpr double touching = 2e-3;       // sides nearer than this somewhere touch
 constexpr double wedge_opening = 0.01;  // a wedge that opens by less is the noise of a survey
 
 /// A triangle seen along the joint's normal: its corners on the plane, and its height over it.
@@ -106,8 +106,8 @@ void add_points(const Shadow& a, const Shadow& b, const Frame& frame, Facing& fa
         const Vector3d terms(1, x.x(), x.y());
         const double of_a = a.height.dot(terms), of_b = b.height.dot(terms);
         const Vector3d place = frame.centre + x.x() * frame.u + x.y() * frame.v;
-        facing.points.push_back({place + 0.5 * (of_a + of_b) * frame.normal, of_b - of_a,
-                                 area / static_cast<double>(polygon.size())});
+        facing.points.push_back(
+            {place + 0.5 * (of_a + of_b) * frame.normal, of_b - of_a, area / static_cast<double>(polygon.size())});
     }
     facing.area += area;
     facing.area_of_face_a[a.face] += area;

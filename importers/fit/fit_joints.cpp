@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -144,16 +145,25 @@ std::optional<mesh::PolygonSurface> fitted(const SidedStone& stone, const std::v
     return surface;
 }
 
-/// Divides the sides that are no plane when whole; `joints` are then found anew.
-void divide_sides(const FitOptions& options, std::vector<SidedStone>& stones, std::vector<Facing>& joints)
+JointLimits limits_of(const FitOptions& options)
 {
-    if (split_sides(joints, bent_sides(joints, stones), stones)) joints = find_facing(stones);
-    const JointChoice choice = choose_joints(stones, joints, options.planarity);
+    JointLimits limits;
+    limits.planarity = options.planarity;
+    limits.flatten = options.how == FitJoints::planar;
+    if (limits.flatten) limits.flat_enough = std::numeric_limits<double>::infinity();
+    return limits;
+}
+
+/// Divides the sides that are no plane when whole; `joints` are then found anew.
+void divide_sides(const JointLimits& limits, std::vector<SidedStone>& stones, std::vector<Facing>& joints)
+{
+    if (split_sides(joints, bent_sides(joints, stones, limits), stones)) joints = find_facing(stones);
+    const JointChoice choice = choose_joints(stones, joints, limits);
     std::vector<SideOf> all;
     for (const Facing& joint : choice.joints) all.push_back({joint.stone_a, joint.side_a});
     std::vector<SidedStone> divided = stones;
     if (!split_sides(choice.joints, all, divided)) return;
-    const JointChoice choice_divided = choose_joints(divided, find_facing(divided), options.planarity);
+    const JointChoice choice_divided = choose_joints(divided, find_facing(divided), limits);
     const SharedShape shape = share_corners(stones, choice.joints);
     const SharedShape shape_divided = share_corners(divided, choice_divided.joints);
     if (split_sides(choice.joints, bent_sides(choice.joints, stones, shape, shape_divided), stones))
@@ -167,13 +177,14 @@ Fit fit_joints(const std::vector<mesh::PolygonSurface*>& stones, const FitOption
     Fit fit;
     fit.stones.resize(stones.size());
     if (options.how == FitJoints::as_drawn) return fit;
+    const JointLimits limits = limits_of(options);
     Assembly assembly = sided(stones);
     std::vector<Facing> joints = find_facing(assembly.stones);
-    const JointChoice drawn = choose_joints(assembly.stones, joints, options.planarity);
+    const JointChoice drawn = choose_joints(assembly.stones, joints, limits);
     fit.misfit_before = drawn.misfit;
     if (drawn.misfitting + drawn.left == 0) return fit;
-    if (options.how == FitJoints::shared) divide_sides(options, assembly.stones, joints);
-    JointChoice choice = choose_joints(assembly.stones, joints, options.planarity);
+    divide_sides(limits, assembly.stones, joints);
+    JointChoice choice = choose_joints(assembly.stones, joints, limits);
     SharedShape shape = share_corners(assembly.stones, choice.joints);
     if (leave_bent_joints(shape, assembly.stones, choice)) shape = share_corners(assembly.stones, choice.joints);
     fit.joints = choice.misfitting;

@@ -12,8 +12,8 @@ namespace voussoir::importers::fit
 /// What becomes of joints whose two sides were drawn differently.
 enum class FitJoints {
     as_drawn,  // nothing
-    shared,    // one plane for both sides where they are nearly flat, else their corners are shared
-    planar,    // one plane
+    shared,    // their corners are shared and lie in one plane, where the sides are nearly flat
+    planar,    // the same, however bent they are, and also where both were drawn with the same bent surface
 };
 
 /// What is allowed.
@@ -25,11 +25,11 @@ struct FitOptions {
 
 /// What became of one stone.
 struct FittedStone {
-    bool fitted = false;       // its surface was changed
-    double largest_move = 0;   // m: of a corner
-    double volume_change = 0;  // share of its volume as drawn
+    bool fitted = false;        // its surface was changed
+    double largest_move = 0;    // m: of a corner
+    double volume_change = 0;   // share of its volume as drawn
     std::vector<Frame> joints;  // planes of its sides that face others
-    std::string left;          // why it was left as drawn although its joints do not fit; empty if it was not
+    std::string left;           // why it was left as drawn although its joints do not fit; empty if it was not
 };
 
 /// What became of an assembly.
@@ -41,11 +41,13 @@ struct Fit {
     double misfit_after = 0;          // m: the same when all is done
 };
 
-/// Fits the joints of an assembly: the sides of stones that lie on each other, as a survey or a form-finding program
-/// gives them, warped and each with diagonals of its own. Every side that faces another one gets a plane, the same
-/// for both sides of a joint (shared_planes); corners go to where the planes of their sides meet; free sides follow
-/// them, and a stone that is convex but for them becomes convex. Assemblies whose joints fit are not touched.
-/// @param stones closed, outward, not crossing themselves [m]; changed in place. nullptr: a stone that takes no part
+/// Fits the joints of an assembly: the sides of stones that lie on each other, as a survey or a form-finding
+/// program gives them, warped and each with diagonals of its own. Corners that neighbours have in common become
+/// one and move until every side that faces another one is flat (share_corners), a bed that faces two stones of a
+/// curved course in two planes; free sides follow, and a stone that is convex but for them becomes convex.
+/// Assemblies whose joints fit are not touched.
+/// @param stones closed, outward, not crossing themselves [m]; changed in place. nullptr: a stone that takes no
+/// part
 Fit fit_joints(const std::vector<mesh::PolygonSurface*>& stones, const FitOptions& options);
 
 }  // namespace voussoir::importers::fit

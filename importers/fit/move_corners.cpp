@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr double no_direction = 1e-6;
-// Singular values of unit normals: planes that meet at less are nearly one. Corners lie in the shared planes already
-// and are only set right; a free side is not worth a long way along another one.
+// Singular values of unit normals: planes that meet at less are nearly one. Corners lie in the shared planes
+// already and are only set right; a free side is not worth a long way along another one.
 constexpr double nearly_one_shared = 0.05, nearly_one_free = 0.3;  // some 4 and 25 degrees
 
 /// Planes that a corner is to lie in: normal . move = step.

@@ -19,8 +19,8 @@ using Eigen::Vector3d;
 namespace
 {
 
-constexpr int iterations = 8;          // the last moves corners by rounding where all can be flat
-constexpr double same_corner = 0.04;   // share of the smaller side's size
+constexpr int iterations = 8;           // the last moves corners by rounding where all can be flat
+constexpr double same_corner = 0.04;    // share of the smaller side's size
 constexpr double over_the_edge = 0.02;  // share of a side's size: a corner so far outside it still faces it
 // Of the square of a corner's move in squares of distances from planes: decides only what these leave open.
 constexpr double stiffness_of_corners = 1e-6;
@@ -113,8 +113,8 @@ class Corners
 /// A plane among the unknowns: it moves outward by (1, x, y) . p, x and y in its own directions over its size.
 struct Plane {
     Frame frame;
-    double size = 0;          // m
-    std::set<int> corners;    // sets that are to lie in it
+    double size = 0;        // m
+    std::set<int> corners;  // sets that are to lie in it
 
     Vector3d terms(const Vector3d& place) const
     {

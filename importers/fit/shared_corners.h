@@ -17,16 +17,16 @@ struct SideOf {
 
 /// What a fit comes to.
 struct SharedShape {
-    std::map<SideOf, Frame> planes;                            // of all sides that face others
-    std::vector<std::vector<Eigen::Vector3d>> vertices;        // of each stone [m]
-    std::map<SideOf, double> misfit;                           // m: how far a corner of the joints lies off the plane
+    std::map<SideOf, Frame> planes;                      // of all sides that face others
+    std::vector<std::vector<Eigen::Vector3d>> vertices;  // of each stone [m]
+    std::map<SideOf, double> misfit;                     // m: how far a corner of the joints lies off the plane
 };
 
-/// Corners that two facing sides have in common, but for noise, become one. They are then moved as little as can be
-/// so that every side that faces another one is flat, and the corners of what faces it lie in its plane: a joint of
-/// two sides has one plane, and where four stones meet their corners stay one point. What cannot be flat, a side that
-/// faces two stones of a curved course, keeps the least squares of it, in `misfit`. Gauss-Newton's iteration on
-/// corners and planes. Source: planar quad meshes, [LiuEtAl2006] (the constraint; the rest is ours).
+/// Corners that two facing sides have in common, but for noise, become one. They are then moved as little as can
+/// be so that every side that faces another one is flat, and the corners of what faces it lie in its plane: a
+/// joint of two sides has one plane, and where four stones meet their corners stay one point. What cannot be flat,
+/// a side that faces two stones of a curved course, keeps the least squares of it, in `misfit`. Gauss-Newton's
+/// iteration on corners and planes. Source: planar quad meshes, [LiuEtAl2006] (the constraint; the rest is ours).
 /// @param joints sides that are nearly flat
 SharedShape share_corners(const std::vector<SidedStone>& stones, const std::vector<Facing>& joints);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "importers/helper/placed_copy.h"
+#include "importers/helper/stone_choice.h"
 #include "importers/mesh/marked_feature.h"
 #include "importers/mesh/mesh_formats.h"
 #include "importers/mesh/repair.h"
@@ -21,7 +22,8 @@ struct Stone {
     std::string name;                     // as the file names it
     bool closed = false, convex = false;  // proven
     std::string reason;                   // why it was refused; empty when accepted
-    std::vector<mesh::Repair> repairs;    // every repair that was made
+    std::string cure;                   // of a refused one: the key that would help, "hull", "simplify" or "skip"
+    std::vector<mesh::Repair> repairs;  // every repair that was made
     // In metres, z up, model coordinates (origin subtracted); empty when refused.
     std::vector<ConvexPolyhedron> parts;
     Moments moments;          // of the stone as drawn, m; volume 0: it encloses none
@@ -35,13 +37,15 @@ struct Stone {
 
 /// What a mesh file gave.
 struct ImportedMesh {
-    std::string file;                   // its name
-    bool accepted = false;              // every stone of it
-    std::string reason;                 // why the file was refused; empty when accepted
-    double metres_per_unit = 1;         // of its coordinates
-    std::string unit_from = "assumed";  // or "file", "option"
-    std::vector<mesh::Repair> repairs;  // of the file
-    std::vector<Stone> stones;          // in the order of the file
+    std::string file;                         // its name
+    bool accepted = false;                    // every stone of it
+    std::string reason;                       // why the file was refused; empty when accepted
+    double metres_per_unit = 1;               // of its coordinates
+    std::string unit_from = "assumed";        // or "file", "option"
+    std::vector<mesh::Repair> repairs;        // of the file
+    std::vector<Stone> stones;                // in the order of the file
+    std::vector<SkippedStone> skipped;        // left out by choice
+    std::vector<UnmatchedPattern> unmatched;  // patterns of the request that no stone has the name of
 };
 
 /// Two stones that overlap by more than the tolerance.
@@ -75,8 +79,8 @@ extern const std::vector<std::string> stone_level_names;
 /// The names of MeshReader's values, in their order.
 extern const std::vector<std::string> mesh_reader_names;
 
-/// What becomes of joints whose two sides were drawn differently: nothing; a surface for both, a plane where they are
-/// nearly flat; a plane.
+/// What becomes of joints whose two sides were drawn differently: nothing; one plane where they are nearly flat;
+/// one plane, however bent they are, also where both sides were drawn with the same bent surface.
 enum class FitJoints { as_drawn, shared, planar };
 
 /// The names above, in their order.
@@ -91,9 +95,11 @@ struct MeshRequest {
     double planarity = 1e-5;     // share of a stone's diagonal by which a face may bulge and count as flat
     double volume_error = 0.01;  // share of a concave stone's volume by which approximating parts may exceed it
     FitJoints fit_joints = FitJoints::shared;  // what becomes of joints whose two sides were drawn differently
-    double close_joints = 0;     // m: facing faces that stand apart by at most this are moved together
+    double close_joints = 0;  // m: facing faces that stand apart by at most this are moved together
     mesh::MeshReader reader = mesh::MeshReader::automatic;
-    std::vector<PlacedCopy> copies;  // where its stones stand, metres and z up; none: once, as drawn
+    std::vector<PlacedCopy> copies = {};  // where its stones stand, metres and z up; none: once, as drawn
+    StoneChoice choice = {};              // which stones are taken
+    StoneSimplification simplify = {};    // how scans become stones
 };
 
 /// What the helper may take.

@@ -8,7 +8,8 @@
 #include "importers/exact/overlap.h"
 #include "importers/exact/stones_of.h"
 #include "importers/exact/triangle_surface.h"
-#include "importers/fit/fit_joints.h"
+#include "importers/helper/certify_stones.h"
+#include "importers/helper/choose_stones.h"
 #include "importers/helper/close_joints.h"
 #include "importers/mesh/read_mesh.h"
 #include "libdda/errors.h"
@@ -20,6 +21,14 @@ namespace
 {
 
 constexpr double largest_plain_coordinate = 1e4;  // m; doubles keep 2e-12 m there
+
+std::string short_number(double value)
+{
+    std::ostringstream words;
+    words.precision(3);
+    words << value;
+    return words.str();
+}
 
 std::string sentence(const InputError& error)
 {
@@ -43,6 +52,14 @@ void check(const MeshRequest& request)
             "the planarity is " + std::to_string(request.planarity), "must be > 0 and at most 0.01");
     require(request.volume_error > 0 && request.volume_error <= 0.2,
             "the volume error is " + std::to_string(request.volume_error), "must be > 0 and at most 0.2");
+    const StoneSimplification& simplify = request.simplify;
+    require(simplify.parts >= 0 && simplify.parts <= exact::CertifyOptions{}.max_parts,
+            "the parts are " + std::to_string(simplify.parts), "must be 1 to 64");
+    require(simplify.volume_error >= 0 && simplify.volume_error <= 1,
+            "the volume error of simplifying is " + std::to_string(simplify.volume_error),
+            "must be > 0 and at most 1");
+    require(simplify.triangles == 0 || simplify.triangles >= 4,
+            "the triangles are " + std::to_string(simplify.triangles), "must be 4 at least");
     if (!faults.empty()) throw InputError(faults);
 }
 
@@ -88,24 +105,14 @@ mesh::StonesBy stones_by(StoneLevel level)
     return mesh::StonesBy::detect;
 }
 
-/// States the rounding of a file that was read in 32-bit numbers. @throws InputError when it exceeds the weld
-/// tolerance of a stone, for then vertices that were apart may have become one
-void judge_rounding(const mesh::MeshFile& content, ImportedMesh& mesh)
-{
-    if (content.rounding == 0) return;
-    std::ostringstream rounding;
-    rounding << content.rounding * mesh.metres_per_unit << " m";
-    for (const mesh::PolygonSurface& surface : content.surfaces)
-        if (content.rounding > exact::CertifyOptions{}.weld_tolerance * exact::diagonal_of(surface.vertices))
-            throw InputError(
-                mesh.file + ": " + surface.name,
-                "reading rounds its coordinates by up to " + rounding.str() + ", too much for its size",
-                "move the stones nearer to the origin of the file, or convert it to OBJ");
-    mesh.repairs.push_back({"", "coordinates were read as 32-bit numbers: rounded by up to " + rounding.str()});
-}
+/// A file in metres.
+struct ReadFile {
+    std::vector<mesh::PolygonSurface> surfaces;
+    double rounding = 0;  // m, on reading
+};
 
 /// Reads one file into metres. @returns surfaces; a refusal is written into `mesh`
-std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh& mesh)
+ReadFile read(const MeshRequest& request, ImportedMesh& mesh)
 {
     mesh.file = request.file.string();
     try {
@@ -113,10 +120,13 @@ std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh&
         mesh::MeshFile content = mesh::read_mesh(request.file, {stones_by(request.stones), request.reader});
         for (std::string& repair : content.repairs) mesh.repairs.push_back({"", std::move(repair)});
         const char up = settle_frame(request, content, mesh);
-        judge_rounding(content, mesh);
+        const double rounding = content.rounding * mesh.metres_per_unit;
+        if (rounding > 0)
+            mesh.repairs.push_back({"", "coordinates were read as 32-bit numbers: rounded by up to " +
+                                            short_number(rounding) + " m"});
         for (mesh::PolygonSurface& surface : content.surfaces)
             for (Eigen::Vector3d& x : surface.vertices) x = to_metres_z_up(x, mesh.metres_per_unit, up);
-        return placed(std::move(content.surfaces), request.copies);
+        return {placed(std::move(content.surfaces), request.copies), rounding};
     } catch (const InputError& error) {
         mesh.reason = sentence(error);
     } catch (const std::bad_alloc&) {
@@ -125,11 +135,11 @@ std::vector<mesh::PolygonSurface> read(const MeshRequest& request, ImportedMesh&
     return {};
 }
 
-Eigen::Vector3d choose_origin(const std::vector<std::vector<mesh::PolygonSurface>>& files)
+Eigen::Vector3d choose_origin(const std::vector<ReadFile>& files)
 {
     Eigen::Vector3d lower = Eigen::Vector3d::Constant(1e300), upper = -lower;
-    for (const auto& surfaces : files)
-        for (const mesh::PolygonSurface& surface : surfaces)
+    for (const ReadFile& file : files)
+        for (const mesh::PolygonSurface& surface : file.surfaces)
             for (const Eigen::Vector3d& x : surface.vertices) {
                 lower = lower.cwiseMin(x);
                 upper = upper.cwiseMax(x);
@@ -140,68 +150,20 @@ Eigen::Vector3d choose_origin(const std::vector<std::vector<mesh::PolygonSurface
     return (0.5 * lower + 0.5 * upper).array().round();
 }
 
-exact::CertifyOptions certify_options(const MeshRequest& request, const Eigen::Vector3d& origin)
+exact::CertifyOptions options_of(const MeshRequest& request, bool hull, bool simplified)
 {
     exact::CertifyOptions options;
-    options.origin = origin;
     options.planarity_tolerance = request.planarity;
     options.volume_error = request.volume_error;
+    options.hull = hull || (simplified && request.simplify.hull);
+    options.hull_if_refused = options.hull || request.choice.repair == RepairRule::hull;
+    if (!simplified) return options;
+    options.triangles = request.simplify.triangles;
+    if (request.simplify.parts == 0 && request.simplify.volume_error == 0) return options;
+    options.simplify = exact::SimplifyOptions{};
+    if (request.simplify.parts > 0) options.simplify->max_parts = request.simplify.parts;
+    options.simplify->volume_error = request.simplify.volume_error;
     return options;
-}
-
-exact::Certificate sound_surface(mesh::PolygonSurface surface, const exact::CertifyOptions& options)
-{
-    for (Eigen::Vector3d& x : surface.vertices) x -= options.origin;
-    const std::string name = surface.name;
-    try {
-        return exact::certify_surface(std::move(surface), options);
-    } catch (const std::bad_alloc&) {
-        exact::Certificate refused;
-        refused.name = name;
-        refused.reason = "certifying it needs more memory than is allowed";
-        return refused;
-    }
-}
-
-/// A stone that was changed since its surface was proven sound is proven once more.
-exact::Certificate shaped(exact::Certificate sound, const fit::FittedStone& fitted,
-                          const exact::CertifyOptions& options)
-{
-    if (!fitted.fitted) {
-        if (!fitted.left.empty())
-            sound.repairs.push_back({"joints left as drawn", "its joints were left as drawn: " + fitted.left});
-        return exact::certify_shape(std::move(sound), options);
-    }
-    exact::CertifyOptions at_joints = options;
-    for (const fit::Frame& plane : fitted.joints) at_joints.joints.push_back({plane.centre, plane.normal});
-    exact::Certificate certificate = exact::certify(std::move(sound.surface), at_joints);
-    std::ostringstream words;
-    words.precision(3);
-    words << "its joints were fitted to its neighbours': corners moved by up to " << fitted.largest_move
-          << " m, its volume changed by " << 100 * fitted.volume_change << " %";
-    certificate.repairs = std::move(sound.repairs);
-    certificate.repairs.push_back({"joints fitted", words.str(), 1, "", fitted.largest_move, "m"});
-    return certificate;
-}
-
-Stone stone_of(exact::Certificate certificate, const fit::FittedStone& fitted)
-{
-    Stone stone;
-    stone.name = certificate.name;
-    stone.closed = certificate.closed;
-    stone.convex = certificate.convex;
-    stone.reason = certificate.reason;
-    stone.repairs = certificate.repairs;
-    stone.parts = std::move(certificate.parts);
-    stone.moments = certificate.moments;
-    stone.volume_error = certificate.volume_error;
-    stone.fit_move = fitted.largest_move;
-    stone.features = std::move(certificate.features);
-    if (!stone.features.empty()) {
-        stone.vertices = std::move(certificate.surface.vertices);
-        stone.faces = std::move(certificate.surface.faces);
-    }
-    return stone;
 }
 
 bool may_be_separated(StoneLevel level)
@@ -209,82 +171,68 @@ bool may_be_separated(StoneLevel level)
     return level == StoneLevel::detect || level == StoneLevel::file || level == StoneLevel::component;
 }
 
-/// The stones of a file with sound surfaces, or the reasons why they have none.
-std::vector<exact::Certificate> certify_surfaces(std::vector<mesh::PolygonSurface> surfaces,
-                                                 const MeshRequest& request, const Eigen::Vector3d& origin,
-                                                 ImportedMesh& mesh)
+exact::SeparatedStones separated(mesh::PolygonSurface surface, StoneLevel level)
 {
-    std::vector<exact::Certificate> certificates;
-    for (mesh::PolygonSurface& surface : surfaces) {
-        exact::SeparatedStones separated;
-        if (may_be_separated(request.stones))
-            separated = exact::separate_stones(std::move(surface), exact::CertifyOptions{}.weld_tolerance);
-        else
-            separated.stones.push_back(std::move(surface));
-        mesh.repairs.insert(mesh.repairs.end(), separated.repairs.begin(), separated.repairs.end());
-        for (mesh::PolygonSurface& one : separated.stones)
-            certificates.push_back(sound_surface(std::move(one), certify_options(request, origin)));
-    }
-    return certificates;
+    if (may_be_separated(level))
+        return exact::separate_stones(std::move(surface), exact::CertifyOptions{}.weld_tolerance);
+    exact::SeparatedStones one;
+    one.stones.push_back(std::move(surface));
+    return one;
 }
 
-/// Fits the joints of all files that ask for it in the same way to each other.
-std::vector<std::vector<fit::FittedStone>> fit_all(const std::vector<MeshRequest>& requests,
-                                                   std::vector<std::vector<exact::Certificate>>& files,
-                                                   JointFit& result)
-{
-    std::vector<std::vector<fit::FittedStone>> fitted;
-    for (const auto& file : files) fitted.emplace_back(file.size());
-    std::vector<bool> done(files.size(), false);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (done[i] || requests[i].fit_joints == FitJoints::as_drawn) continue;
-        const fit::FitOptions options{static_cast<fit::FitJoints>(requests[i].fit_joints), requests[i].planarity,
-                                      requests[i].volume_error};
-        std::vector<mesh::PolygonSurface*> surfaces;
-        std::vector<fit::FittedStone*> reports;
-        for (std::size_t k = i; k < files.size(); ++k) {
-            if (requests[k].fit_joints != requests[i].fit_joints ||
-                requests[k].planarity != requests[i].planarity ||
-                requests[k].volume_error != requests[i].volume_error)
-                continue;
-            done[k] = true;
-            for (std::size_t s = 0; s < files[k].size(); ++s) {
-                surfaces.push_back(files[k][s].reason.empty() ? &files[k][s].surface : nullptr);
-                reports.push_back(&fitted[k][s]);
-            }
-        }
-        fit::Fit one = fit::fit_joints(surfaces, options);
-        for (std::size_t s = 0; s < reports.size(); ++s) *reports[s] = std::move(one.stones[s]);
-        result.joints += one.joints;
-        result.left += one.left;
-        result.misfit_before = std::max(result.misfit_before, one.misfit_before);
-        result.misfit_after = std::max(result.misfit_after, one.misfit_after);
-    }
-    return fitted;
-}
-
-void certify_shapes(std::vector<exact::Certificate> certificates, const std::vector<fit::FittedStone>& fitted,
-                    const MeshRequest& request, const Eigen::Vector3d& origin, ImportedMesh& mesh)
+void judge_stones(ImportedMesh& mesh)
 {
     int refused = 0;
     std::string first;
-    for (std::size_t s = 0; s < certificates.size(); ++s) {
-        const std::string name = certificates[s].name;
-        try {
-            mesh.stones.push_back(
-                stone_of(shaped(std::move(certificates[s]), fitted[s], certify_options(request, origin)),
-                         fitted[s]));
-        } catch (const std::bad_alloc&) {
-            mesh.stones.emplace_back().name = name;
-            mesh.stones.back().reason = "certifying it needs more memory than is allowed";
-        }
-        const Stone& stone = mesh.stones.back();
+    for (const Stone& stone : mesh.stones)
         if (!stone.reason.empty() && refused++ == 0) first = stone.name + ": " + stone.reason;
-    }
     mesh.accepted = refused == 0 && !mesh.stones.empty();
     if (refused > 0)
         mesh.reason = mesh.file + ": " + std::to_string(refused) + " of " + std::to_string(mesh.stones.size()) +
                       " stones refused; " + first;
+    else if (mesh.stones.empty())
+        mesh.reason = mesh.file + ": every stone was left out";
+}
+
+/// The stones of a file that are taken, their surfaces proven.
+std::vector<StoneDraft> draft_stones(ReadFile file, const MeshRequest& request, const Eigen::Vector3d& origin,
+                                     ImportedMesh& mesh)
+{
+    std::vector<StoneDraft> drafts;
+    StoneChooser chooser(request);
+    for (mesh::PolygonSurface& surface : file.surfaces) {
+        const std::string whole = surface.name;
+        if (const std::string why = chooser.left_out(whole); !why.empty()) {
+            mesh.skipped.push_back({whole, why});
+            continue;
+        }
+        exact::SeparatedStones stones = separated(std::move(surface), request.stones);
+        mesh.repairs.insert(mesh.repairs.end(), stones.repairs.begin(), stones.repairs.end());
+        for (mesh::PolygonSurface& one : stones.stones) {
+            if (const std::string why = chooser.left_out(one.name, whole); !why.empty()) {
+                mesh.skipped.push_back({one.name, why});
+                continue;
+            }
+            exact::CertifyOptions options = options_of(request, chooser.wants_hull(one.name, whole),
+                                                       chooser.wants_simplification(one.name, whole));
+            options.origin = origin;
+            drafts.push_back(draft_stone(std::move(one), options, file.rounding));
+        }
+    }
+    mesh.unmatched = chooser.unmatched();
+    return drafts;
+}
+
+void take_stones(std::vector<StoneDraft> drafts, const MeshRequest& request, ImportedMesh& mesh)
+{
+    for (StoneDraft& draft : drafts) {
+        Stone stone = certified(std::move(draft));
+        if (!stone.reason.empty() && request.choice.repair == RepairRule::skip)
+            mesh.skipped.push_back({stone.name, stone.reason});
+        else
+            mesh.stones.push_back(std::move(stone));
+    }
+    judge_stones(mesh);
 }
 
 std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
@@ -307,22 +255,19 @@ std::vector<Overlap> overlaps_of(const std::vector<ImportedMesh>& meshes)
 Geometry import_meshes(const std::vector<MeshRequest>& requests)
 {
     Geometry geometry;
-    std::vector<std::vector<mesh::PolygonSurface>> files;
+    std::vector<ReadFile> files;
     for (const MeshRequest& request : requests) {
         geometry.meshes.emplace_back();
         files.push_back(read(request, geometry.meshes.back()));
     }
     geometry.origin = choose_origin(files);
-    std::vector<std::vector<exact::Certificate>> certificates(files.size());
+    std::vector<std::vector<StoneDraft>> drafts(files.size());
     for (std::size_t i = 0; i < files.size(); ++i)
         if (geometry.meshes[i].reason.empty())
-            certificates[i] =
-                certify_surfaces(std::move(files[i]), requests[i], geometry.origin, geometry.meshes[i]);
-    const auto fitted = fit_all(requests, certificates, geometry.fit);
+            drafts[i] = draft_stones(std::move(files[i]), requests[i], geometry.origin, geometry.meshes[i]);
+    geometry.fit = fit_stones(requests, drafts);
     for (std::size_t i = 0; i < files.size(); ++i)
-        if (geometry.meshes[i].reason.empty())
-            certify_shapes(std::move(certificates[i]), fitted[i], requests[i], geometry.origin,
-                           geometry.meshes[i]);
+        if (geometry.meshes[i].reason.empty()) take_stones(std::move(drafts[i]), requests[i], geometry.meshes[i]);
     for (std::size_t i = 0; i < requests.size(); ++i) close_joints(requests[i].close_joints, geometry.meshes[i]);
     geometry.overlaps = overlaps_of(geometry.meshes);
     return geometry;

@@ -61,12 +61,36 @@ std::string in_words(const RepairSummary& summary)
     return words;
 }
 
+std::vector<std::string> skipped_in_words(const ImportedMesh& mesh)
+{
+    constexpr std::size_t told = 5;
+    const std::array<const char*, 3> keys{"skip", "only", "skip_types"};
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // by key, in their first order
+    for (const SkippedStone& stone : mesh.skipped) {
+        const bool by_name = std::find(keys.begin(), keys.end(), stone.why) != keys.end();
+        const std::string key = by_name ? stone.why : "repair: skip, for they would be refused";
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& one) { return one.first == key; });
+        if (group == groups.end()) group = groups.insert(groups.end(), {key, {}});
+        group->second.push_back(stone.name);
+    }
+    std::vector<std::string> lines;
+    for (const auto& [key, names] : groups) {
+        std::string line = std::to_string(names.size()) + (names.size() == 1 ? " stone was" : " stones were") +
+                           " left out (" + key + "): ";
+        for (std::size_t i = 0; i < std::min(told, names.size()); ++i) line += (i > 0 ? ", " : "") + names[i];
+        if (names.size() > told) line += " and " + std::to_string(names.size() - told) + " others";
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
 std::vector<std::string> all_repairs(const ImportedMesh& mesh)
 {
     std::vector<std::string> lines;
     for (const mesh::Repair& repair : mesh.repairs) lines.push_back(repair.text);
     for (const Stone& stone : mesh.stones)
         for (const mesh::Repair& repair : stone.repairs) lines.push_back(stone.name + ": " + repair.text);
+    for (const SkippedStone& stone : mesh.skipped) lines.push_back(stone.name + ": left out: " + stone.why);
     return lines;
 }
 

@@ -29,11 +29,15 @@ std::vector<RepairSummary> summarised_repairs(const ImportedMesh& mesh);
 /// the name of its stone, where there is only one.
 std::string in_words(const RepairSummary& summary);
 
-/// What fitting joints came to: "joints: 285 did not fit as drawn, by up to 0.039 m, and were fitted"; what was left.
-/// Nothing where all joints fit.
+/// What fitting joints came to: "joints: 285 did not fit as drawn, by up to 0.039 m, and were fitted"; what was
+/// left. Nothing where all joints fit.
 std::vector<std::string> in_words(const JointFit& fit);
 
-/// Every repair of a file in full: "arch.3: 2 vertices up to ...".
+/// "3 stones were left out (skip): a, b, c": a line for each of the keys that said so; those that were left out
+/// because they would have been refused are one line.
+std::vector<std::string> skipped_in_words(const ImportedMesh& mesh);
+
+/// Every repair of a file in full, and every stone that was left out: "arch.3: 2 vertices up to ...".
 std::vector<std::string> all_repairs(const ImportedMesh& mesh);
 
 }  // namespace voussoir::importers::helper

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "importers/helper/copies_on_wire.h"
 #include "libdda/errors.h"
 
 namespace voussoir::importers::helper
@@ -151,6 +152,7 @@ json to_json_value(const Stone& stone)
             {"closed", stone.closed},
             {"convex", stone.convex},
             {"reason", stone.reason},
+            {"cure", stone.cure},
             {"repairs", to_json_value(stone.repairs)},
             {"parts", std::move(parts)},
             {"moments", to_json_value(stone.moments)},
@@ -183,6 +185,7 @@ Stone stone_from(const json& value)
     stone.closed = value.at("closed");
     stone.convex = value.at("convex");
     stone.reason = value.at("reason");
+    stone.cure = value.at("cure");
     stone.repairs = repairs_from(value.at("repairs"));
     for (const json& part : value.at("parts")) stone.parts.push_back(part_from(part, stone.name));
     stone.moments = moments_from(value.at("moments"));
@@ -199,33 +202,18 @@ json to_json_value(const ImportedMesh& mesh)
 {
     json stones = json::array();
     for (const Stone& stone : mesh.stones) stones.push_back(to_json_value(stone));
-    return {{"file", mesh.file},           {"accepted", mesh.accepted},
-            {"reason", mesh.reason},       {"metres_per_unit", mesh.metres_per_unit},
-            {"unit_from", mesh.unit_from}, {"repairs", to_json_value(mesh.repairs)},
-            {"stones", std::move(stones)}};
-}
-
-json to_json_value(const std::vector<PlacedCopy>& copies)
-{
-    json value = json::array();
-    for (const PlacedCopy& copy : copies) {
-        json linear = json::array();
-        for (int k = 0; k < 3; ++k) linear.push_back(to_json_value(Eigen::Vector3d(copy.linear.col(k))));
-        value.push_back({{"linear", linear}, {"offset", to_json_value(copy.offset)}, {"suffix", copy.suffix}});
-    }
-    return value;
-}
-
-std::vector<PlacedCopy> copies_from(const json& value)
-{
-    std::vector<PlacedCopy> copies;
-    for (const json& entry : value) {
-        PlacedCopy& copy = copies.emplace_back();
-        for (int k = 0; k < 3; ++k) copy.linear.col(k) = vector_from(entry.at("linear").at(k));
-        copy.offset = vector_from(entry.at("offset"));
-        copy.suffix = entry.at("suffix");
-    }
-    return copies;
+    json skipped = json::array(), unmatched = json::array();
+    for (const SkippedStone& stone : mesh.skipped) skipped.push_back({stone.name, stone.why});
+    for (const UnmatchedPattern& pattern : mesh.unmatched) unmatched.push_back({pattern.key, pattern.pattern});
+    return {{"file", mesh.file},
+            {"accepted", mesh.accepted},
+            {"reason", mesh.reason},
+            {"metres_per_unit", mesh.metres_per_unit},
+            {"unit_from", mesh.unit_from},
+            {"repairs", to_json_value(mesh.repairs)},
+            {"stones", std::move(stones)},
+            {"skipped", std::move(skipped)},
+            {"unmatched", std::move(unmatched)}};
 }
 
 /// @throws InputError when it names no reader
@@ -246,6 +234,41 @@ FitJoints fit_joints_from(const json& value)
     return static_cast<FitJoints>(name - fit_joints_names.begin());
 }
 
+json to_json_value(const StoneChoice& choice)
+{
+    return {{"skip", choice.skip},
+            {"only", choice.only},
+            {"hull", choice.hull},
+            {"skip_types", choice.skip_types},
+            {"repair", static_cast<int>(choice.repair)}};
+}
+
+StoneChoice choice_from(const json& value)
+{
+    using Patterns = std::vector<std::string>;
+    const int repair = index_from(value.at("repair"));
+    if (repair >= static_cast<int>(repair_rule_names.size()))
+        throw InputError("mesh", "no rule of repair", "the request was damaged on the way");
+    return {value.at("skip").get<Patterns>(), value.at("only").get<Patterns>(), value.at("hull").get<Patterns>(),
+            value.at("skip_types").get<Patterns>(), static_cast<RepairRule>(repair)};
+}
+
+json to_json_value(const StoneSimplification& simplify)
+{
+    return {{"stones", simplify.stones},
+            {"hull", simplify.hull},
+            {"parts", simplify.parts},
+            {"volume_error", simplify.volume_error},
+            {"triangles", simplify.triangles}};
+}
+
+StoneSimplification simplification_from(const json& value)
+{
+    return {value.at("stones").get<std::vector<std::string>>(), value.at("hull").get<bool>(),
+            index_from(value.at("parts")), value.at("volume_error").get<double>(),
+            index_from(value.at("triangles"))};
+}
+
 ImportedMesh mesh_from(const json& value)
 {
     ImportedMesh mesh;
@@ -257,6 +280,8 @@ ImportedMesh mesh_from(const json& value)
     mesh.unit_from = value.at("unit_from");
     mesh.repairs = repairs_from(value.at("repairs"));
     for (const json& stone : value.at("stones")) mesh.stones.push_back(stone_from(stone));
+    for (const json& stone : value.at("skipped")) mesh.skipped.push_back({stone.at(0), stone.at(1)});
+    for (const json& pattern : value.at("unmatched")) mesh.unmatched.push_back({pattern.at(0), pattern.at(1)});
     return mesh;
 }
 
@@ -278,8 +303,10 @@ std::string to_json(const HelperRequest& request)
                           {"volume_error", mesh.volume_error},
                           {"fit_joints", fit_joints_names.at(static_cast<std::size_t>(mesh.fit_joints))},
                           {"close_joints", mesh.close_joints},
-                          {"copies", to_json_value(mesh.copies)},
-                          {"reader", mesh_reader_names.at(static_cast<std::size_t>(mesh.reader))}});
+                          {"copies", copies_to_json(mesh.copies)},
+                          {"reader", mesh_reader_names.at(static_cast<std::size_t>(mesh.reader))},
+                          {"choice", to_json_value(mesh.choice)},
+                          {"simplify", to_json_value(mesh.simplify)}});
     try {
         return json{{"meshes", meshes}, {"seconds", request.limits.seconds}, {"bytes", request.limits.bytes}}
             .dump();
@@ -299,7 +326,8 @@ HelperRequest request_from_json(const std::string& text)
                                   static_cast<StoneLevel>(mesh.at("stones").get<int>()),
                                   mesh.at("planarity").get<double>(), mesh.at("volume_error").get<double>(),
                                   fit_joints_from(mesh.at("fit_joints")), mesh.at("close_joints").get<double>(),
-                                  reader_from(mesh.at("reader")), copies_from(mesh.at("copies"))});
+                                  reader_from(mesh.at("reader")), copies_from_json(mesh.at("copies")),
+                                  choice_from(mesh.at("choice")), simplification_from(mesh.at("simplify"))});
     return request;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "libdda/analysis/overlaps.h"
+
 namespace voussoir
 {
 
@@ -12,9 +14,6 @@ namespace
 
 using Eigen::Vector3d;
 
-// Contacts are found from faces that overlap a little; deeper than this share of a block's width the nearest face
-// may be the wrong one, and the block goes out on the other side.
-constexpr double deepest_share = 0.1;
 // Contacts that yield by more than this share of a block's width are part of the answer.
 constexpr double visible_share = 0.01;
 constexpr double unnoticed_jump = 1e-3;  // m/s of the ground: what 0.1 m/s2 do in a step of 10 ms
@@ -51,7 +50,7 @@ Diagnosis deep_overlap(const State& state, const DeepestOverlap& deepest)
     return {DiagnosisKind::deep_overlap,
             state.stage,
             {deepest.block_a, deepest.block_b},
-            {state.time, deepest.depth, deepest.share, deepest.forgiven, deepest.time}};
+            {state.time, deepest.depth, deepest.share, deepest.forgiven, deepest.time, deepest.drawn}};
 }
 
 Diagnosis wrong_energy(const Model& model, const State& state, const EnergyLedger& energy)
@@ -98,6 +97,18 @@ std::optional<Diagnosis> diagnose(const Model& model, const State& state, const 
     return std::nullopt;
 }
 
+std::optional<Diagnosis> start_diagnosis(const std::vector<DrawnOverlap>& overlaps)
+{
+    const auto worst = std::max_element(overlaps.begin(), overlaps.end(), [](const auto& one, const auto& other) {
+        return one.share < other.share;
+    });
+    if (worst == overlaps.end() || worst->share <= deepest_share) return std::nullopt;
+    return Diagnosis{DiagnosisKind::deep_overlap,
+                     0,
+                     {worst->block_a, worst->block_b},
+                     {0, worst->depth, worst->share, 0, 0, worst->depth}};
+}
+
 std::optional<Diagnosis> energy_warning(const EnergyLedger& energy)
 {
     const double share = energy.relative_residual(), given = given_share(energy);
@@ -113,7 +124,7 @@ std::optional<Diagnosis> overlap_warning(const RunReport& report)
     return Diagnosis{DiagnosisKind::overlap,
                      -1,
                      {deepest.block_a, deepest.block_b},
-                     {deepest.depth, deepest.share, deepest.forgiven, deepest.time}};
+                     {deepest.depth, deepest.share, deepest.forgiven, deepest.time, deepest.drawn}};
 }
 
 std::optional<Diagnosis> ground_jump_warning(const Model& model, const Stage& stage, const State& state)

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "libdda/analysis/overlaps.h"
 #include "libdda/model/diagnosis.h"
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
@@ -16,6 +17,9 @@ namespace voussoir
 /// another (as noted in the report), energy that nothing accounts for or that contacts made when they were found
 /// anew, places that are no numbers. @returns nothing when all is well
 std::optional<Diagnosis> diagnose(const Model& model, const State& state, const RunReport& report);
+
+/// Why a run cannot begin: two blocks that overlap as drawn by more than deepest_share of the thinner one's width.
+std::optional<Diagnosis> start_diagnosis(const std::vector<DrawnOverlap>& overlaps);
 
 /// A warning when more than residual_worth_a_warning of all energy is unaccounted for, or came from contacts found
 /// anew.

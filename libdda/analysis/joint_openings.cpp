@@ -1,9 +1,8 @@
 #include "libdda/analysis/joint_openings.h"
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
-#include <map>
+#include <cmath>
 
 namespace voussoir
 {
@@ -13,66 +12,80 @@ using Eigen::Vector3d;
 namespace
 {
 
-/// The material point of a block that is now at `place`.
-MaterialPoint point_at(const Pose& pose, int block, const Vector3d& place)
+Eigen::Matrix3d cofactors(const Eigen::Matrix3d& map)
 {
-    return {block, pose.map.inverse() * (place - pose.centroid)};
+    Eigen::Matrix3d turn;
+    turn << map.col(1).cross(map.col(2)), map.col(2).cross(map.col(0)), map.col(0).cross(map.col(1));
+    return turn;
 }
 
-template <int D>
-void collect(const Model& model, const State& state, std::map<std::pair<int, int>, WatchedJoint>& joints)
+/// Mean of the normals of two faces that looked at each other, outward from b; that of b once both look the same
+/// way.
+Vector3d mean_normal(const FacingPatch& patch, const PlacedBlock& a, const PlacedBlock& b)
 {
-    const ContactSetIn<D>& contacts = contacts_in<D>(state);
-    for (const ContactPatchIn<D>& patch : contacts.patches) {
-        const Pose a = pose_of(model.kinematics, state, patch.block_a);
-        const Pose b = pose_of(model.kinematics, state, patch.block_b);
-        const auto [first, second] = std::minmax(patch.block_a, patch.block_b);
-        WatchedJoint& joint = joints[{first, second}];
-        joint.block_a = first;
-        joint.block_b = second;
-        const Vector3d normal = to_space(patch.normal);
-        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            const ContactPointIn<D>& point = contacts.points[i];
-            const Vector3d place = to_space(point.position);
-            joint.corners.push_back({point_at(a, patch.block_a, place),
-                                     point_at(b, patch.block_b, place - point.gap * normal),
-                                     (b.map.inverse() * normal).normalized()});
-        }
-    }
-}
-
-Vector3d place_of(const Pose& pose, const MaterialPoint& point)
-{
-    return pose.centroid + pose.map * point.lever;
+    const Vector3d of_a = (a.turn * patch.normal_a).normalized(), of_b = (b.turn * patch.normal_b).normalized();
+    const Vector3d sum = of_b - of_a;
+    const double length = sum.norm();
+    constexpr double least = 1e-6;
+    return length > least ? Vector3d(sum / length) : of_b;
 }
 
 }  // namespace
 
-std::vector<WatchedJoint> joints_of(const Model& model, const State& state)
+std::vector<PlacedBlock> placed_blocks(const Model& model, const State& state)
 {
-    std::map<std::pair<int, int>, WatchedJoint> joints;
-    if (is_planar(model.kinematics))
-        collect<2>(model, state, joints);
-    else
-        collect<3>(model, state, joints);
-    std::vector<WatchedJoint> result;
-    result.reserve(joints.size());
-    for (auto& [pair, joint] : joints) result.push_back(std::move(joint));
-    return result;
+    std::vector<PlacedBlock> blocks;
+    blocks.reserve(model.blocks.size());
+    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
+        const Pose pose = pose_of(model.kinematics, state, b);
+        blocks.push_back({pose, is_deformable(model.kinematics) ? cofactors(pose.map) : pose.map});
+    }
+    return blocks;
 }
 
-double opening_of(const WatchedJoint& joint, const Model& model, const State& state)
+JointMotion motion_of(const WatchedJoint& joint, std::span<const PlacedBlock> blocks)
 {
-    const Pose first = pose_of(model.kinematics, state, joint.block_a);
-    const Pose second = pose_of(model.kinematics, state, joint.block_b);
-    double opening = -std::numeric_limits<double>::infinity();
-    for (const JointCorner& corner : joint.corners) {
-        const Pose& a = corner.on_a.block == joint.block_a ? first : second;
-        const Pose& b = corner.on_b.block == joint.block_a ? first : second;
-        const Vector3d normal = (b.map * corner.normal).normalized();
-        opening = std::max(opening, normal.dot(place_of(a, corner.on_a) - place_of(b, corner.on_b)));
+    const PlacedBlock &a = blocks[static_cast<std::size_t>(joint.block_a)],
+                      &b = blocks[static_cast<std::size_t>(joint.block_b)];
+    JointMotion motion;
+    for (const FacingPatch& patch : joint.patches) {
+        const Vector3d normal = mean_normal(patch, a, b);
+        for (const FacingPoint& point : patch.points) {
+            const Vector3d apart =
+                a.pose.centroid - b.pose.centroid + a.pose.map * point.on_a - b.pose.map * point.on_b;
+            const double along = normal.dot(apart);
+            const double opening = along - point.start, slip = (apart - along * normal).norm();
+            motion.opening = std::max(motion.opening, opening);
+            motion.largest_slip = std::max(motion.largest_slip, slip);
+            motion.mean_opening += point.area * opening;
+            motion.slip += point.area * slip;
+        }
     }
-    return opening;
+    motion.mean_opening /= joint.facing_area;
+    motion.slip /= joint.facing_area;
+    return motion;
+}
+
+std::vector<JointPeaks> no_peaks(const std::vector<WatchedJoint>& joints)
+{
+    std::vector<JointPeaks> peaks;
+    for (const WatchedJoint& joint : joints) peaks.push_back({joint.block_a, joint.block_b, 0, 0, {}, {}});
+    return peaks;
+}
+
+void note_joints(const Model& model, const std::vector<WatchedJoint>& joints, const State& state,
+                 RunReport& report)
+{
+    if (joints.empty()) return;
+    const std::vector<PlacedBlock> blocks = placed_blocks(model, state);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const JointMotion motion = motion_of(joints[i], blocks);
+        JointPeaks& peaks = report.joints[i];
+        peaks.opening = std::max(peaks.opening, motion.opening);
+        peaks.slip = std::max(peaks.slip, motion.largest_slip);
+        if (!peaks.opened && motion.opening > noteworthy_opening) peaks.opened = state.time;
+        if (!peaks.slid && motion.largest_slip > noteworthy_opening) peaks.slid = state.time;
+    }
 }
 
 }  // namespace voussoir

@@ -51,7 +51,7 @@ JointResultant resultant(int block_a, int block_b, const std::vector<JointPoint>
         joint.normal_force += p.normal_force;
         joint.pressure_centre += p.normal_force * p.position;
         if (!p.open) joint.closed_area += p.area;
-        joint.max_opening = std::max(joint.max_opening, p.gap);
+        joint.widest_gap = std::max(joint.widest_gap, p.gap);
     }
     joint.pressure_centre =
         joint.normal_force > 0 ? Vector3d(joint.pressure_centre / joint.normal_force) : joint.centre;

@@ -21,8 +21,8 @@ struct JointResultant {
     double edge_stress = 0;                            // Pa, of the bed that bears most: see edge_stress.h
     double bearing_area = 0;                           // m2, of that bed; 0 when nothing presses
     double normal_force = 0;                           // N
-    double max_opening = 0;                            // m, largest gap of a corner
-    double slip = 0;                                   // m, area-weighted length of the accumulated sliding
+    double widest_gap = 0;                             // m, of a contact point; no opening: see joint_openings.h
+    double slip = 0;                                   // m, area-weighted length of the accumulated friction slip
     Eigen::Vector3d pressure_centre = Eigen::Vector3d::Zero();  // m, where the normal force acts; centre if none
 };
 

@@ -5,7 +5,8 @@
 #include <limits>
 #include <span>
 
-#include "libdda/contact/placed_part.h"
+#include "libdda/contact/contact_history.h"
+#include "libdda/contact/initial_contacts.h"
 #include "libdda/geometry/extent.h"
 
 namespace voussoir
@@ -17,25 +18,41 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-9;   // of the smaller block's size
 constexpr double opposite = -0.99;  // cosine: two sides of a strip, within 8 degrees
 
-double least_width_of(const ConvexPolyhedron& part)
+/// Extent of all parts along a direction [m].
+template <class Part, class Direction>
+double extent_of(const std::vector<Part>& parts, const Direction& direction)
+{
+    double low = infinite, high = -infinite;
+    for (const Part& part : parts)
+        for (const Direction& vertex : part.vertices) {
+            low = std::min(low, direction.dot(vertex));
+            high = std::max(high, direction.dot(vertex));
+        }
+    return high - low;
+}
+
+double least_width_of(const std::vector<ConvexPolyhedron>& parts)
 {
     double least = infinite;
-    for (int face = 0; face < static_cast<int>(part.faces.size()); ++face)
-        least = std::min(least, extent_along(face_normal(part, face), part.vertices));
+    for (const ConvexPolyhedron& part : parts)
+        for (int face = 0; face < static_cast<int>(part.faces.size()); ++face)
+            if (!part.is_glued(face)) least = std::min(least, extent_of(parts, face_normal(part, face)));
     return least;
 }
 
-double least_width_of(const ConvexPolygon& outline)
+double least_width_of(const std::vector<ConvexPolygon>& outlines)
 {
     double least = infinite;
-    for (std::size_t i = 0; i < outline.vertices.size(); ++i) {
-        const Eigen::Vector2d side = outline.vertices[(i + 1) % outline.vertices.size()] - outline.vertices[i];
-        if (side.norm() > 0)
-            least = std::min(
-                least, extent_along(Eigen::Vector2d(-side.y(), side.x()).normalized().eval(), outline.vertices));
-    }
+    for (const ConvexPolygon& outline : outlines)
+        for (std::size_t i = 0; i < outline.vertices.size(); ++i) {
+            const Eigen::Vector2d side = outline.vertices[(i + 1) % outline.vertices.size()] - outline.vertices[i];
+            if (side.norm() > 0)
+                least =
+                    std::min(least, extent_of(outlines, Eigen::Vector2d(-side.y(), side.x()).normalized().eval()));
+        }
     return least;
 }
 
@@ -81,44 +98,92 @@ double strip_width(const Model&, const ContactPatchIn<2>&, std::span<const Conta
     return first_is_own == second_is_own ? infinite : (points[1].position - points[0].position).norm();
 }
 
+/// How deep a corner of a patch is in the other block beyond the fit [m]; @param enough smaller depths may be
+/// larger than they are
 template <int D>
-void look_for_overlap(const Model& model, const ContactSetIn<D>& contacts, const std::vector<double>& widths,
-                      double time, RunReport& report)
+double depth_at(const Model& model, const ContactPatchIn<D>& patch, const ContactPointIn<D>& point,
+                std::span<const ContactPointIn<D>> points, double enough)
+{
+    const double depth = contact::depth_beyond_fit(model, point);
+    return depth <= enough ? depth : std::min(depth, strip_width(model, patch, points));
+}
+
+template <int D>
+void look_for_overlap(const Model& model, const ContactSetIn<D>& contacts, const OverlapWatch& watch, double time,
+                      RunReport& report)
 {
     DeepestOverlap& deepest = report.deepest;
     for (const ContactPatchIn<D>& patch : contacts.patches) {
-        const double width = std::min(widths[patch.block_a], widths[patch.block_b]);
+        const double width = std::min(watch.widths[patch.block_a], watch.widths[patch.block_b]);
         const auto points = std::span(contacts.points).subspan(patch.first_point, patch.point_count);
         for (const ContactPointIn<D>& point : points) {
-            double depth = -(point.gap + point.rest_gap);
-            if (depth <= report.max_penetration && depth <= deepest.share * width) continue;
-            depth = std::min(depth, strip_width(model, patch, points));
+            const double enough = std::min(report.max_penetration, deepest.share * width);
+            const double depth = depth_at<D>(model, patch, point, points, enough);
             report.max_penetration = std::max(report.max_penetration, depth);
             if (depth <= deepest.share * width) continue;
-            const double forgiven = std::min(std::max(0.0, -point.rest_gap), depth);
-            deepest = {depth / width, depth, forgiven, time, patch.block_a, patch.block_b};
+            const double free_of_stress = std::max(0.0, -point.rest_gap - model.fit_tolerance);
+            const auto drawn = watch.drawn.find(std::minmax(patch.block_a, patch.block_b));
+            deepest = {depth / width, depth, std::min(free_of_stress, depth), time, patch.block_a,
+                       patch.block_b, 0};
+            if (drawn != watch.drawn.end()) deepest.drawn = std::min(depth, drawn->second);
         }
     }
+}
+
+using Pair = std::pair<int, int>;
+
+template <int D>
+void add_drawn(const Model& model, const ContactSetIn<D>& contacts, std::map<Pair, double>& depths)
+{
+    for (const ContactPatchIn<D>& patch : contacts.patches) {
+        const auto points = std::span(contacts.points).subspan(patch.first_point, patch.point_count);
+        double deepest = 0;
+        for (const ContactPointIn<D>& point : points)
+            deepest = std::max(deepest, depth_at<D>(model, patch, point, points, deepest));
+        if (deepest <= rounding * std::min(size_of(model, patch.block_a), size_of(model, patch.block_b))) continue;
+        double& depth = depths[std::minmax(patch.block_a, patch.block_b)];
+        depth = std::max(depth, deepest);
+    }
+}
+
+/// Deepest overlap of each pair of blocks that overlaps as drawn [m].
+std::map<Pair, double> drawn_depths(const Model& model)
+{
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    std::map<Pair, double> depths;
+    add_drawn(model, state.contacts, depths);
+    add_drawn(model, state.planar_contacts, depths);
+    return depths;
 }
 
 }  // namespace
 
 std::vector<double> least_widths(const Model& model)
 {
+    const bool planar = is_planar(model.kinematics);
     std::vector<double> widths;
-    for (const Block& block : model.blocks) {
-        double least = infinite;
-        for (const ConvexPolyhedron& part : block.parts) least = std::min(least, least_width_of(part));
-        for (const ConvexPolygon& outline : block.outlines) least = std::min(least, least_width_of(outline));
-        widths.push_back(least);
-    }
+    for (const Block& block : model.blocks)
+        widths.push_back(planar ? least_width_of(block.outlines) : least_width_of(block.parts));
     return widths;
 }
 
-void note_overlap(const Model& model, const std::vector<double>& widths, const State& state, RunReport& report)
+std::vector<DrawnOverlap> drawn_overlaps(const OverlapWatch& watch)
 {
-    look_for_overlap(model, state.contacts, widths, state.time, report);
-    look_for_overlap(model, state.planar_contacts, widths, state.time, report);
+    std::vector<DrawnOverlap> overlaps;
+    for (const auto& [pair, depth] : watch.drawn) {
+        const double width = std::min(watch.widths[pair.first], watch.widths[pair.second]);
+        overlaps.push_back({pair.first, pair.second, depth, depth / width});
+    }
+    return overlaps;
+}
+
+OverlapWatch::OverlapWatch(const Model& model) : widths(least_widths(model)), drawn(drawn_depths(model)) {}
+
+void note_overlap(const Model& model, const OverlapWatch& watch, const State& state, RunReport& report)
+{
+    look_for_overlap(model, state.contacts, watch, state.time, report);
+    look_for_overlap(model, state.planar_contacts, watch, state.time, report);
 }
 
 }  // namespace voussoir

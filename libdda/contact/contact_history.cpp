@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr double closed_at_start = 1e-4;      // of the part size: a smaller gap is a closed joint
+constexpr double same_plane = 0.9;            // cosine: the faces of a rough or warped joint, not its edge
 constexpr double nearest_point_reach = 0.05;  // of the patch's extent
 
 /// At a place where there was no corner: unlike the slip the rest gap is linear over the patch, so that near
@@ -111,11 +112,12 @@ void forgive_overlap(double stiffness, double stored, std::vector<ContactPointIn
 }
 
 /// What the point of a dry joint keeps of an overlap that was forgiven: as the stones part it shrinks, and where
-/// they are apart nothing is left of it.
-/// @param gap of the stones themselves [m]
-double kept_rest_gap(double rest_gap, double gap)
+/// they are apart nothing is left of it but what the drawing may be wrong by.
+/// @param gap of the stones themselves [m]; @param fit of the model [m]
+double kept_rest_gap(double rest_gap, double gap, double fit)
 {
-    return rest_gap < 0 ? std::max(rest_gap, std::min(gap, 0.0)) : rest_gap;
+    const double drawn = 0.0 - fit;
+    return rest_gap < drawn ? std::max(rest_gap, std::min(gap, drawn)) : rest_gap;
 }
 
 /// The sides and features of a polygon, still without stiffness, bond or place in a set.
@@ -142,6 +144,20 @@ bool has_same_features(const ContactPatchIn<D>& patch, const ContactPatchIn<D>& 
            old.feature_b == patch.feature_b;
 }
 
+/// Whether two patches of the same stones lie in nearly one plane.
+template <int D>
+bool looks_alike(const ContactPatchIn<D>& patch, const ContactPatchIn<D>& old)
+{
+    const double sign = old.block_b == patch.block_b ? 1 : -1;
+    return sign * old.normal.dot(patch.normal) > same_plane;
+}
+
+/// A smaller gap is a closed joint [m]. @param size of the smaller part [m]
+double closed_within(const Model& model, double size)
+{
+    return std::max(closed_at_start * size, model.fit_tolerance);
+}
+
 /// A joint with strength is a bond if it is closed when the run begins, at every corner.
 template <int D>
 bool is_bonded(const Model& model, const State& state, const ContactPatchIn<D>& patch,
@@ -151,7 +167,26 @@ bool is_bonded(const Model& model, const State& state, const ContactPatchIn<D>& 
     const JointMaterial& joint = model.joint_between(patch.block_a, patch.block_b);
     if (!joint.has_strength()) return false;
     return std::all_of(corners.begin(), corners.end(),
-                       [&](const PolygonPointIn<D>& corner) { return corner.gap < closed_at_start * size; });
+                       [&](const PolygonPointIn<D>& corner) { return corner.gap < closed_within(model, size); });
+}
+
+/// Where two stones begin to touch, or other parts of them: as the drawing has them, and then as beside.
+template <int D>
+double new_rest_gap(const Model& model, const State& state, const ContactPatchIn<D>& patch,
+                    const PolygonPointIn<D>& corner, double size, const History<D>& history)
+{
+    const double fit = model.fit_tolerance;
+    if (patch.intact) return std::max(corner.gap, -closed_within(model, size));
+    if (fit == 0) return 0;
+    if (state.step == 0) return corner.gap <= fit ? std::max(corner.gap, -fit) : 0;
+    std::vector<ContactPointIn<D>> beside;
+    for (const int k : history.of_stones) {
+        const ContactPatchIn<D>& old = history.all->patches[k];
+        if (!looks_alike(patch, old)) continue;
+        const auto points = std::span(history.all->points).subspan(old.first_point, old.point_count);
+        beside.insert(beside.end(), points.begin(), points.end());
+    }
+    return std::clamp(rest_gap_between<D>(beside, corner.position), -fit, fit);
 }
 
 }  // namespace
@@ -177,6 +212,8 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
     const double sheared = sheared_share(history, patch.stiffness * measure * depth_of<D>(model));
     const double sign = history.patch && history.patch->block_b != patch.block_b ? -1 : 1;
     const bool forgives = overlap == NewOverlap::forgiven && !patch.intact && !same_features;
+    const bool turns_away =
+        model.fit_tolerance > 0 && history.patch && !patch.intact && !looks_alike(patch, *history.patch);
     for (const PolygonPointIn<D>& corner : polygon.points) {
         ContactPointIn<D> point;
         point.feature = corner.feature;
@@ -184,10 +221,11 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
         point.area = corner.area * depth_of<D>(model);
         if (history.patch)
             inherit(history, same_features, sign, sheared, extent, point);
-        else if (patch.intact)
-            point.rest_gap = std::max(corner.gap, -closed_at_start * size);
+        else
+            point.rest_gap = new_rest_gap(model, state, patch, corner, size, history);
+        if (turns_away) point.rest_gap = std::min(point.rest_gap, 0.0);
         if (forgives) point.rest_gap = std::max(point.rest_gap, 0.0);  // forgiven anew, by the energy
-        if (!patch.intact) point.rest_gap = kept_rest_gap(point.rest_gap, corner.gap);
+        if (!patch.intact) point.rest_gap = kept_rest_gap(point.rest_gap, corner.gap, model.fit_tolerance);
         point.gap = corner.gap - point.rest_gap;
         point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
         found.points.push_back(point);

@@ -1,6 +1,7 @@
 // What a contact remembers from one step to the next: its slip, its stiffness, its bond, what it was forgiven.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,19 @@ template <int D>
 struct History {
     const ContactPatchIn<D>* patch = nullptr;
     std::span<const ContactPointIn<D>> points;
+    const ContactSetIn<D>* all = nullptr;  // old contacts
+    std::span<const int> of_stones = {};   // the patches of the two stones, whichever their parts; of those that
+                                           // fit as drawn none are listed
 };
+
+/// How deep two stones are within one another at a point [m], beyond what the drawing may be wrong by; < 0: not at
+/// all.
+template <int D>
+double depth_beyond_fit(const Model& model, const ContactPointIn<D>& point)
+{
+    const double drawn = std::clamp(point.rest_gap, -model.fit_tolerance, model.fit_tolerance);
+    return -(point.gap + (point.rest_gap - drawn));
+}
 
 template <int D>
 struct FoundPatch {
@@ -34,6 +47,8 @@ struct FoundPatch {
 /// The contact of two parts with what it remembers. Every point takes over the slip of the point of the same
 /// feature, or of the nearest old point of its pair, or the pair's area-weighted mean, in this order; slips are
 /// projected on the new tangent plane.
+/// Rest gaps go the same way. Of a dry joint they last until the stones part, of one that was drawn to fit within
+/// the model's tolerance until it is out of touch; a positive one does not go over to a face that looks elsewhere.
 /// @param polygon of the two parts, as contact_polygon found it
 /// @param fully_held (blocks)
 template <int D>

@@ -17,14 +17,51 @@ namespace
 
 using PairKey = std::pair<int, int>;  // global part indices, ascending
 
-template <int D>
-History<D> history_of(const ContactSetIn<D>& old, const std::map<PairKey, int>& old_patches, const PairKey& key)
+std::optional<ContactPolygon> polygon_between(const PlacedPart& first, const PlacedPart& second, double margin,
+                                              const std::optional<LastContact>& last, double fit_tolerance)
 {
-    const auto found = old_patches.find(key);
-    if (found == old_patches.end()) return {};
-    const ContactPatchIn<D>& patch = old.patches[found->second];
-    return {&patch, std::span(old.points).subspan(patch.first_point, patch.point_count)};
+    return contact_polygon(first, second, margin, last, fit_tolerance);
 }
+
+std::optional<ContactSegment> polygon_between(const PlacedOutline& first, const PlacedOutline& second,
+                                              double margin, const std::optional<LastContact>& last, double)
+{
+    return contact_polygon(first, second, margin, last);
+}
+
+/// The contacts of the step before, by what touched.
+template <int D>
+class OldContacts
+{
+ public:
+    OldContacts(const Model& model, const ContactSetIn<D>& contacts, const std::vector<int>& first_part)
+        : contacts_(contacts)
+    {
+        for (int p = 0; p < static_cast<int>(contacts.patches.size()); ++p) {
+            const ContactPatchIn<D>& patch = contacts.patches[p];
+            of_parts_[std::minmax(first_part[patch.block_a] + patch.part_a,
+                                  first_part[patch.block_b] + patch.part_b)] = p;
+            if (model.fit_tolerance > 0) of_stones_[std::minmax(patch.block_a, patch.block_b)].push_back(p);
+        }
+    }
+    History<D> between(const PairKey& parts, const PairKey& blocks) const
+    {
+        History<D> history{nullptr, {}, &contacts_, {}};
+        const auto stones = of_stones_.find(blocks);
+        if (stones != of_stones_.end()) history.of_stones = stones->second;
+        const auto found = of_parts_.find(parts);
+        if (found == of_parts_.end()) return history;
+        history.patch = &contacts_.patches[found->second];
+        history.points =
+            std::span(contacts_.points).subspan(history.patch->first_point, history.patch->point_count);
+        return history;
+    }
+
+ private:
+    const ContactSetIn<D>& contacts_;
+    std::map<PairKey, int> of_parts_;
+    std::map<PairKey, std::vector<int>> of_stones_;  // only where stones need not fit
+};
 
 /// The contact of two parts, with the history that goes with it, if they are close enough.
 template <int D>
@@ -41,7 +78,8 @@ std::optional<FoundPatch<D>> find_patch(const Model& model, const State& state,
         last = LastContact{history.patch->block_b == second.block, history.patch->edge_edge,
                            history.patch->feature_b, history.patch->feature_a};
     const double margin = reach[first.block] + reach[second.block];
-    const std::optional<ContactPolygonIn<D>> polygon = contact_polygon(first, second, margin, last);
+    const std::optional<ContactPolygonIn<D>> polygon =
+        polygon_between(first, second, margin, last, model.fit_tolerance);
     if (!polygon) return std::nullopt;
     return attach_history(model, state, fully_held, first, second, *polygon, history, overlap);
 }
@@ -60,22 +98,17 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
         first_part[b + 1] = first_part[b] + static_cast<int>(ShapeIn<D>::of(model.blocks[b]).size());
 
-    std::map<PairKey, int> old_patches;
-    const ContactSetIn<D>& old = contacts_in<D>(state);
-    for (int p = 0; p < static_cast<int>(old.patches.size()); ++p) {
-        const ContactPatchIn<D>& patch = old.patches[p];
-        const int a = first_part[patch.block_a] + patch.part_a, b = first_part[patch.block_b] + patch.part_b;
-        old_patches[{std::min(a, b), std::max(a, b)}] = p;
-    }
-
+    const OldContacts<D> old(model, contacts_in<D>(state), first_part);
     const std::vector<PairKey> pairs = candidate_pairs(parts, reach, fully_held);
     std::vector<std::optional<FoundPatch<D>>> slots(pairs.size());
     std::exception_ptr failure;  // memory may run out in any thread, and no exception may leave the loop
 #pragma omp parallel for num_threads(threads) schedule(static) if (pairs.size() > 256)
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         try {
-            slots[i] = find_patch(model, state, fully_held, parts, reach, pairs[i],
-                                  history_of(old, old_patches, pairs[i]), overlap);
+            slots[i] = find_patch(
+                model, state, fully_held, parts, reach, pairs[i],
+                old.between(pairs[i], std::minmax(parts[pairs[i].first].block, parts[pairs[i].second].block)),
+                overlap);
         } catch (...) {
 #pragma omp critical
             failure = std::current_exception();

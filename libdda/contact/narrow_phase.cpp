@@ -139,6 +139,14 @@ std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const Pl
     return contact;
 }
 
+/// [m]
+double deepest_of(const ContactPolygon& polygon)
+{
+    double depth = 0;
+    for (const PolygonPoint& point : polygon.points) depth = std::max(depth, -point.gap);
+    return depth;
+}
+
 struct EdgeAxis {
     int first = -1, second = -1;         // edges
     Vector3d normal = Vector3d::Zero();  // from the second part to the first
@@ -257,7 +265,7 @@ void assign_tributary_areas(std::vector<PolygonPoint>& points, const Vector3d& n
 }
 
 std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const PlacedPart& second, double margin,
-                                              const std::optional<LastContact>& last)
+                                              const std::optional<LastContact>& last, double fit_tolerance)
 {
     const double size = std::min(first.size, second.size);
     const double bonus = face_hysteresis * size;
@@ -283,6 +291,7 @@ std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const Pla
         face_polygon(reference, incident, chosen.face, last_incident, size, margin);
     if (face) face->second_is_reference = second_is_reference;
     if (face && chosen.separation > -shallow * size) return face;
+    if (face && fit_tolerance > 0 && deepest_of(*face) <= fit_tolerance) return face;
 
     // An edge pair must separate clearly better than any face. Where it only ties with a face (a box that slides
     // over the joint of a flush floor meets the next block's side) the parts pass each other and do not touch.

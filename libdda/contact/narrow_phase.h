@@ -17,8 +17,10 @@ namespace voussoir::contact
 /// skipped (ghost contacts of diagonal neighbours). Source: docs/numerics.md 2.5; clipping:
 /// [SutherlandHodgman1974].
 /// @param margin [m] parts further apart than this do not touch
+/// @param fit_tolerance [m] faces that are no deeper than this within one another touch as faces: of two that were
+/// drawn a little askew, edges that cross would part them by a shorter shift, and carry them on a point
 std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const PlacedPart& second, double margin,
-                                              const std::optional<LastContact>& last);
+                                              const std::optional<LastContact>& last, double fit_tolerance = 0);
 
 /// Gives every point of a planar polygon its tributary area. Exposed for its test.
 void assign_tributary_areas(std::vector<PolygonPoint>& points, const Eigen::Vector3d& normal);

@@ -38,8 +38,14 @@ DiagnosisForm make_form(DiagnosisKind kind)
             return {"too_many_cuts", true, 0, 1, {"time_s", "time_step_s", "cut_steps", "last_step_s"}};
         case DiagnosisKind::no_equilibrium:
             return {"no_equilibrium", true, 0, 0, {"steps", "unbalanced"}};
+        case DiagnosisKind::mechanism:
+            return {"mechanism", true, 1, 0, {"moved_m"}};
         case DiagnosisKind::deep_overlap:
-            return {"deep_overlap", true, 2, 2, {"time_s", "depth_m", "share", "forgiven_m", "overlap_time_s"}};
+            return {"deep_overlap",
+                    true,
+                    2,
+                    2,
+                    {"time_s", "depth_m", "share", "forgiven_m", "overlap_time_s", "drawn_m"}};
         case DiagnosisKind::no_number:
             return {"no_number", true, 1, 1, {"time_s"}};
         case DiagnosisKind::energy_no_number:
@@ -55,7 +61,7 @@ DiagnosisForm make_form(DiagnosisKind kind)
         case DiagnosisKind::energy_given:
             return {"energy_given", false, 0, 0, {"share"}};
         case DiagnosisKind::overlap:
-            return {"overlap", false, 2, 2, {"depth_m", "share", "forgiven_m", "overlap_time_s"}};
+            return {"overlap", false, 2, 2, {"depth_m", "share", "forgiven_m", "overlap_time_s", "drawn_m"}};
         case DiagnosisKind::ground_jump:
             return {"ground_jump", true, 1, 1, {"velocity_jump_m_s"}};
         case DiagnosisKind::dry_joints:
@@ -92,7 +98,8 @@ bool is_whole(const Diagnosis& diagnosis)
     const DiagnosisForm& form = form_of(diagnosis.kind);
     if (diagnosis.stage < -1 || (diagnosis.stage >= 0) != form.has_stage) return false;
     if (diagnosis.blocks.size() < form.fewest_blocks) return false;
-    if (diagnosis.kind == DiagnosisKind::fallen) return diagnosis.values.size() == diagnosis.blocks.size();
+    if (diagnosis.kind == DiagnosisKind::fallen || diagnosis.kind == DiagnosisKind::mechanism)
+        return diagnosis.values.size() == diagnosis.blocks.size();
     return diagnosis.blocks.size() <= form.blocks && diagnosis.values.size() == form.values.size();
 }
 

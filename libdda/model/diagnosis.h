@@ -22,6 +22,7 @@ enum class DiagnosisKind : std::uint8_t {
     unbalanced,            // the same, of no such cause
     too_many_cuts,         // a nominal step needed more cut ones than are worth computing
     no_equilibrium,        // of a static stage
+    mechanism,             // the same, because blocks are falling
     deep_overlap,          // blocks so deep within one another that the nearest face would soon be the wrong one
     no_number,             // a place or a velocity
     energy_no_number,      // an energy
@@ -55,8 +56,8 @@ struct DiagnosisForm {
     std::string_view name;                 // "deep_overlap"
     bool has_stage = false;                // else it is said of the whole run
     std::size_t fewest_blocks = 0;         // one may be unknown
-    std::size_t blocks = 0;                // at most; of `fallen` as many as have fallen
-    std::vector<std::string_view> values;  // "depth_m"; of `fallen` once for each block
+    std::size_t blocks = 0;                // at most; of `fallen` and `mechanism` as many as fall
+    std::vector<std::string_view> values;  // "depth_m"; of `fallen` and `mechanism` once for each block
 };
 /// What the blocks and values of this kind are.
 const DiagnosisForm& form_of(DiagnosisKind kind);

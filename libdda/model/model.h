@@ -98,6 +98,9 @@ struct Model {
     std::vector<int> joint_of_groups;                        // (groups x groups) row major: index into joints
     std::vector<Block> blocks;                               // in the order of the state
     std::vector<Foundation> foundations;                     // one per held block
+    // m: what two stones share or lack at a corner of their contact when the run begins, up to this much, is the
+    // error of the drawing and the zero of their contact. 0: stones are what is drawn
+    double fit_tolerance = 0;
 
     /// Mass of a block, what is attached included [kg].
     double mass(int block) const

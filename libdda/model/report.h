@@ -144,6 +144,14 @@ struct DeepestOverlap {
     double forgiven = 0;             // m of the depth, without stress: of a contact found late or on another face
     double time = 0;                 // s since the run's start
     int block_a = -1, block_b = -1;  // indices into Model::blocks
+    double drawn = 0;                // m of the depth, that the two share as drawn beyond the fit_tolerance
+};
+
+/// The most that a joint of the start of the run has done: see joint_openings.h.
+struct JointPeaks {
+    int block_a = 0, block_b = 0;        // a < b
+    double opening = 0, slip = 0;        // m, the largest so far of a corner of its facing area
+    std::optional<double> opened, slid;  // s since the run's start: the first time either was noteworthy
 };
 
 /// What a run did.
@@ -161,6 +169,7 @@ struct RunReport {
     EnergyLedger energy;                                          // at the end
     std::vector<FallenBlock> fallen;                              // in the order in which they fell
     std::vector<CrushedJoint> crushed;                            // in the order in which they were first crushed
+    std::vector<JointPeaks> joints;                               // in ascending order of the pair
     std::array<double, static_cast<int>(Part::count)> seconds{};  // wall time by part
     std::vector<Diagnosis> warnings;                              // in the order in which they arose
 };

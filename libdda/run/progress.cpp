@@ -4,7 +4,6 @@
 
 #include "libdda/analysis/crushing.h"
 #include "libdda/analysis/diagnosis.h"
-#include "libdda/analysis/overlaps.h"
 #include "libdda/step/advance.h"
 #include "libdda/step/part_timer.h"
 
@@ -29,7 +28,7 @@ void add_step(const StepReport& step, RunReport& report)
 /// Takes back a step after which to go on would be nonsense, and says why; false then.
 bool is_sound(RunProgress& progress)
 {
-    note_overlap(progress.model, progress.widths, progress.state, progress.report);
+    note_overlap(progress.model, progress.overlaps, progress.state, progress.report);
     auto wrong = diagnose(progress.model, progress.state, progress.report);
     if (!wrong) return true;
     progress.state = progress.before;
@@ -37,12 +36,13 @@ bool is_sound(RunProgress& progress)
     return give_up(std::move(*wrong), progress);
 }
 
-/// Notes crushed joints and fallen blocks.
+/// Notes crushed joints, fallen blocks and how far joints have opened.
 void note_damage(const Stage& stage, RunProgress& progress)
 {
     if (progress.judges_crushing) note_crushing(progress.model, progress.state, progress.report);
-    if (stage.type == StageType::dynamic)
-        note_fallen(progress.model, progress.watch, stage.gravity, progress.state, progress.report);
+    if (stage.type != StageType::dynamic) return;  // on the way to rest nothing moves in time
+    note_fallen(progress.model, progress.watch, stage.gravity, progress.state, progress.report);
+    note_joints(progress.model, progress.joints, progress.state, progress.report);
 }
 
 void frame(RunProgress& progress)

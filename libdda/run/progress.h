@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "libdda/analysis/collapse.h"
+#include "libdda/analysis/joint_openings.h"
+#include "libdda/analysis/overlaps.h"
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
 #include "libdda/model/stage.h"
@@ -25,7 +27,8 @@ struct RunProgress {
     RunPosition position;
     RunReport& report = position.report;
     CollapseWatch watch = {};
-    std::vector<double> widths = {};  // m, of the blocks
+    OverlapWatch overlaps = {};
+    std::vector<WatchedJoint> joints = {};
     bool judges_crushing = false;
     bool shown = false;  // the state as it is has its frame
     State before = {};   // of the step, to go back to

@@ -6,7 +6,6 @@
 #include "libdda/analysis/diagnosis.h"
 #include "libdda/analysis/dry_joints.h"
 #include "libdda/analysis/energies.h"
-#include "libdda/analysis/overlaps.h"
 #include "libdda/run/dynamic_stage.h"
 #include "libdda/run/static_stage.h"
 
@@ -23,14 +22,25 @@ void begin_run(driver::RunProgress& progress)
     RunReport& report = progress.report;
     // Of a run that goes on, the start is the model's.
     const bool is_new = progress.position.frames == 0 && report.steps == 0;
-    progress.watch = CollapseWatch(model, is_new ? progress.state : initial_state(model));
-    progress.widths = least_widths(model);
+    const State start = is_new ? progress.state : initial_state(model);
+    progress.watch = CollapseWatch(model, start);
+    progress.joints = joints_at_start(model, start);
+    if (report.joints.size() != progress.joints.size()) report.joints = no_peaks(progress.joints);
+    progress.overlaps = OverlapWatch(model);
     progress.judges_crushing = has_compressive_strength(model);
     report.outcome = Outcome::completed;
     report.diagnosis.reset();
     if (is_new)
         if (const auto warning = dry_joints_warning(model, progress.state)) report.warnings.push_back(*warning);
     if (progress.position.frames == 0) driver::show(progress);
+}
+
+/// Ends the run before its first step where the model's stones lie too deep within one another.
+bool may_begin(driver::RunProgress& progress)
+{
+    if (progress.state.step > 0) return true;
+    auto wrong = start_diagnosis(drawn_overlaps(progress.overlaps));
+    return !wrong || driver::give_up(std::move(*wrong), progress);
 }
 
 void enter_stage(int stage, const Stage& entered, driver::RunProgress& progress)
@@ -52,7 +62,10 @@ bool run_stage(const Stage& stage, driver::RunProgress& progress)
     const bool is_static = stage.type == StageType::static_equilibrium;
     const bool done = is_static ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
     progress.position.stage_done = done;
-    if (done && is_static) driver::show(progress);
+    if (done && is_static) {
+        note_joints(progress.model, progress.joints, progress.state, progress.report);
+        driver::show(progress);
+    }
     if (!done) driver::show_end(progress);
     return done;
 }
@@ -82,6 +95,7 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
 {
     driver::RunProgress progress{model, observer, state, Workspace(model), std::move(position)};
     begin_run(progress);
+    if (!may_begin(progress)) return std::move(progress.report);
     for (int s = state.stage; s < static_cast<int>(stages.size()); ++s) {
         if (s == state.stage && progress.position.stage_done) continue;
         if (s != state.stage || state.stage_time == 0) enter_stage(s, stages[s], progress);

@@ -1,6 +1,7 @@
 #include "libdda/run/static_stage.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace voussoir::driver
 {
@@ -10,8 +11,15 @@ namespace
 
 constexpr double inexactness = 1e-2;  // residual a static step may keep, as a share of its unbalanced force
 
-bool give_up_resting(RunProgress& progress)
+/// Where stones are falling there is no equilibrium to be found, and that is a result.
+bool give_up_resting(const Stage& stage, RunProgress& progress)
 {
+    auto falling = falling_blocks(progress.model, progress.watch, stage.gravity, progress.before, progress.state);
+    if (falling) {
+        progress.report.outcome = Outcome::collapsed;
+        progress.report.diagnosis = std::move(falling);
+        return false;
+    }
     ++progress.report.unconverged_steps;
     return give_up({DiagnosisKind::no_equilibrium,
                     progress.state.stage,
@@ -40,6 +48,7 @@ bool step_at_rest(const Stage& stage, Stage& loaded, RunProgress& progress)
     at.quiet_steps = balanced ? at.quiet_steps + 1 : 0;
     ++at.static_steps;
     if (progress.observer.step) progress.observer.step(state, step, progress.report);
+    if (at.quiet_steps < 2 && at.static_steps == stage.max_static_steps) return give_up_resting(loaded, progress);
     save(progress);
     return goes_on(progress);
 }
@@ -53,7 +62,6 @@ bool run_static(const Stage& stage, RunProgress& progress)
     for (; at.load_increments < stage.gravity_increments; ++at.load_increments) {
         loaded.gravity = stage.gravity * (at.load_increments + 1) / stage.gravity_increments;
         while (at.quiet_steps < 2) {
-            if (at.static_steps == stage.max_static_steps) return give_up_resting(progress);
             if (!step_at_rest(stage, loaded, progress)) return false;
         }
         at.static_steps = at.quiet_steps = 0;

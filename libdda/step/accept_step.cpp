@@ -72,7 +72,7 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
     book_redetection(stage, state, contact::spring_energy(model, work.contacts) - energy.contact, energy);
     update_blocks(system, state);
     book_step(state, system, work.contacts, energy);
-    update_contacts(stage, system, work.contacts, state, report);
+    update_contacts(model, stage, system, work.contacts, state, report);
     advance_clocks(stage, system.h, state);
     damp_velocities(model, stage, system, state, energy);
     report.max_displacement = max_displacement(system);

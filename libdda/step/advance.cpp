@@ -30,7 +30,7 @@ void look_for_contacts(const Model& model, const Stage& stage, const State& stat
     if (work.radii.empty()) work.radii = step::radii_of<K::dimension>(model);
     step::find_reach<K>(model, stage, state, time_step, work.radii, work.reach);
     contact::find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts,
-                           step::new_overlaps_in(stage, state));
+                           step::new_overlaps_in(model, stage, state));
 }
 
 template <class K>

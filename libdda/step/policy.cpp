@@ -14,11 +14,14 @@ bool follows_motion(const Stage& stage)
 
 }  // namespace
 
-contact::NewOverlap new_overlaps_in(const Stage& stage, const State& state)
+contact::NewOverlap new_overlaps_in(const Model& model, const Stage& stage, const State& state)
 {
     // In static stages a new overlap presses; what that gives is gone with the velocity. The published iteration
-    // takes contacts as they are. In the first step of a run an overlap is the model's own.
-    return follows_motion(stage) && state.step > 0 ? contact::NewOverlap::forgiven : contact::NewOverlap::presses;
+    // takes contacts as they are. In the first step of a run an overlap is the model's own. Stones that do not fit
+    // as drawn overlap wherever their contact goes over to another face or part: that presses in no stage.
+    const bool is_drawn = model.fit_tolerance > 0 && stage.control.open_close == OpenClose::newton;
+    return (follows_motion(stage) || is_drawn) && state.step > 0 ? contact::NewOverlap::forgiven
+                                                                 : contact::NewOverlap::presses;
 }
 
 bool may_divide(const Stage& stage, int moving)

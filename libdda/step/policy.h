@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libdda/contact/contact_history.h"
+#include "libdda/model/model.h"
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 
@@ -9,7 +10,7 @@ namespace voussoir::step
 {
 
 /// What a step makes of overlaps that no force has made.
-contact::NewOverlap new_overlaps_in(const Stage& stage, const State& state);
+contact::NewOverlap new_overlaps_in(const Model& model, const Stage& stage, const State& state);
 
 /// Whether a step may end where a sliding joint turns round. @param moving blocks that have unknowns
 bool may_divide(const Stage& stage, int moving);

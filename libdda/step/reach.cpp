@@ -22,6 +22,25 @@ std::vector<double> radii_of(const Model& model)
     return radii;
 }
 
+namespace
+{
+
+/// Joints are as wide as drawn: at the start up to the tolerance, later as far as their stones were apart then.
+template <int D>
+void add_fit(const Model& model, const State& state, std::vector<double>& reach)
+{
+    if (model.fit_tolerance == 0) return;
+    std::vector<double> widest(reach.size(), state.step == 0 ? model.fit_tolerance : 0);
+    const auto& contacts = contacts_in<D>(state);
+    for (const ContactPatchIn<D>& patch : contacts.patches)
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
+            for (const int block : {patch.block_a, patch.block_b})
+                widest[block] = std::max(widest[block], contacts.points[i].rest_gap);
+    for (std::size_t b = 0; b < reach.size(); ++b) reach[b] += widest[b] / 2;  // one half from either stone
+}
+
+}  // namespace
+
 template <class K>
 void find_reach(const Model& model, const Stage& stage, const State& state, double h,
                 const std::vector<double>& radii, std::vector<double>& reach)
@@ -38,6 +57,7 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
         reach[b] = (h + dashpot) * speed + h * h * stage.gravity.norm() * (stage.type == StageType::dynamic) +
                    contact::contact_distance * size_of(model, static_cast<int>(b));
     }
+    add_fit<dimension>(model, state, reach);
     // A bond lasts until its strength breaks it, however soft it is: it is looked for as far as it has stretched.
     const auto& contacts = contacts_in<dimension>(state);
     for (const ContactPatchIn<dimension>& patch : contacts.patches) {

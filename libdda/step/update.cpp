@@ -53,8 +53,8 @@ void update_blocks(const StepSystem<K>& system, State& state)
 }
 
 template <class K>
-void update_contacts(const Stage& stage, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
-                     State& state, StepReport& report)
+void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>& system,
+                     const ContactSetIn<K::dimension>& contacts, State& state, StepReport& report)
 {
     constexpr int n = K::unknowns, dimension = K::dimension;
     using Vector = typename K::Vector;
@@ -94,7 +94,7 @@ void update_contacts(const Stage& stage, const StepSystem<K>& system, const Cont
             point.normal_force = p.normal;
             point.shear_force = p.shear;
             point.position = incident.predicted.centroid + p.lever_a + K::displacement(d_a, p.lever_a);
-            report.max_penetration = std::max(report.max_penetration, -(p.gap + point.rest_gap));
+            report.max_penetration = std::max(report.max_penetration, contact::depth_beyond_fit(model, point));
             report.closed_points += p.status != ContactStatus::open;
         }
     }
@@ -122,10 +122,10 @@ void damp_velocities(const Model& model, const Stage& stage, const StepSystem<K>
     energy.kinetic = kinetic;
 }
 
-#define VOUSSOIR_INSTANTIATE(K)                                                                                  \
-    template void update_blocks(const StepSystem<K>&, State&);                                                   \
-    template void update_contacts(const Stage&, const StepSystem<K>&, const ContactSetIn<K::dimension>&, State&, \
-                                  StepReport&);                                                                  \
+#define VOUSSOIR_INSTANTIATE(K)                                                            \
+    template void update_blocks(const StepSystem<K>&, State&);                             \
+    template void update_contacts(const Model&, const Stage&, const StepSystem<K>&,        \
+                                  const ContactSetIn<K::dimension>&, State&, StepReport&); \
     template void damp_velocities(const Model&, const Stage&, const StepSystem<K>&, State&, EnergyLedger&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE

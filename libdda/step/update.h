@@ -17,8 +17,8 @@ void update_blocks(const StepSystem<K>& system, State& state);
 
 /// Stores the contacts with the forces, gaps and slips of the end of the step. Slips turn with the reference body.
 template <class K>
-void update_contacts(const Stage& stage, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
-                     State& state, StepReport& report);
+void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>& system,
+                     const ContactSetIn<K::dimension>& contacts, State& state, StepReport& report);
 
 /// Velocities after the step: zero in a static stage, else damped relative to the ground. What that takes is
 /// booked.

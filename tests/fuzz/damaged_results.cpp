@@ -69,15 +69,28 @@ void put_frames(DraftResults& draft, bool planar)
         zeros(2 * 2 * unknowns));
     put(draft, "/frames/ground_displacement", app::results::ElementType::float64, {2, d}, zeros(2 * d));
     if (!planar) put(draft, "/frames/stress", app::results::ElementType::float64, {2, 2, 6}, zeros(24));
-    put(draft, "/frames/joints/rows", app::results::ElementType::int64, {2, 2}, {0, 1, 1, 1});
-    put(draft, "/frames/joints/pair", app::results::ElementType::int32, {2, 2}, {0, 1, 0, 1});
+    put(draft, "/frames/contacts/rows", app::results::ElementType::int64, {2, 2}, {0, 1, 1, 1});
+    put(draft, "/frames/contacts/pair", app::results::ElementType::int32, {2, 2}, {0, 1, 0, 1});
     for (const char* name : {"force", "centre", "pressure_centre", "normal"})
-        put(draft, std::string("/frames/joints/") + name, app::results::ElementType::float64, {2, d},
+        put(draft, std::string("/frames/contacts/") + name, app::results::ElementType::float64, {2, d},
             zeros(2 * d));
-    put(draft, "/frames/joints/moment", app::results::ElementType::float64,
+    put(draft, "/frames/contacts/moment", app::results::ElementType::float64,
         planar ? app::results::Extents{2} : app::results::Extents{2, 3}, zeros(planar ? 2 : 6));
-    for (const char* name : {"normal_force", "opening", "slip", "area", "closed_area"})
-        put(draft, std::string("/frames/joints/") + name, app::results::ElementType::float64, {2}, zeros(2));
+    for (const char* name : {"normal_force", "area", "closed_area"})
+        put(draft, std::string("/frames/contacts/") + name, app::results::ElementType::float64, {2}, zeros(2));
+}
+
+void put_joints(DraftResults& draft, bool planar)
+{
+    const std::uint64_t d = planar ? 2 : 3;
+    put(draft, "/joints/pair", app::results::ElementType::int32, {1, 2}, {0, 1});
+    for (const char* name : {"area", "facing_area"})
+        put(draft, std::string("/joints/") + name, app::results::ElementType::float64, {1}, {0.25});
+    for (const char* name : {"centre", "normal"})
+        put(draft, std::string("/joints/") + name, app::results::ElementType::float64, {1, d}, Values(d, 0.25));
+    for (const char* name : {"opening", "mean_opening", "slip", "largest_slip", "normal_force", "shear_force",
+                             "eccentricity", "area_in_use"})
+        put(draft, std::string("/frames/joints/") + name, app::results::ElementType::float32, {2, 1}, {0.25, 0.5});
 }
 
 /// Takes bytes from the front; zeros when there are none left.
@@ -163,7 +176,7 @@ DraftResults two_boxes(bool planar)
 {
     DraftResults draft;
     draft.attributes = {
-        {"format", "voussoir results 1"},
+        {"format", "voussoir results 2"},
         {"voussoir_version", "0"},
         {"title", "Two boxes"},
         {"kinematics", std::string(name_of(planar ? Kinematics::planar_rigid : Kinematics::spatial_deformable))}};
@@ -175,6 +188,7 @@ DraftResults two_boxes(bool planar)
     put(draft, "/model/foundations/block", app::results::ElementType::int32, {1}, {0});
     put_mesh(draft, planar);
     put_frames(draft, planar);
+    put_joints(draft, planar);
     return draft;
 }
 
@@ -215,7 +229,8 @@ void edit(std::string_view text, DraftResults& draft)
 void write_draft(const DraftResults& draft, const std::filesystem::path& path)
 {
     app::results::Hdf5File file = app::results::Hdf5File::create(path);
-    for (const char* group : {"/model", "/model/mesh", "/model/foundations", "/case", "/frames", "/frames/joints"})
+    for (const char* group :
+         {"/model", "/model/mesh", "/model/foundations", "/case", "/frames", "/frames/contacts"})
         file.make_group(group);
     for (const auto& [name, text] : draft.attributes) file.attribute("/", name, text);
     file.attribute("/", "thickness_m", draft.thickness);

@@ -176,7 +176,7 @@ TEST(BridgeStatics, LineOfThrustLiesInsideEveryJoint)
         EXPECT_GE(s, low - 1e-12);
         EXPECT_LE(s, high + 1e-12);
         EXPECT_GT(high - low, 1.4);
-        EXPECT_NEAR(cut, s, joint.max_opening + 1e-5);
+        EXPECT_NEAR(cut, s, joint.widest_gap + 1e-5);
     }
 }
 

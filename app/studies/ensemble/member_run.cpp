@@ -7,7 +7,6 @@
 #include "app/words/diagnosis_words.h"
 #include "importers/process/thread_time.h"
 #include "libdda/analysis/joint_openings.h"
-#include "libdda/contact/initial_contacts.h"
 #include "libdda/run/run.h"
 
 namespace voussoir::app::studies::ensemble
@@ -31,27 +30,27 @@ EnergyShares shares_of(const EnergyLedger& energy)
     return shares;
 }
 
-/// The joints that the structure has when the motion begins, looked at again and again.
+/// The joints of the model, looked at again and again.
 class OpeningBook
 {
  public:
-    OpeningBook(const Model& model, double limit) : model_(model), limit_(limit) {}
+    OpeningBook(const Model& model, double limit)
+        : model_(model), limit_(limit), joints_(joints_at_start(model, initial_state(model)))
+    {
+    }
 
     void look(const State& state, MemberRun& run)
     {
+        const std::vector<PlacedBlock> blocks = placed_blocks(model_, state);
         if (state.time == 0) {  // at rest: what a static stage ends with replaces what was before
-            State touching = state;
-            find_initial_contacts(model_, touching);
-            joints_ = joints_of(model_, touching);
-            opened_.assign(joints_.size(), false);
             at_rest_.clear();
-            for (const WatchedJoint& joint : joints_)
-                at_rest_.push_back(std::max(opening_of(joint, model_, state), 0.0));
+            for (const WatchedJoint& joint : joints_) at_rest_.push_back(motion_of(joint, blocks).opening);
+            opened_.assign(joints_.size(), false);
         }
         run.joints = static_cast<int>(joints_.size());
         run.open = 0;
         for (std::size_t i = 0; i < joints_.size(); ++i) {
-            const double opening = opening_of(joints_[i], model_, state) - at_rest_[i];
+            const double opening = motion_of(joints_[i], blocks).opening - at_rest_[i];
             run.largest_opening = std::max(run.largest_opening, opening);
             run.open += opening > limit_;
             if (opening > limit_) opened_[i] = true;
@@ -63,7 +62,7 @@ class OpeningBook
     const Model& model_;
     double limit_;
     std::vector<WatchedJoint> joints_;
-    std::vector<double> at_rest_;  // m, gaps that joints have before the motion begins
+    std::vector<double> at_rest_;  // m, openings that joints have before the motion begins
     std::vector<bool> opened_;
 };
 

@@ -30,6 +30,7 @@ std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
     add(made_planar(bridge_benchmarks(), false));
     add(vault_benchmarks());
     add(cross_vault_benchmarks());
+    add(made_planar(opening_benchmarks(), false));
     return all;
 }
 

@@ -42,6 +42,9 @@ std::vector<Benchmark> bridge_benchmarks();
 std::vector<Benchmark> vault_benchmarks();        // domes and barrel vaults under their own weight
 std::vector<Benchmark> cross_vault_benchmarks();  // cross vaults
 
+/// Openings and slips of joints against geometry: a rocking block, an arch with four hinges, a sheared bond.
+std::vector<Benchmark> opening_benchmarks();
+
 /// A mass under a constant force with damping per step and per second. Source: [YagodaBiranHatzor2017], 4.2.2.
 std::vector<Benchmark> kinetic_damping_benchmarks();
 

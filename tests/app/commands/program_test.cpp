@@ -109,6 +109,50 @@ TEST(BadInput, MeshOptionsNameTheirKeyAndNothingElse)
     }
 }
 
+/// What a program wrote as JSON.
+nlohmann::json json_in(const std::filesystem::path& file)
+{
+    std::ifstream stream(file);
+    return nlohmann::json::parse(stream);
+}
+
+// Three cubes of 1 m that overlap by 2 mm and gape by 1 mm: no load, and no word of compression.
+TEST(DrawnFit, OfAMeshIsMeasuredAndToldByCheckAndRun)
+{
+    const TemporaryFolder folder;
+    folder.write("loose.obj", obj_cube("floor", 0, 1) + obj_cube("stone", 0.998, 9) + obj_cube("top", 1.999, 17));
+    const std::string file = folder.write("case.yaml", mesh_case("loose.obj")).string();
+    const Ended check = voussoir(folder, {"check", file, "--json", (folder / "c.json").string()});
+    EXPECT_EQ(check.exit_code, 0) << check.errors;
+    EXPECT_NE(check.output.find("fit_tolerance = 2.1 mm"), std::string::npos) << check.output;
+    EXPECT_NE(check.output.find("(floor and stone)"), std::string::npos) << check.output;
+    EXPECT_EQ(check.output.find("compression"), std::string::npos) << check.output;
+    EXPECT_NEAR(json_in(folder / "c.json")["fit_tolerance_m"].get<double>(), 2.1e-3, 1e-9);
+    const Ended run = voussoir(folder, {"run", file, "-o", (folder / "results").string()});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(run.output.find("fit_tolerance = 2.1 mm"), std::string::npos) << run.output;
+    const nlohmann::json summary = json_in(folder / "results" / "summary.json");
+    EXPECT_NEAR(summary["fit_tolerance_m"].get<double>(), 2.1e-3, 1e-9);
+    EXPECT_EQ(summary["energy"]["start_contact_J"], 0);
+    EXPECT_LT(summary["max_penetration_m"].get<double>(), 1e-4);
+}
+
+// A share of the volume beyond 1 % is a mistake, unless the user says that the survey is as bad as that.
+TEST(DrawnFit, OfAMeshMayBeGivenLarger)
+{
+    const TemporaryFolder folder;
+    folder.write("rough.obj", obj_cube("floor", 0, 1) + obj_cube("stone", 0.98, 9));
+    expect_refusal(folder, mesh_case("rough.obj"), {"floor and stone", "overlap by 0.02 m3, 2 % of the smaller"});
+    const std::string file = folder.write("case.yaml", mesh_case("rough.obj")).string();
+    const std::vector<std::string> given = {"run", file, "-o", (folder / "results").string(), "--set"};
+    for (const auto& [tolerance, exit_code] : {std::pair("fit_tolerance=19 mm", 2), {"fit_tolerance=21 mm", 0}}) {
+        std::vector<std::string> arguments = given;
+        arguments.emplace_back(tolerance);
+        const Ended run = voussoir(folder, arguments);
+        EXPECT_EQ(run.exit_code, exit_code) << tolerance << run.errors;
+    }
+}
+
 TEST(BadInput, OverlappingStones)
 {
     const TemporaryFolder folder;

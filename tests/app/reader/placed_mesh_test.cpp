@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "libdda/contact/initial_contacts.h"
@@ -210,6 +212,62 @@ TEST_F(PlacedMesh, AClosedRingOfCopiesTouchesAllAround)
         EXPECT_EQ(model.groups[model.blocks[b].group], b == 11 ? "one" : b == 10 || b == 12 ? "two" : "masonry");
     EXPECT_NE(fault_of("  - {mesh: stones.obj, copy: {copies: 2, step: [1 mm, 0, 0]}}\n").find("overlap by"),
               std::string::npos);
+}
+
+struct Joints {
+    std::size_t pairs = 0;
+    double area = 0, volume = 0;  // m2, m3 of all stones
+};
+
+Joints joints_of(const Model& model)
+{
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    Joints joints;
+    std::set<std::pair<int, int>> pairs;
+    for (const ContactPatch& patch : state.contacts.patches) {
+        if (patch.edge_edge) continue;
+        pairs.insert(std::minmax(patch.block_a, patch.block_b));
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
+            joints.area += state.contacts.points[i].area;
+    }
+    joints.pairs = pairs.size();
+    for (const Block& block : model.blocks) joints.volume += block.moments.volume;
+    return joints;
+}
+
+/// A structure that is mirrored, turned obliquely and moved away is the same structure: stones, joints and all.
+void expect_same_structure(const std::filesystem::path& mesh)
+{
+    SCOPED_TRACE(mesh);
+    const TemporaryFolder folder;
+    const std::string text = scene + "blocks: [{mesh: " + mesh.string() + "}]\n";
+    const auto joints_with = [&](const std::vector<std::string>& overrides) {
+        return joints_of(read_case(folder.write("case.yaml", text), overrides).model);
+    };
+    const Joints drawn = joints_with({});
+    const Joints placed =
+        joints_with({"blocks[0].mirror={plane: y, at: 3}", "blocks[0].rotate={axis: [1, 2, 3], angle: 40 deg}",
+                     "blocks[0].move=[100, -20, 3]"});
+    EXPECT_EQ(placed.pairs, drawn.pairs);
+    EXPECT_NEAR(placed.area, drawn.area, 1e-5 * drawn.area);
+    EXPECT_NEAR(placed.volume, drawn.volume, 1e-5 * drawn.volume);
+    EXPECT_GT(drawn.pairs, 5U);
+}
+
+TEST(PlacedStructures, KeepTheirJoints)
+{
+    expect_same_structure(VOUSSOIR_CASES "/meshes/mosca_bridge.obj");
+    expect_same_structure(VOUSSOIR_CASES "/meshes/dome_slice.obj");
+}
+
+TEST(PlacedStructures, OfSurveysKeepTheirJointsToo)
+{
+    const char* variable = std::getenv("VOUSSOIR_DATA");
+    const std::filesystem::path data = variable != nullptr ? variable : VOUSSOIR_DEFAULT_DATA;
+    if (!std::filesystem::exists(data / "meshes/masonry")) GTEST_SKIP() << "no data: set VOUSSOIR_DATA";
+    for (const char* name : {"bridge.json", "arch_assembly.json", "wall.obj", "wall_assembly.json"})
+        expect_same_structure(data / "meshes/masonry" / name);
 }
 
 /// Volume of a solid whose section at every height is a regular polygon of n corners at the distance r(z) from its

@@ -156,9 +156,9 @@ TEST(JointFaces, AreTheTwoThatFaceEachOther)
     const std::vector<double> positions = results::positions_of(mesh, model.kinematics, state);
     std::vector<Vector3d> places;
     for (std::size_t i = 0; i < positions.size(); i += 3) places.emplace_back(positions.data() + i);
-    const std::vector<JointResultant> joints = joint_resultants(model, synthetic::swaying(the_case, 0));
-    ASSERT_GE(joints.size(), 8U);
-    for (const JointResultant& joint : joints) {
+    const std::vector<WatchedJoint> joints = joints_at_start(model, state);
+    ASSERT_EQ(joints.size(), 10U);
+    for (const WatchedJoint& joint : joints) {
         const bool on_ground = model.blocks[joint.block_a].group == 1 || model.blocks[joint.block_b].group == 1;
         const std::vector<int> faces = faces_of_joint(mesh, places, joint);
         if (on_ground) continue;  // checked by the tower below
@@ -181,7 +181,7 @@ TEST(JointFaces, AFloorIsNotOutlinedUnderAPillar)
     const std::vector<double> positions = results::positions_of(mesh, the_case.model.kinematics, state);
     std::vector<Vector3d> places;
     for (std::size_t i = 0; i < positions.size(); i += 3) places.emplace_back(positions.data() + i);
-    JointResultant joint;  // the floor, block 0, lies under the pillar, block 1
+    WatchedJoint joint;  // the floor, block 0, lies under the pillar, block 1
     joint.block_b = 1;
     joint.normal = {0, 0, -1};
     const std::vector<int> faces = faces_of_joint(mesh, places, joint);
@@ -189,29 +189,47 @@ TEST(JointFaces, AFloorIsNotOutlinedUnderAPillar)
     EXPECT_EQ(mesh.face_block[faces[0]], 1);
 }
 
+/// A frame of an arch at the start, in which only what a test says of its joints has happened.
+results::RecordedFrame still_frame(const results::ResultsReader& results)
+{
+    results::RecordedFrame frame = results.frame(0);
+    EXPECT_EQ(frame.joints.size(), 10U);
+    EXPECT_EQ(frame.contacts.size(), 10U);
+    return frame;
+}
+
 TEST(Scene, MarksJointsBeyondTheThresholdOnly)
 {
     const TemporaryFolder folder;
     const results::ResultsReader results =
         run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path());
-    SceneOptions options;  // 0.1 mm; at 1 s two joints of ten are open by 2 mm and two have slid 2 mm
-    const results::RecordedFrame first = results.frame(0), frame = results.frame(10);
-    const Scene scene = make_scene(results.model, first, frame, options);
+    results::RecordedFrame frame = still_frame(results);
+    EXPECT_EQ(make_scene(results.model, frame, {}).opened_joints, 0) << "the first frame has its joints closed";
+    EXPECT_EQ(make_scene(results.model, frame, {}).slid_joints, 0);
+    for (const std::size_t joint : {2U, 7U}) frame.joints[joint].motion.opening = 2e-3;
+    for (const std::size_t joint : {3U, 5U, 7U}) frame.joints[joint].motion.largest_slip = 2e-3;
+    frame.joints[8].motion = {0.9e-4, 0, 0, 0.9e-4};
+    SceneOptions options;  // 0.1 mm
+    const Scene scene = make_scene(results.model, frame, options);
     EXPECT_EQ(scene.opened_joints, 2);
-    EXPECT_EQ(scene.slid_joints, 2);
+    EXPECT_EQ(scene.slid_joints, 2) << "what has opened too is marked as open";
+    EXPECT_EQ(scene.opened.size(), 2U * 2U * 4U) << "the outlines of both faces";
     options.joint_threshold = 3e-3;
-    EXPECT_EQ(make_scene(results.model, first, frame, options).opened_joints, 0);
-    EXPECT_EQ(make_scene(results.model, first, first, options).slid_joints, 0);
+    EXPECT_EQ(make_scene(results.model, frame, options).opened_joints, 0);
+    EXPECT_EQ(make_scene(results.model, frame, options).slid_joints, 0);
 }
 
-TEST(Scene, AJointThatIsGoneIsOpen)
+TEST(Scene, AJointThatHasSlidApartIsOpen)
 {
     const TemporaryFolder folder;
     const results::ResultsReader results =
         run_of(synthetic::arch(Kinematics::spatial_deformable, 9), folder.path());
-    results::RecordedFrame apart = results.frame(0);
-    apart.joints.pop_back();
-    EXPECT_EQ(make_scene(results.model, results.frame(0), apart, {}).opened_joints, 1);
+    results::RecordedFrame apart = still_frame(results);
+    apart.contacts.pop_back();
+    EXPECT_EQ(make_scene(results.model, apart, {}).opened_joints, 0) << "it has not moved";
+    apart.joints.back().motion.largest_slip = 1;
+    EXPECT_EQ(make_scene(results.model, apart, {}).opened_joints, 1);
+    EXPECT_EQ(make_scene(results.model, apart, {}).slid_joints, 0);
 }
 
 TEST(Scene, IsSeenFromTheGround)
@@ -221,7 +239,7 @@ TEST(Scene, IsSeenFromTheGround)
     const results::ResultsReader results = run_of(the_case, folder.path());
     SceneOptions options;
     options.deformation_scale = 10;
-    const Scene scene = make_scene(results.model, results.frame(0), results.frame(20), options);
+    const Scene scene = make_scene(results.model, results.frame(20), options);
     EXPECT_NEAR(scene.ground.x(), 0.1, 1e-12);
     double top = 0;
     for (const Triangle& triangle : scene.triangles) {
@@ -259,16 +277,33 @@ TEST(Extrusion, IsClosedAndAsThickAsTheScene)
 
 TEST(Extrusion, APlanarSceneIsMarkedAsTheSpatialOne)
 {
-    const auto marks = [](Kinematics kinematics) {
+    const auto marks = [](Kinematics kinematics, std::vector<JointNow>& joints) {
         const TemporaryFolder folder;
         const results::ResultsReader results = run_of(synthetic::arch(kinematics, 9), folder.path());
-        return make_scene(in_space(results.model), results.frame(0), results.frame(10), {});
+        results::RecordedFrame frame = results.frame(10);
+        joints = frame.joints;
+        for (JointNow& joint : frame.joints) joint.motion = {};
+        frame.joints[3].motion.opening = frame.joints[5].motion.largest_slip = 1e-3;
+        return make_scene(in_space(results.model), frame, {});
     };
-    const Scene plane = marks(Kinematics::planar_rigid), space = marks(Kinematics::spatial_rigid);
-    EXPECT_EQ(plane.opened_joints, space.opened_joints);
+    std::vector<JointNow> of_plane, of_space;
+    const Scene plane = marks(Kinematics::planar_rigid, of_plane),
+                space = marks(Kinematics::spatial_rigid, of_space);
+    EXPECT_EQ(plane.opened_joints, 1);
+    EXPECT_EQ(plane.slid_joints, 1);
+    EXPECT_EQ(plane.opened.size(), space.opened.size());
     EXPECT_EQ(plane.slid.size(), space.slid.size());
     EXPECT_EQ(plane.triangles.size(), space.triangles.size());
     EXPECT_NEAR(plane.triangles.back().values[0], space.triangles.back().values[0], 1e-12);
+    ASSERT_EQ(of_plane.size(), of_space.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < of_plane.size(); ++i) {
+        EXPECT_NEAR(of_plane[i].motion.opening, of_space[i].motion.opening, 1e-9);
+        EXPECT_NEAR(of_plane[i].motion.mean_opening, of_space[i].motion.mean_opening, 1e-9);
+        EXPECT_NEAR(of_plane[i].motion.slip, of_space[i].motion.slip, 1e-9);
+        largest = std::max(largest, of_plane[i].motion.opening);
+    }
+    EXPECT_GT(largest, 1e-3) << "the stones sway apart";
 }
 
 TEST(Scene, LargestCompressionIsMinusTheLeastPrincipalStress)

@@ -53,6 +53,7 @@ Restart sound_restart(const Case& the_case)
     restart.position.report.steps = 250;
     restart.position.report.fallen = {{1, 0.4, false}};
     restart.position.report.crushed = {{0, 1, 1e6, 0.1, 0.2, 2e6}};
+    restart.position.report.joints = {{0, 1, 2e-3, 1e-5, 0.3, {}}};
     restart.position.report.warnings = {{DiagnosisKind::dry_joints, -1, {0, 1}, {1, 1e-3}}};
     restart.history_rows = 2;
     return restart;
@@ -128,7 +129,9 @@ DraftResults draft_of(const Case& the_case)
 {
     const bool planar = is_planar(the_case.model.kinematics);
     DraftResults draft = two_boxes(planar);
-    std::vector<GrowingDataset> datasets = frame_datasets(the_case.model, surface_mesh_of(the_case.model));
+    std::vector<GrowingDataset> datasets =
+        frame_datasets(the_case.model, surface_mesh_of(the_case.model),
+                       joints_at_start(the_case.model, initial_state(the_case.model)));
     datasets.push_back({"/histories/values", ElementType::float64, {Histories(the_case).columns.size()}, {}});
     for (const GrowingDataset& dataset : datasets) {
         Extents extents = dataset.row;
@@ -266,6 +269,9 @@ TEST_P(DamagedRestart, WhatWouldLeadOutsideArraysOrCountsIsRefused)
     EXPECT_TRUE(report([](RunReport& r) { r.fallen[0].block = -1; }));
     EXPECT_TRUE(report([](RunReport& r) { r.crushed[0].block_a = huge_int; }));
     EXPECT_TRUE(report([](RunReport& r) { r.crushed[0].block_b = 2; }));
+    EXPECT_TRUE(report([](RunReport& r) { r.joints[0].block_b = 2; }));
+    EXPECT_TRUE(report([](RunReport& r) { r.joints.clear(); }));
+    EXPECT_TRUE(report([](RunReport& r) { r.joints.push_back(r.joints[0]); }));
     // What was said of the run is put into words: of blocks and stages that there are.
     const auto told = [&](const Diagnosis& diagnosis) {
         const bool as_warning = report([&](RunReport& r) { r.warnings.push_back(diagnosis); });
@@ -347,14 +353,14 @@ TEST_P(ResumedDraft, FewerRowsOrOtherColumnsThanTheRestartCountsAreRefused)
     EXPECT_NE(with("/frames/energy", {2, 3}), "");
     EXPECT_NE(with("/frames/report", {1, 8}), "");
     EXPECT_NE(with("/frames/positions", {2}), "");
-    EXPECT_NE(with("/frames/joints/rows", {2, 1}), "");
-    EXPECT_NE(with("/frames/joints/rows", {2}), "");
+    EXPECT_NE(with("/frames/contacts/rows", {2, 1}), "");
+    EXPECT_NE(with("/frames/contacts/rows", {2}), "");
     EXPECT_NE(with("/histories/values", {2, 3}), "");
     EXPECT_NE(with("/histories/values", {1, 9}), "");
     for (const double odd : {-1.0, 3.0, 9e18}) {
         const auto rows = [&](std::size_t at) {
             return refusal_of(
-                [&](DraftResults& draft) { draft.numbers.at("/frames/joints/rows").values[at] = odd; });
+                [&](DraftResults& draft) { draft.numbers.at("/frames/contacts/rows").values[at] = odd; });
         };
         EXPECT_NE(rows(2), "") << odd;
         EXPECT_NE(rows(3), "") << odd;

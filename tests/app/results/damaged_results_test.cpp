@@ -78,9 +78,11 @@ TEST_P(Draft, WhatWouldLeadOutsideTheArraysIsRefused)
     EXPECT_NE(refused("/frames/count", 9e18), "");
     EXPECT_NE(refused("/frames/stage", 2), "");
     EXPECT_NE(refused("/frames/coordinates", std::nan("")), "");
-    EXPECT_NE(refused("/frames/joints/rows", 9e18), "");
-    EXPECT_NE(refused("/frames/joints/rows", -1), "");
-    EXPECT_NE(refused("/frames/joints/pair", 2), "");
+    EXPECT_NE(refused("/frames/contacts/rows", 9e18), "");
+    EXPECT_NE(refused("/frames/contacts/rows", -1), "");
+    EXPECT_NE(refused("/frames/contacts/pair", 2), "");
+    EXPECT_NE(refused("/joints/pair", 2), "");
+    EXPECT_NE(refused("/joints/pair", -1), "");
     EXPECT_NE(refused("/model/foundations/block", 2), "");
     EXPECT_NE(refused("/model/mesh/face_vertices", 1000), "");
     EXPECT_NE(refused("/model/mesh/face_vertices", -1), "");

@@ -73,7 +73,10 @@ void expect_beginning_of(const fs::path& reference, const fs::path& results, std
         ASSERT_EQ(found.time, right.time) << i;
         ASSERT_EQ(found.state.coordinates, right.state.coordinates) << i;
         ASSERT_EQ(found.state.velocities, right.state.velocities) << i;
+        ASSERT_EQ(found.contacts.size(), right.contacts.size()) << i;
         ASSERT_EQ(found.joints.size(), right.joints.size()) << i;
+        for (std::size_t j = 0; j < found.joints.size(); ++j)
+            ASSERT_EQ(found.joints[j].motion.opening, right.joints[j].motion.opening) << i;
     }
 }
 

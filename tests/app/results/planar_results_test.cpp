@@ -41,7 +41,7 @@ class PlanarResults : public testing::TestWithParam<Kinematics>
 TEST_P(PlanarResults, EveryVectorHasTwoComponents)
 {
     const Hdf5File file = Hdf5File::open(path);
-    const std::uint64_t n = 17, vertices = 17 * 4, joints = 3 * 16;
+    const std::uint64_t n = 17, vertices = 17 * 4, contacts = 3 * 16, joints = 16;
     EXPECT_EQ(file.extents("/model/origin"), (Extents{2}));
     EXPECT_EQ(file.extents("/model/centroid"), (Extents{n, 2}));
     EXPECT_EQ(file.extents("/model/second_moments"), (Extents{n, 2, 2}));
@@ -51,8 +51,11 @@ TEST_P(PlanarResults, EveryVectorHasTwoComponents)
     EXPECT_EQ(file.extents("/frames/positions"), (Extents{3, vertices, 2}));
     EXPECT_EQ(file.extents("/frames/ground_displacement"), (Extents{3, 2}));
     for (const char* vector : {"force", "centre", "normal", "pressure_centre"})
-        EXPECT_EQ(file.extents(std::string("/frames/joints/") + vector), (Extents{joints, 2})) << vector;
-    EXPECT_EQ(file.extents("/frames/joints/moment"), (Extents{joints}));
+        EXPECT_EQ(file.extents(std::string("/frames/contacts/") + vector), (Extents{contacts, 2})) << vector;
+    EXPECT_EQ(file.extents("/frames/contacts/moment"), (Extents{contacts}));
+    EXPECT_EQ(file.extents("/joints/centre"), (Extents{joints, 2}));
+    EXPECT_EQ(file.extents("/joints/normal"), (Extents{joints, 2}));
+    EXPECT_EQ(file.extents("/frames/joints/opening"), (Extents{3, joints}));
     const std::uint64_t unknowns = is_deformable(GetParam()) ? 6 : 3;
     EXPECT_EQ(file.extents("/frames/coordinates"), (Extents{3, n, unknowns}));
     EXPECT_EQ(file.extents("/frames/velocities"), (Extents{3, n, unknowns}));
@@ -125,7 +128,7 @@ TEST(PlanarJoints, AMomentCountsFromXToZ)
     const State state = synthetic::swaying(the_case, 1);
     const std::vector<JointResultant> joints = joint_resultants(the_case.model, state);
     const Hdf5File file = Hdf5File::open(path);
-    const std::vector<double> moments = file.read_rows<double>("/frames/joints/moment", 32, 16);
+    const std::vector<double> moments = file.read_rows<double>("/frames/contacts/moment", 32, 16);
     bool some = false;
     for (std::size_t i = 0; i < joints.size(); ++i) {
         double moment = 0;  // r x f in the plane: x f_z - z f_x, of the points of the patch

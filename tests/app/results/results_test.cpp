@@ -70,13 +70,13 @@ TEST_P(AllKinematics, FramesComeBackBitForBit)
     }
 }
 
-TEST_P(AllKinematics, JointsComeBackBitForBit)
+TEST_P(AllKinematics, ContactsComeBackBitForBit)
 {
     const TemporaryFolder folder;
     const Case the_case = synthetic::arch(GetParam());
     const ResultsReader reader(write_run(the_case, folder.path()));
     const auto expected = joint_resultants(the_case.model, synthetic::swaying(the_case, 1));
-    const auto found = reader.frame(2).joints;
+    const auto found = reader.frame(2).contacts;
     ASSERT_EQ(found.size(), expected.size());
     ASSERT_EQ(found.size(), 16U);
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -86,9 +86,58 @@ TEST_P(AllKinematics, JointsComeBackBitForBit)
         EXPECT_EQ(found[i].moment, expected[i].moment);
         EXPECT_EQ(found[i].centre, expected[i].centre);
         EXPECT_EQ(found[i].normal_force, expected[i].normal_force);
-        EXPECT_EQ(found[i].max_opening, expected[i].max_opening);
-        EXPECT_EQ(found[i].slip, expected[i].slip);
+        EXPECT_EQ(found[i].closed_area, expected[i].closed_area);
     }
+}
+
+TEST_P(AllKinematics, JointsComeBackInEveryFrame)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::arch(GetParam());
+    const ResultsReader reader(write_run(the_case, folder.path()));
+    const std::vector<WatchedJoint> joints = joints_at_start(the_case.model, initial_state(the_case.model));
+    ASSERT_EQ(joints.size(), 16U);
+    ASSERT_EQ(reader.model.joints.size(), 16U);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        EXPECT_EQ(reader.model.joints[i].block_a, joints[i].block_a);
+        EXPECT_EQ(reader.model.joints[i].block_b, joints[i].block_b);
+        EXPECT_EQ(reader.model.joints[i].area, joints[i].area);
+        EXPECT_EQ(reader.model.joints[i].facing_area, joints[i].facing_area);
+        EXPECT_EQ(reader.model.joints[i].centre, joints[i].centre);
+        EXPECT_EQ(reader.model.joints[i].normal, joints[i].normal);
+    }
+    for (std::size_t frame = 0; frame < 3; ++frame) {
+        const State state = synthetic::swaying(the_case, reader.times[frame]);
+        const auto expected = joints_now(the_case.model, joints, state, joint_resultants(the_case.model, state));
+        const auto found = reader.frame(frame).joints;
+        ASSERT_EQ(found.size(), 16U);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const auto single = [](double value) { return static_cast<double>(static_cast<float>(value)); };
+            EXPECT_EQ(found[i].motion.opening, single(expected[i].motion.opening));
+            EXPECT_EQ(found[i].motion.mean_opening, single(expected[i].motion.mean_opening));
+            EXPECT_EQ(found[i].motion.slip, single(expected[i].motion.slip));
+            EXPECT_EQ(found[i].motion.largest_slip, single(expected[i].motion.largest_slip));
+            EXPECT_EQ(found[i].normal_force, single(expected[i].normal_force));
+            EXPECT_EQ(found[i].shear_force, single(expected[i].shear_force));
+            EXPECT_EQ(found[i].eccentricity, single(expected[i].eccentricity));
+            EXPECT_EQ(found[i].area_in_use, single(expected[i].area_in_use));
+        }
+    }
+}
+
+TEST_P(AllKinematics, BondsThatAreLostAreToldOnlyWhereThereAreAny)
+{
+    const TemporaryFolder dry_folder, folder;
+    const Hdf5File dry = Hdf5File::open(write_run(synthetic::arch(GetParam()), dry_folder.path()));
+    EXPECT_FALSE(dry.has("/joints/bonded"));
+    EXPECT_FALSE(dry.has("/frames/joints/broken"));
+    Case mortared = synthetic::arch(GetParam());
+    mortared.model.joints[0].tensile_strength = 1e5;
+    const ResultsReader reader(write_run(mortared, folder.path()));
+    for (const WatchedJoint& joint : reader.model.joints) EXPECT_TRUE(joint.bonded);
+    for (const JointNow& joint : reader.frame(0).joints) EXPECT_FALSE(joint.broken);
+    for (const JointNow& joint : reader.frame(2).joints)
+        EXPECT_TRUE(joint.broken) << "the made-up contacts are dry";
 }
 
 TEST_P(AllKinematics, TheMeshIsThatOfTheModel)

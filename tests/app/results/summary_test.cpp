@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/results/hdf5_file.h"
 #include "app/results/results_writer.h"
 #include "tests/app/results/synthetic.h"
 #include "tests/temporary_folder.h"
@@ -54,6 +55,7 @@ TEST(Summary, HasEveryKeyOfTheDesign)
                             "left_out",
                             "warnings",
                             "factor_entries",
+                            "fit_tolerance_m",
                             "state_bytes_per_block",
                             "motions",
                             "defaults",
@@ -98,7 +100,7 @@ TEST(Summary, TellsWhatFellWasCrushedAndOverlapped)
     the_case.model.materials[0].compressive_strength = 1e6;
     report.fallen = {{2, 0.5, true}, {1, 0.75, false}};
     report.crushed = {{1, 2, 1e6, 0.25, 0.3, 3e6}};
-    report.deepest = {0.02, 0.01, 0.006, 0.4, 1, 2};
+    report.deepest = {0.02, 0.01, 0.006, 0.4, 1, 2, 0.003};
     ResultsWriter(the_case, folder.path()).finish(synthetic::swaying(the_case, 0), report, {0, 0});
     const nlohmann::json json = summary_in(folder.path());
     EXPECT_EQ(json["fallen_blocks"], (nlohmann::json{{{"block", third}, {"time_s", 0.5}, {"left", true}},
@@ -111,9 +113,71 @@ TEST(Summary, TellsWhatFellWasCrushedAndOverlapped)
     EXPECT_EQ(json["deepest_overlap"], (nlohmann::json{{"blocks", {second, third}},
                                                        {"depth_m", 0.01},
                                                        {"forgiven_m", 0.006},
+                                                       {"drawn_m", 0.003},
                                                        {"fraction_of_width", 0.02},
                                                        {"share_of_width", 0.02},  // former name
                                                        {"time_s", 0.4}}));
+}
+
+TEST(Summary, TellsOfEveryJointWhatItDidAndDoes)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::tower(Kinematics::spatial_rigid, 3);
+    State state = initial_state(the_case.model);
+    state.step = 1;
+    const std::size_t third = 3 * static_cast<std::size_t>(coordinates_per_block(the_case.model.kinematics));
+    state.coordinates[third] += 3e-3;      // the uppermost drum slides along x
+    state.coordinates[third + 2] += 5e-3;  // and is lifted
+    RunReport report;
+    report.joints = {{0, 1, 2e-4, 0, 0.25, {}}, {1, 2, 0, 0, {}, {}}, {2, 3, 8e-3, 4e-3, 0.5, 0.75}};
+    ResultsWriter(the_case, folder.path()).finish(state, report, {0, 0});
+    const nlohmann::json joints = summary_in(folder.path())["joints"];
+    EXPECT_EQ(joints["count"], 3);
+    EXPECT_EQ(joints["opened"], 2);
+    EXPECT_EQ(joints["slid"], 1);
+    EXPECT_EQ(joints["broken"], 0);
+    EXPECT_EQ(joints["counts_from_m"], noteworthy_opening);
+    ASSERT_EQ(joints["list"].size(), 3U);
+    const nlohmann::json &still = joints["list"][1], &moved = joints["list"][2];
+    EXPECT_EQ(still["blocks"], (nlohmann::json{"drum_1", "drum_2"}));
+    EXPECT_NEAR(still["area_m2"].get<double>(), 2.25, 1e-12);
+    EXPECT_NEAR(still["facing_area_m2"].get<double>(), 2.25, 1e-12);
+    EXPECT_EQ(still["opened_time_s"], nullptr);
+    EXPECT_NEAR(still["opening_m"].get<double>(), 0, 1e-12);
+    EXPECT_NEAR(moved["opening_m"].get<double>(), 5e-3, 1e-12);
+    EXPECT_NEAR(moved["mean_opening_m"].get<double>(), 5e-3, 1e-12);
+    EXPECT_NEAR(moved["slip_m"].get<double>(), 3e-3, 1e-12);
+    EXPECT_EQ(moved["largest_opening_m"], 8e-3);
+    EXPECT_EQ(moved["largest_slip_m"], 4e-3);
+    EXPECT_EQ(moved["opened_time_s"], 0.5);
+    EXPECT_EQ(moved["slid_time_s"], 0.75);
+    EXPECT_EQ(moved["normal_force_N"], 0);
+    EXPECT_EQ(moved["broken"], false);
+    const Hdf5File file = Hdf5File::open(folder.path() / "results.h5");
+    EXPECT_EQ(file.read<double>("/joints/largest_opening"), (std::vector<double>{2e-4, 0, 8e-3}));
+    EXPECT_EQ(file.read<double>("/joints/slid_time")[2], 0.75);
+    EXPECT_TRUE(std::isnan(file.read<double>("/joints/opened_time")[1]));
+}
+
+TEST(Summary, ListsTheThousandJointsThatMovedMost)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::tower(Kinematics::planar_rigid, 1200);
+    State state = initial_state(the_case.model);
+    state.step = 1;
+    RunReport report;
+    report.joints = no_peaks(joints_at_start(the_case.model, state));
+    ASSERT_EQ(report.joints.size(), 1200U);
+    for (std::size_t i = 0; i < 1200; ++i)
+        (i % 2 == 0 ? report.joints[i].opening : report.joints[i].slip) = 1e-6 * i;
+    ResultsWriter(the_case, folder.path()).finish(state, report, {0, 0});
+    const nlohmann::json joints = summary_in(folder.path())["joints"];
+    EXPECT_EQ(joints["count"], 1200);
+    EXPECT_EQ(joints["listed"], 1000);
+    ASSERT_EQ(joints["list"].size(), 1000U);
+    EXPECT_EQ(joints["list"][0]["blocks"][1], "drum_201");
+    EXPECT_EQ(joints["list"][999]["blocks"][1], "drum_1200");
+    EXPECT_EQ(Hdf5File::open(folder.path() / "results.h5").read<double>("/joints/largest_slip").size(), 1200U);
 }
 
 TEST(Summary, EveryKeyIsInTheDocument)
@@ -125,7 +189,8 @@ TEST(Summary, EveryKeyIsInTheDocument)
     std::ostringstream text;
     text << std::ifstream(VOUSSOIR_DOCS "/results_format.md").rdbuf();
     const nlohmann::json json = summary_in(folder.path());
-    for (const nlohmann::json& map : {json, json.at("energy")})
+    for (const nlohmann::json& map :
+         {json, json.at("energy"), json.at("joints"), json.at("joints").at("list").at(0)})
         for (const auto& [key, value] : map.items())
             EXPECT_NE(text.str().find("`" + key + "`"), std::string::npos) << key;
 }

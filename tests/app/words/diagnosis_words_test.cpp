@@ -68,19 +68,33 @@ const Sentence sentences[] = {
      "stage 'motion' found no equilibrium in 1234567 steps: the unbalanced force is still 0.0123457 of a block's "
      "load; the structure may be a mechanism under its own weight, or it needs a larger time_step in this stage "
      "to come to rest"},
-    {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0.12345678, 0.02, 0.123456789, 0, 3}},
+    {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0.12345678, 0.02, 0.123456789, 0, 3, 0.009}},
      "stage 'motion' stopped at t = 0.123457 s: blocks 'drum' and 'base' overlap by 0.02 m, 12.3457 % of the "
      "thinner one's width, at t = 3 s: the contact is too soft for its load or its impact; give the joint a "
      "contact_stiffness 124 times as large"},
-    {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0.12345678, 0.02, 0.123456789, 0.015, 3}},
+    {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0, 0.02, 0.123456789, 0, 0, 0.02}},
+     "stage 'motion' stopped at t = 0 s: blocks 'drum' and 'base' overlap by 0.02 m, 12.3457 % of the thinner "
+     "one's "
+     "width, at t = 0 s: 0.02 m of it is drawn, beyond the fit_tolerance of 0 m; trim or move one of them by "
+     "this, "
+     "or give a larger fit_tolerance if it is an error of the survey"},
+    {{DiagnosisKind::mechanism, 0, {2}, {0.12345678}},
+     "stage 'motion' finds no equilibrium: 1 of 6 blocks is falling under its own weight: 'cap' by 0.123 m; look "
+     "at "
+     "what should carry it, or add it to the foundation"},
+    {{DiagnosisKind::mechanism, 0, {5, 4, 3, 2, 1, 0}, {6, 5, 4, 3, 2, 1}},
+     "stage 'motion' finds no equilibrium: 6 of 6 blocks are falling under their own weight: 'c' by 6 m, 'b' by 5 "
+     "m, 'a' by 4 m, 'cap' by 3 m, 'drum' by 2 m, ...; look at what should carry them, or add them to the "
+     "foundation"},
+    {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0.12345678, 0.02, 0.123456789, 0.015, 3, 0}},
      "stage 'motion' stopped at t = 0.123457 s: blocks 'drum' and 'base' overlap by 0.02 m, 12.3457 % of the "
      "thinner one's width, at t = 3 s: 0.015 m of it is free of stress, because their contact was detected late "
      "or alternates between two faces; try a smaller time_step, and look at bearing edges and corners"},
-    {{DiagnosisKind::overlap, -1, {1, 0}, {0.02, 0.123456789, 0, 3}},
+    {{DiagnosisKind::overlap, -1, {1, 0}, {0.02, 0.123456789, 0, 3, 0}},
      "blocks 'drum' and 'base' overlapped by 0.02 m, 12.3457 % of the thinner one's width, at t = 3 s: contacts "
      "this soft influence the results, and the integrator damps their vibration, most strongly with newmark; give "
      "the joint a contact_stiffness 124 times as large"},
-    {{DiagnosisKind::overlap, -1, {1, 0}, {0.02, 0.123456789, 0.015, 3}},
+    {{DiagnosisKind::overlap, -1, {1, 0}, {0.02, 0.123456789, 0.015, 3, 0}},
      "blocks 'drum' and 'base' overlapped by 0.02 m, 12.3457 % of the thinner one's width, at t = 3 s: 0.015 m of "
      "it is free of stress, because their contact was detected late or alternates between two faces; try a "
      "smaller time_step, and look at bearing edges and corners"},

@@ -309,8 +309,9 @@ TEST(DiagnosisForms, HaveNamesOfTheirOwnAndTellWhatIsWhole)
 TEST(DiagnosisForms, AreWrittenOutForLogs)
 {
     std::ostringstream text;
-    text << Diagnosis{DiagnosisKind::overlap, -1, {4, 2}, {0.02, 0.05, 0, 1.5}};
-    EXPECT_EQ(text.str(), "overlap: blocks 4 2, depth_m 0.02, share 0.05, forgiven_m 0, overlap_time_s 1.5");
+    text << Diagnosis{DiagnosisKind::overlap, -1, {4, 2}, {0.02, 0.05, 0, 1.5, 0.01}};
+    EXPECT_EQ(text.str(),
+              "overlap: blocks 4 2, depth_m 0.02, share 0.05, forgiven_m 0, overlap_time_s 1.5, drawn_m 0.01");
 }
 
 }  // namespace voussoir::testing

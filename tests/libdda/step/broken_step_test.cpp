@@ -55,7 +55,7 @@ EnergyLedger run_with(const Mistake<K>& mistake)
         mistake.in_update(system, state);
         mistake.in_the_book(system);
         step::book_step(state, system, contacts, energy);
-        step::update_contacts(stage, system, contacts, state, report);
+        step::update_contacts(scene.model, stage, system, contacts, state, report);
         state.stage_time += h;
         step::damp_velocities(scene.model, stage, system, state, energy);
     }

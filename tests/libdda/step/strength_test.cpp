@@ -333,10 +333,10 @@ TEST_P(BondedAsItStands, StillShowsStonesThatOverlap)
     State state = initial_state(model);
     find_initial_contacts(model, state);
     RunReport report;
-    note_overlap(model, least_widths(model), state, report);
+    note_overlap(model, OverlapWatch(model), state, report);
     EXPECT_NEAR(report.deepest.depth, 0.02, 1e-12);
     const double limit = 1e-4 * size_of(model, 1);
-    EXPECT_NEAR(joint_resultants(model, state)[0].max_opening, 0, 1e-12);
+    EXPECT_NEAR(joint_resultants(model, state)[0].widest_gap, 0, 1e-12);
     for (const ContactPoint& p : state.contacts.points) EXPECT_NEAR(p.gap, limit - 0.02, 1e-9);
     for (const ContactPointIn<2>& p : state.planar_contacts.points) EXPECT_NEAR(p.gap, limit - 0.02, 1e-9);
 }

@@ -61,6 +61,10 @@ TEST(DynamicBenchmarks, Vaults)
     run_and_judge(vault_benchmarks());
     run_and_judge(cross_vault_benchmarks());
 }
+TEST(DynamicBenchmarks, Openings)
+{
+    run_and_judge(opening_benchmarks());
+}
 TEST(DynamicBenchmarks, KineticDamping)
 {
     run_and_judge(kinetic_damping_benchmarks());
