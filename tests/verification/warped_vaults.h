@@ -6,13 +6,15 @@
 namespace voussoir::verification
 {
 
-/// Makes a mesh by voussoir-generate, with joints warped by 5 %, noise of 0.1 % and random diagonals.
-inline std::string surveyed(const TemporaryFolder& folder, const std::string& pattern, int seed)
+/// Joints warped by 5 %, noise of 0.1 % and random diagonals.
+inline constexpr const char* as_surveyed = " --warp 5% --noise 0.1% --diagonals random";
+
+/// Makes a mesh by voussoir-generate. @returns its file
+inline std::string generated(const TemporaryFolder& folder, const std::string& pattern)
 {
     const std::string file = folder / "vault.obj";
-    const std::string command = std::string("'") + VOUSSOIR_BINARIES + "/voussoir-generate' " + pattern +
-                                " --warp 5% --noise 0.1% --diagonals random --seed " + std::to_string(seed) +
-                                " -o '" + file + "'";
+    const std::string command =
+        std::string("'") + VOUSSOIR_BINARIES + "/voussoir-generate' " + pattern + " -o '" + file + "'";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     return file;
 }
@@ -21,7 +23,8 @@ inline void expect_vault_is_shaken(const std::string& pattern, int seed)
 {
     SCOPED_TRACE(pattern + ", seed " + std::to_string(seed));
     const TemporaryFolder folder;
-    const Scene scene{surveyed(folder, pattern, seed), "", "\"support_*\"", "kinematics: spatial_rigid\n"};
+    const std::string mesh = generated(folder, pattern + as_surveyed + " --seed " + std::to_string(seed));
+    const Scene scene{mesh, "", "\"support_*\"", "kinematics: spatial_rigid\n"};
     std::printf("%s, seed %d: %s\n", pattern.c_str(), seed, expect_rest_and_shaking(folder, scene).c_str());
 }
 
