@@ -74,7 +74,10 @@ std::vector<ChosenPattern> read_stone_choice(YamlCursor& entry, importers::helpe
     choice.repair = entry.choice_or<RepairRule>(
         "repair", {{"refuse", RepairRule::refuse}, {"hull", RepairRule::hull}, {"skip", RepairRule::skip}},
         RepairRule::refuse);
-    if (std::optional<YamlCursor> simplify = entry.find("simplify"))
+    YamlCursor look = entry;
+    if (const std::optional<YamlCursor> word = look.find("simplify"); word && word->is_scalar())
+        request.simplify.hull = entry.find_choice<bool>("simplify", {{"hull", true}}).value_or(false);
+    else if (std::optional<YamlCursor> simplify = entry.find("simplify"))
         request.simplify = read_simplification(*simplify, patterns);
     return patterns;
 }

@@ -24,7 +24,7 @@ std::string become_parts(Draft& draft, const SimplifyOptions& options)
     certificate.parts = std::move(result.parts);
     certificate.volume_error = moments_of(certificate.parts).volume / certificate.moments.volume - 1;
     const int count = static_cast<int>(certificate.parts.size());
-    std::string text = format("its %zu triangles became %d convex parts, together %.2g %% larger than its volume",
+    std::string text = format("its %zu triangles became %d convex parts, together %.3g %% larger than its volume",
                               draft.examination.triangles.size(), count, 100 * certificate.volume_error);
     if (result.smoothed > 0)
         text += format(

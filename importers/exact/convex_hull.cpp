@@ -116,7 +116,7 @@ TriangleSurface convex_hull(const std::vector<Eigen::Vector3d>& points)
     for (const Eigen::Vector3d& x : points) input.emplace_back(x.x(), x.y(), x.z());
     Hull hull;
     CGAL::convex_hull_3(input.begin(), input.end(), hull);
-    if (hull.number_of_faces() < 4) return {};  // the points lie in a plane
+    if (hull.number_of_faces() < 4 || !CGAL::is_closed(hull)) return {};  // the points lie in a plane
     return in_order(hull, points);
 }
 

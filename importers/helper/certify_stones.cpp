@@ -35,7 +35,7 @@ void allow_for_rounding(const mesh::PolygonSurface& surface, double rounding, ex
     exact::weld(joined, width);
     if (width > largest_weld * diagonal || exact::weld(joined, 4 * width).moved > 0) {
         options.refuse_because = "reading rounds its coordinates by up to " + short_number(rounding) +
-                                 " m, too much for its size: move it nearer to the origin of the file, or convert "
+                                 " m, too much for its size: move the stones nearer to the origin of the file, or convert "
                                  "the file to OBJ";
         return;
     }

@@ -100,7 +100,10 @@ TEST(BadInput, MeshOptionsNameTheirKeyAndNothingElse)
 {
     const TemporaryFolder folder;
     folder.write("good.obj", obj_cube("floor", 0, 1));
-    for (const std::string option : {"planarity: 0", "volume_error: 50 %", "close_joints: 3 kg", "stones: heap"}) {
+    for (const std::string option :
+         {"planarity: 0", "volume_error: 50 %", "close_joints: 3 kg", "stones: heap", "skip: []", "repair: mend",
+          "simplify: cube", "simplify: {}", "simplify: {parts: 0}", "simplify: {volume_error: 200 %}",
+          "simplify: {parts: 3, points: 7}", "hull: {a: b}"}) {
         const std::filesystem::path file = folder.write("case.yaml", mesh_case("good.obj, " + option));
         const Ended ended = voussoir(folder, {"check", file.string()});
         EXPECT_EQ(ended.exit_code, 2) << option;
@@ -151,6 +154,36 @@ TEST(DrawnFit, OfAMeshMayBeGivenLarger)
         const Ended run = voussoir(folder, arguments);
         EXPECT_EQ(run.exit_code, exit_code) << tolerance << run.errors;
     }
+}
+
+TEST(MeshChoice, OneBadStoneDoesNotRefuseTheFile)
+{
+    const TemporaryFolder folder;
+    folder.write("open.obj", obj_cube("floor", 0, 1) + obj_cube("stone", 1, 9, 5));
+    const auto check = [&](const std::string& option) {
+        const std::filesystem::path file = folder.write("case.yaml", mesh_case("open.obj" + option));
+        return voussoir(folder, {"check", file.string(), "--set", "output.histories=null", "--json",
+                                 (folder / "c.json").string()});
+    };
+    const Ended refused = check("");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.errors.find("give hull: \"stone\" or skip: \"stone\""), std::string::npos) << refused.errors;
+    for (const std::string option :
+         {", hull: stone", ", skip: [\"st?ne\"]", ", only: floor", ", repair: hull", ", repair: skip"}) {
+        const Ended cured = check(option);
+        EXPECT_EQ(cured.exit_code, 0) << option << cured.errors;
+        std::ifstream stream(folder / "c.json");
+        const nlohmann::json json = nlohmann::json::parse(stream);
+        const bool hull = option.find("hull") != std::string::npos;
+        EXPECT_EQ(json.at("blocks").size(), hull ? 2U : 1U) << option;
+        EXPECT_EQ(json.at("files")[0].at("skipped").size(), hull ? 0U : 1U) << option;
+        ASSERT_EQ(json.at("warnings").size(), 1U) << option << ": each use is told in one line";
+        EXPECT_NE(json.at("warnings")[0].get<std::string>().find("stone"), std::string::npos);
+    }
+    const Ended mistyped = check(", repair: hull, skip: flor");
+    EXPECT_EQ(mistyped.exit_code, 2);
+    EXPECT_NE(mistyped.errors.find("\"flor\" matches no stone; did you mean floor?"), std::string::npos)
+        << mistyped.errors;
 }
 
 TEST(BadInput, OverlappingStones)

@@ -8,6 +8,7 @@
 
 #include "importers/exact/certify.h"
 #include "tests/importers/concave_shapes.h"
+#include "tests/importers/rough_stone.h"
 
 namespace voussoir::importers
 {
@@ -76,6 +77,25 @@ TEST(SameAnswer, HullsAndPartsDoNotDependOnAddresses)
         for (std::size_t p = 0; p < first.parts.size(); ++p) {
             EXPECT_EQ(again.parts[p].vertices, first.parts[p].vertices);
             EXPECT_EQ(again.parts[p].faces, first.parts[p].faces);
+        }
+    }
+}
+
+TEST(SameAnswer, SimplifiedStonesDoNotDependOnAddresses)
+{
+    std::mt19937 random(8);
+    exact::CertifyOptions options;
+    options.simplify = exact::SimplifyOptions{.max_parts = 4, .volume_error = 0.05};
+    const mesh::PolygonSurface surface = rough_stone(3);
+    const exact::Certificate first = exact::certify(surface, options);
+    ASSERT_EQ(first.reason, "");
+    for (int trial = 0; trial < 4; ++trial) {
+        const auto blocks = disturb_heap(random);
+        const exact::Certificate again = exact::certify(surface, options);
+        ASSERT_EQ(again.parts.size(), first.parts.size());
+        for (std::size_t p = 0; p < first.parts.size(); ++p) {
+            EXPECT_EQ(again.parts[p].vertices, first.parts[p].vertices);
+            EXPECT_EQ(again.parts[p].glued, first.parts[p].glued);
         }
     }
 }

@@ -198,6 +198,14 @@ TEST(Simplify, DecimatesBeforeAnythingElse)
     EXPECT_NEAR(stone.moments.volume, exact::volume_of(scan), 1e-14) << "the mass is that of the scan";
 }
 
+TEST(HullVolume, PointsInAPlaneHaveNoHull)
+{
+    std::vector<Vector3d> points;  // many, so that they would make many triangles
+    for (int i = 0; i < 12; ++i) points.emplace_back(std::cos(i), std::sin(i), 0);
+    EXPECT_TRUE(exact::convex_hull(points).triangles.empty());
+    EXPECT_EQ(exact::hull_volume(points), 0);
+}
+
 TEST(HullVolume, IsThatOfTheExactHull)
 {
     std::mt19937 random(3);
