@@ -152,11 +152,13 @@ JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vect
     Components components;
     std::vector<const Facing*> flat, bad;
     for (const Facing& joint : joints) {
-        double misfit = misfit_of(joint, stones);
-        if (limits.flatten)
-            for (const SideOf& key : {first_of(joint), second_of(joint)})
-                misfit = std::max(misfit, stones[key.stone].sides[key.side].largest_off);
-        const bool misfits = misfit > std::min(allowed[joint.stone_a], allowed[joint.stone_b]);
+        double misfit = misfit_of(joint, stones), bend = 0;
+        for (const SideOf& key : {first_of(joint), second_of(joint)})
+            bend = std::max(bend, stones[key.stone].sides[key.side].largest_off);
+        const double nothing = std::min(allowed[joint.stone_a], allowed[joint.stone_b]);
+        if (limits.flatten) misfit = std::max(misfit, bend);
+        // Flat sides that overlap or gape are as they were cut; they are laid where they are, not bent.
+        const bool misfits = misfit > nothing && (limits.flatten || bend > nothing);
         if (misfits) choice.misfit = std::max(choice.misfit, misfit);
         if (!is_flat(stones, first_of(joint), limits) || !is_flat(stones, second_of(joint), limits)) {
             choice.left += misfits ? 1 : 0;

@@ -20,7 +20,7 @@ struct JointChoice {
 struct JointLimits {
     double planarity = 1e-5;   // share of a stone's diagonal: joints whose sides are nearer to each other fit
     double flat_enough = 0.2;  // share of a side's size: what bends further is no plane
-    bool flatten = false;      // joints whose sides are bent alike do not fit either
+    bool flatten = false;      // joints whose sides are bent alike do not fit either, nor flat ones that overlap
 };
 
 JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vector<Facing>& joints,

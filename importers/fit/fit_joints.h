@@ -12,8 +12,8 @@ namespace voussoir::importers::fit
 /// What becomes of joints whose two sides were drawn differently.
 enum class FitJoints {
     as_drawn,  // nothing
-    shared,    // their corners are shared and lie in one plane, where the sides are nearly flat
-    planar,    // the same, however bent they are, and also where both were drawn with the same bent surface
+    shared,    // of warped ones the corners are shared and lie in one plane
+    planar,    // the same of all, however bent they are, flat ones and those that are bent alike among them
 };
 
 /// What is allowed.
