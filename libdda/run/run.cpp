@@ -23,7 +23,8 @@ void begin_run(driver::RunProgress& progress)
     // Of a run that goes on, the start is the model's.
     const bool is_new = progress.position.frames == 0 && report.steps == 0;
     progress.watch = CollapseWatch(model, is_new ? progress.state : initial_state(model));
-    progress.overlaps = OverlapWatch(model);
+    const bool has_moved = progress.state.step > 0;
+    progress.overlaps = OverlapWatch(model, has_moved ? initial_state(model) : progress.state);
     progress.judges_crushing = has_compressive_strength(model);
     report.outcome = Outcome::completed;
     report.diagnosis.reset();
