@@ -12,7 +12,8 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double domain = 3;      // times the scene's extent
-constexpr double noticed = 0.01;  // of gravity, and of a block's size: more than what is settling does
+constexpr double noticed = 0.01;  // of gravity: more than what is settling accelerates by, in the mean
+constexpr double settled = 0.1;   // of a block's size: stones that are drawn badly come to rest within it
 
 bool is_held(const Model& model, int block)
 {
@@ -114,7 +115,7 @@ std::optional<Diagnosis> falling_blocks(const Model& model, const CollapseWatch&
         const Vector3d place = centroid(model, now, b);
         const double acceleration = 2 * (place - centroid(model, before, b)).norm() / (h * h);
         const double moved = (place - watch.start[b]).norm();
-        if (is_held(model, b) || acceleration < noticed * gravity.norm() || moved < noticed * size_of(model, b))
+        if (is_held(model, b) || acceleration < noticed * gravity.norm() || moved < settled * size_of(model, b))
             continue;
         falling.emplace_back(-moved, b);
     }

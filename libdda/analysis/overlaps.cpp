@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "libdda/contact/contact_history.h"
 #include "libdda/contact/initial_contacts.h"
@@ -146,14 +147,13 @@ void add_drawn(const Model& model, const ContactSetIn<D>& contacts, std::map<Pai
     }
 }
 
-/// Deepest overlap of each pair of blocks that overlaps as drawn [m].
-std::map<Pair, double> drawn_depths(const Model& model)
+/// Deepest overlap of each pair of blocks at the start [m].
+std::map<Pair, double> depths_in(const Model& model, State start)
 {
-    State state = initial_state(model);
-    find_initial_contacts(model, state);
+    find_initial_contacts(model, start);
     std::map<Pair, double> depths;
-    add_drawn(model, state.contacts, depths);
-    add_drawn(model, state.planar_contacts, depths);
+    add_drawn(model, start.contacts, depths);
+    add_drawn(model, start.planar_contacts, depths);
     return depths;
 }
 
@@ -178,7 +178,12 @@ std::vector<DrawnOverlap> drawn_overlaps(const OverlapWatch& watch)
     return overlaps;
 }
 
-OverlapWatch::OverlapWatch(const Model& model) : widths(least_widths(model)), drawn(drawn_depths(model)) {}
+OverlapWatch::OverlapWatch(const Model& model) : OverlapWatch(model, initial_state(model)) {}
+
+OverlapWatch::OverlapWatch(const Model& model, State start)
+    : widths(least_widths(model)), drawn(depths_in(model, std::move(start)))
+{
+}
 
 void note_overlap(const Model& model, const OverlapWatch& watch, const State& state, RunReport& report)
 {

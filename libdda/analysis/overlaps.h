@@ -31,10 +31,13 @@ struct DrawnOverlap {
 /// What overlaps are judged by in a run.
 struct OverlapWatch {
     OverlapWatch() = default;
+    /// As the model is drawn.
     explicit OverlapWatch(const Model& model);
+    /// @param start state at the start of the run
+    OverlapWatch(const Model& model, State start);
 
     std::vector<double> widths;                   // least_widths
-    std::map<std::pair<int, int>, double> drawn;  // m, of pairs a < b that overlap as drawn
+    std::map<std::pair<int, int>, double> drawn;  // m, of pairs a < b that overlap at the start
 };
 
 /// All pairs of blocks that overlap as drawn by more than the model's fit_tolerance, ascending.

@@ -26,7 +26,7 @@ struct ContactPointIn {
     std::uint32_t feature = 0;  // which vertex, or which edge crosses which side: survives sliding
     ContactStatus status = ContactStatus::open;      // at the end of the step
     double gap = 0;                                  // m, > 0 open; from rest_gap on
-    double rest_gap = 0;                             // m, without stress: as drawn or bonded, or a forgiven overlap
+    double rest_gap = 0;                             // m, without stress: drawn, bonded or forgiven
     double area = 0;                                 // m2, tributary
     double normal_force = 0;                         // N, > 0 pressing
     VectorIn<D> position = VectorIn<D>::Zero();      // m, on block a at the end of the step

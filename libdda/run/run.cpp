@@ -26,7 +26,8 @@ void begin_run(driver::RunProgress& progress)
     progress.watch = CollapseWatch(model, start);
     progress.joints = joints_at_start(model, start);
     if (report.joints.size() != progress.joints.size()) report.joints = no_peaks(progress.joints);
-    progress.overlaps = OverlapWatch(model);
+    const bool has_moved = progress.state.step > 0;
+    progress.overlaps = OverlapWatch(model, has_moved ? initial_state(model) : progress.state);
     progress.judges_crushing = has_compressive_strength(model);
     report.outcome = Outcome::completed;
     report.diagnosis.reset();

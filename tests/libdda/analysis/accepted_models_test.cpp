@@ -85,12 +85,18 @@ Model on_ground(Kinematics kinematics)
 /// Courses of stones of different heights and lengths, the joints broken.
 Model wall(Kinematics kinematics, Draughtsman& hand)
 {
+    constexpr double end = 1.6;  // m, of every course
     Model model = on_ground(kinematics);
     double z = 0;
     for (int course = 0; course < 3; ++course) {
         const double height = hand.random.between(0.15, 0.4), length = hand.random.between(0.4, 0.8);
-        for (double x = -0.3 * length * (course % 2); x < 1.6; x += length)
-            add(model, {drawn_box(hand, {x, 0, z}, {x + length, 0.4, z + height})});
+        double x = 0, first = course % 2 == 0 ? 1 : 0.6;
+        while (x < end) {
+            const double meant = x + first * length, right = meant > end - 0.3 * length ? end : meant;
+            add(model, {drawn_box(hand, {x, 0, z}, {right, 0.4, z + height})});
+            x = right;
+            first = 1;
+        }
         z += height;
     }
     return model;
@@ -162,8 +168,7 @@ bool is_accepted(const Model& model)
 
 RunReport brought_to_rest(const Model& model)
 {
-    Stage stage = static_stage(1);
-    stage.max_static_steps = 400;
+    const Stage stage = static_stage(1);
     State state = initial_state(model);
     return run_quietly(model, {stage}, state);
 }

@@ -116,18 +116,18 @@ TEST_P(GivingUp, IsNotWhatAStaticStageOfAMechanismDoes)
     Model model = make_model(GetParam(), stone(), dry(30));
     hold(model, add_box(model, "ground", {-1, -1, -1}, {3, 1, 0}));
     add_box(model, "pier", {0, -0.5, 0}, {0.5, 0.5, 1});
-    add_box(model, "beam", {-0.05, -0.5, 1}, {1.2, 0.5, 1.2});  // its middle lies 7.5 cm beside the pier
+    add_box(model, "beam", {0.3, -0.5, 1}, {1.6, 0.5, 1.2});  // its middle lies 45 cm beside the pier
     add_box(model, "sound", {2, -0.5, 0}, {2.5, 0.5, 1});
     add_box(model, "loose", {2.6, -0.5, 4}, {3.1, 0.5, 4.5});
     State state = initial_state(model);
     Stage stage = static_stage(0.02);
-    stage.max_static_steps = 60;
+    stage.max_static_steps = 120;
     const RunReport report = run_quietly(model, {stage, dynamic_stage(1, 0.01)}, state);
     EXPECT_EQ(report.outcome, Outcome::collapsed);
     ASSERT_TRUE(report.diagnosis);
     EXPECT_EQ(report.diagnosis->kind, DiagnosisKind::mechanism) << *report.diagnosis;
     EXPECT_EQ(report.diagnosis->blocks, (std::vector{4, 2})) << *report.diagnosis;
-    EXPECT_NEAR(report.diagnosis->values[0], 60 * gravity * 0.02 * 0.02 / 2, 1e-3);
+    EXPECT_NEAR(report.diagnosis->values[0], 120 * gravity * 0.02 * 0.02 / 2, 1e-3);
     EXPECT_EQ(report.unconverged_steps, 0);
     EXPECT_EQ(report.simulated_time, 0) << "no stage follows";
     EXPECT_TRUE(is_whole(*report.diagnosis));
