@@ -49,8 +49,9 @@ inline std::vector<bool> loose_group(const Model& model, const ContactSet& conta
 ///
 /// A joint whose face looks down on the group bears nothing, and one that stands upright bears by friction only,
 /// which needs a force across it that nothing provides. What is left is the support polygon: points of joints that
-/// bear from below; the centroid of the group must lie over it.
-inline std::string why_group_falls(const Model& model, const ContactSet& contacts, const std::vector<bool>& group)
+/// bear from below; the centroid of the group must lie over it, by more than `margin` [m].
+inline std::string why_group_falls(const Model& model, const ContactSet& contacts, const std::vector<bool>& group,
+                                   double margin = 0)
 {
     std::vector<Eigen::Vector2d> polygon;
     bool touches = false;
@@ -72,9 +73,21 @@ inline std::string why_group_falls(const Model& model, const ContactSet& contact
         centroid += model.mass(static_cast<int>(b)) * model.blocks[b].moments.centroid.head<2>();
     }
     const double outside = outside_hull(centroid / mass, polygon);
-    return outside > 0 ? fmt::format("the centroid of {} stones lies {:.3f} m outside their support",
-                                     std::count(group.begin(), group.end(), true), outside)
-                       : "";
+    if (outside < -margin) return "";
+    const auto stones = std::count(group.begin(), group.end(), true);
+    return fmt::format("the centroid of {} stone{} lies {:.4f} m {} the edge of the support", stones,
+                       stones == 1 ? "" : "s", std::abs(outside), outside < 0 ? "inside" : "outside");
+}
+
+/// Why a stone that lies on others may topple: its centroid lies outside its support, or inside by less than 1 %
+/// of its size, which no survey measures.
+inline std::string why_it_topples(const Model& model, int stone)
+{
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    std::vector<bool> alone(model.blocks.size(), false);
+    alone[stone] = true;
+    return why_group_falls(model, state.contacts, alone, 0.01 * size_of(model, stone));
 }
 
 /// Why a stone falls: by itself, or with all that hangs together with it and is not held. Empty: statics does not
