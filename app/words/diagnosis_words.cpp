@@ -85,8 +85,7 @@ std::string too_many_cuts(const Subject& subject)
         words, subject.block(0));
 }
 
-/// "stage 'self-weight' finds no equilibrium: 2 of 10 blocks are falling under their own weight: 'a' by 0.4 m,
-/// ..."
+/// "stage 'self-weight' finds no equilibrium: 2 of 10 blocks are falling under their own weight: 'a', 'b'"
 std::string mechanism(const Subject& subject)
 {
     constexpr std::size_t most = 5;
@@ -95,8 +94,7 @@ std::string mechanism(const Subject& subject)
     std::string words =
         fmt::format("{} finds no equilibrium: {} of {} blocks {} falling under {} own weight: ", subject.stage(),
                     count, subject.model.blocks.size(), count == 1 ? "is" : "are", count == 1 ? "its" : "their");
-    for (std::size_t i = 0; i < std::min(most, count); ++i)
-        words += fmt::format("{}{} by {:.3g} m", i > 0 ? ", " : "", subject.block(i), diagnosis.values[i]);
+    for (std::size_t i = 0; i < std::min(most, count); ++i) words += (i > 0 ? ", " : "") + subject.block(i);
     const std::string them = count == 1 ? "it" : "them";
     return words + (count > most ? ", ...; " : "; ") +
            fmt::format("look at what should carry {}, or add {} to the foundation", them, them);

@@ -23,7 +23,7 @@ namespace
 {
 
 constexpr std::size_t many_faces = 2000;  // a stone of more was scanned: its joints are no planes
-constexpr double farthest = 0.2;          // share of a stone's size: corners that had to go further stay
+constexpr double farthest = 0.4;          // share of a stone's size: corners that had to go further stay
 
 double volume_of(const mesh::PolygonSurface& surface)
 {

@@ -34,9 +34,10 @@ void allow_for_rounding(const mesh::PolygonSurface& surface, double rounding, ex
     mesh::PolygonSurface joined = surface;
     exact::weld(joined, width);
     if (width > largest_weld * diagonal || exact::weld(joined, 4 * width).moved > 0) {
-        options.refuse_because = "reading rounds its coordinates by up to " + short_number(rounding) +
-                                 " m, too much for its size: move the stones nearer to the origin of the file, or convert "
-                                 "the file to OBJ";
+        options.refuse_because =
+            "reading rounds its coordinates by up to " + short_number(rounding) +
+            " m, too much for its size: move the stones nearer to the origin of the file, or convert "
+            "the file to OBJ";
         return;
     }
     options.weld_tolerance = width / diagonal;
@@ -78,6 +79,14 @@ exact::Certificate out_of_memory(const std::string& name)
     return refused;
 }
 
+/// Mass and inertia stay those of the stone as drawn.
+void keep_moments(const Moments& drawn, exact::Certificate& certificate)
+{
+    if (!certificate.reason.empty()) return;
+    certificate.volume_error = moments_of(certificate.parts).volume / drawn.volume - 1;
+    certificate.moments = drawn;
+}
+
 /// A stone that was changed since its surface was proven sound is proven once more.
 exact::Certificate shaped(StoneDraft draft)
 {
@@ -90,6 +99,7 @@ exact::Certificate shaped(StoneDraft draft)
     }
     for (const fit::Frame& plane : fitted.joints) draft.options.joints.push_back({plane.centre, plane.normal});
     const std::vector<mesh::Repair> before = std::move(draft.surface.repairs);
+    const Moments drawn = draft.surface.moments;
     exact::Certificate certificate = exact::certify(std::move(draft.surface.surface), draft.options);
     certificate.repairs.insert(certificate.repairs.begin(), before.begin(), before.end());
     certificate.repairs.push_back({"joints fitted",
@@ -97,6 +107,7 @@ exact::Certificate shaped(StoneDraft draft)
                                        short_number(fitted.largest_move) + " m, its volume changed by " +
                                        short_number(100 * fitted.volume_change) + " %",
                                    1, "", fitted.largest_move, "m"});
+    keep_moments(drawn, certificate);
     return certificate;
 }
 

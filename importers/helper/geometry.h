@@ -79,8 +79,8 @@ extern const std::vector<std::string> stone_level_names;
 /// The names of MeshReader's values, in their order.
 extern const std::vector<std::string> mesh_reader_names;
 
-/// What becomes of joints whose two sides were drawn differently: nothing; one plane where they are warped; one plane
-/// for all, flat ones that overlap and those that both sides bend alike among them.
+/// What becomes of joints whose two sides were drawn differently: nothing; one plane where they are warped; one
+/// plane for all, flat ones that overlap and those that both sides bend alike among them.
 enum class FitJoints { as_drawn, shared, planar };
 
 /// The names above, in their order.

@@ -1,7 +1,7 @@
 // Which blocks make a joint, and over which area.
-#include <algorithm>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <map>
 

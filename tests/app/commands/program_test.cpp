@@ -309,7 +309,9 @@ TEST(Program, EveryShippedCaseCanBeRun)
         if (entry.path().extension() != ".yaml") continue;
         const Ended ended = voussoir(folder, {"check", entry.path().string()});
         EXPECT_EQ(ended.exit_code, 0) << ended.errors;
-        EXPECT_EQ(ended.output.find("warning"), std::string::npos) << ended.output;
+        // Only the survey has joints to be fitted.
+        const bool surveyed = entry.path().stem() == "surveyed_dome";
+        EXPECT_EQ(ended.output.find("warning") != std::string::npos, surveyed) << ended.output;
         ++cases;
     }
     EXPECT_GE(cases, 5);

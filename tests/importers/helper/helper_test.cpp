@@ -107,7 +107,9 @@ TEST_F(Helper, ThatFailsOrTalksNonsenseIsARefusal)
     EXPECT_NE(refusal().find("exit code 3 (it said: no luck)"), std::string::npos);
     pretend("cat > /dev/null; echo hello");
     EXPECT_NE(refusal().find("its answer is invalid"), std::string::npos);
-    pretend("cat > /dev/null; echo '{\"origin\": [0, 0, 0], \"meshes\": [], \"overlaps\": []}'");
+    pretend(
+        "cat > /dev/null; echo '{\"origin\": [0, 0, 0], \"meshes\": [], \"overlaps\": [], \"fit\": "
+        "{\"joints\": 0, \"left\": 0, \"misfit_before\": 0, \"misfit_after\": 0}}'");
     EXPECT_NE(refusal().find("another number of files"), std::string::npos);
     setenv("VOUSSOIR_BIN_DIR", "/nowhere", 1);
     EXPECT_NE(refusal().find("cannot be started"), std::string::npos);
