@@ -23,7 +23,9 @@ namespace
 {
 
 constexpr std::size_t many_faces = 2000;  // a stone of more was scanned: its joints are no planes
-constexpr double farthest = 0.4;          // share of a stone's size: corners that had to go further stay
+// Shares of a stone's size: a corner that would go further for free sides than `far` does not follow them, one
+// that had to go further than `farthest` for its joints stays.
+constexpr double far = 0.2, farthest = 0.4;
 
 double volume_of(const mesh::PolygonSurface& surface)
 {
@@ -131,7 +133,7 @@ std::optional<mesh::PolygonSurface> fitted(const SidedStone& stone, const std::v
     // Free sides go along as far as corners had to go for the joints, unless that takes one much further.
     const double flat = std::max(planarity_of(stone, options), farthest_shared);
     std::vector<Vector3d> vertices = move_corners(stone, shared, wanted.planes, flat);
-    if (largest_move(stone, vertices) > farthest * stone.size) vertices = shared;
+    if (largest_move(stone, vertices) > far * stone.size) vertices = shared;
     const double move = largest_move(stone, vertices);
     if (move > farthest * stone.size) {
         report.left = why_not(move, stone.size);
