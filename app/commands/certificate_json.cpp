@@ -168,6 +168,7 @@ json to_json(const importers::helper::Stone& stone, const importers::helper::Imp
             {"volume_m3", measured ? json(stone.moments.volume) : json()},
             {"volume_error", stone.volume_error},
             {"fit_move_m", stone.fit_move},
+            {"fit_volume_change", stone.fit_volume_change},
             {"centroid_m", measured ? json({centroid.x(), centroid.y(), centroid.z()}) : json()},
             {"repairs", sentences_of(stone.repairs)},
             {"features", std::move(features)},

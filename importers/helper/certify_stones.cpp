@@ -62,6 +62,7 @@ Stone stone_of(exact::Certificate certificate, const fit::FittedStone& fitted)
     stone.moments = certificate.moments;
     stone.volume_error = certificate.volume_error;
     stone.fit_move = fitted.largest_move;
+    stone.fit_volume_change = fitted.volume_change;
     stone.features = std::move(certificate.features);
     if (!stone.features.empty()) {
         stone.vertices = std::move(certificate.surface.vertices);
@@ -77,14 +78,6 @@ exact::Certificate out_of_memory(const std::string& name)
     refused.reason = "certifying it needs more memory than is allowed";
     refused.cure = "skip";
     return refused;
-}
-
-/// Mass and inertia stay those of the stone as drawn.
-void keep_moments(const Moments& drawn, exact::Certificate& certificate)
-{
-    if (!certificate.reason.empty()) return;
-    certificate.volume_error = moments_of(certificate.parts).volume / drawn.volume - 1;
-    certificate.moments = drawn;
 }
 
 /// A stone that was changed since its surface was proven sound is proven once more.
@@ -107,7 +100,7 @@ exact::Certificate shaped(StoneDraft draft)
                                        short_number(fitted.largest_move) + " m, its volume changed by " +
                                        short_number(100 * fitted.volume_change) + " %",
                                    1, "", fitted.largest_move, "m"});
-    keep_moments(drawn, certificate);
+    if (certificate.reason.empty()) certificate.moments = drawn;  // mass and inertia stay
     return certificate;
 }
 

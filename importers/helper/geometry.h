@@ -29,6 +29,8 @@ struct Stone {
     Moments moments;          // of the stone as drawn, m; volume 0: it encloses none
     double volume_error = 0;  // share of the volume by which approximating parts differ from it; 0: exact
     double fit_move = 0;      // m: largest move of a corner, to fit its joints; 0: as drawn
+    double fit_volume_change =
+        0;  // share of the volume as drawn by which that changed it; its moments are as drawn
     std::vector<mesh::MarkedFeature> features;  // what is wrong where; empty when nothing is
     // The surface as it was judged, for pictures; sent for stones with features only.
     std::vector<Eigen::Vector3d> vertices;

@@ -147,6 +147,7 @@ json to_json_value(const Stone& stone)
             {"moments", to_json_value(stone.moments)},
             {"volume_error", stone.volume_error},
             {"fit_move", stone.fit_move},
+            {"fit_volume_change", stone.fit_volume_change},
             {"features", std::move(features)},
             {"vertices", to_json_value(stone.vertices)},
             {"faces", stone.faces}};
@@ -180,6 +181,7 @@ Stone stone_from(const json& value)
     stone.moments = moments_from(value.at("moments"));
     stone.volume_error = value.at("volume_error");
     stone.fit_move = value.at("fit_move");
+    stone.fit_volume_change = value.at("fit_volume_change");
     for (const json& feature : value.at("features")) stone.features.push_back(feature_from(feature));
     stone.vertices = points_from(value.at("vertices"));
     stone.faces = loops_from(value.at("faces"));
