@@ -89,6 +89,7 @@ std::vector<std::vector<int>> divided(const Side& side, const Opponents& opponen
         by_opponent[most->first].push_back(face);
     }
     std::vector<std::vector<int>> groups;
+    groups.reserve(by_opponent.size());
     for (auto& [opponent, faces] : by_opponent) groups.push_back(std::move(faces));
     if (!groups.empty()) groups.front().insert(groups.front().end(), alone.begin(), alone.end());
     return groups;
@@ -146,6 +147,7 @@ JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vect
                           const JointLimits& limits)
 {
     std::vector<double> allowed;
+    allowed.reserve(stones.size());
     for (const SidedStone& stone : stones)
         allowed.push_back(limits.planarity * exact::diagonal_of(stone.surface->vertices));
     JointChoice choice;

@@ -183,6 +183,7 @@ void improve(const std::vector<Vector3d>& drawn, std::vector<Vector3d>& places, 
 {
     const auto corners = static_cast<int>(places.size());
     const auto size = static_cast<Eigen::Index>(3 * (places.size() + planes.size()));
+    if (size <= 0) return;
     std::vector<Eigen::Triplet<double>> triplets;
     Eigen::VectorXd load = Eigen::VectorXd::Zero(size);
     int row = corners;

@@ -12,7 +12,7 @@ namespace voussoir::importers::fit
 /// A side of a stone, by number.
 struct SideOf {
     int stone = 0, side = 0;
-    auto operator<=>(const SideOf&) const = default;
+    auto operator<=>(const SideOf&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 errs
 };
 
 /// What a fit comes to.

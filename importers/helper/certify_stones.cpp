@@ -145,6 +145,7 @@ JointFit fit_stones(const std::vector<MeshRequest>& requests, std::vector<std::v
             for (StoneDraft& draft : files[k]) drafts.push_back(&draft);
         }
         std::vector<mesh::PolygonSurface*> surfaces;
+        surfaces.reserve(drafts.size());
         for (StoneDraft* draft : drafts)
             surfaces.push_back(takes_part(*draft) ? &draft->surface.surface : nullptr);
         fit::Fit fit = fit::fit_joints(surfaces, {static_cast<fit::FitJoints>(requests[i].fit_joints),
