@@ -81,9 +81,8 @@ exact::Certificate out_of_memory(const std::string& name)
 }
 
 /// A stone that was changed since its surface was proven sound is proven once more.
-exact::Certificate shaped(StoneDraft draft)
+exact::Certificate shaped(StoneDraft draft, fit::FittedStone& fitted)
 {
-    const fit::FittedStone& fitted = draft.fitted;
     if (!fitted.fitted) {
         if (!fitted.left.empty())
             draft.surface.repairs.push_back(
@@ -94,13 +93,16 @@ exact::Certificate shaped(StoneDraft draft)
     const std::vector<mesh::Repair> before = std::move(draft.surface.repairs);
     const Moments drawn = draft.surface.moments;
     exact::Certificate certificate = exact::certify(std::move(draft.surface.surface), draft.options);
+    if (certificate.reason.empty()) {
+        fitted.volume_change = certificate.moments.volume / drawn.volume - 1;
+        certificate.moments = drawn;  // mass and inertia stay
+    }
     certificate.repairs.insert(certificate.repairs.begin(), before.begin(), before.end());
     certificate.repairs.push_back({"joints fitted",
                                    "its joints were fitted to its neighbours': corners moved by up to " +
                                        short_number(fitted.largest_move) + " m, its volume changed by " +
                                        short_number(100 * fitted.volume_change) + " %",
                                    1, "", fitted.largest_move, "m"});
-    if (certificate.reason.empty()) certificate.moments = drawn;  // mass and inertia stay
     return certificate;
 }
 
@@ -163,9 +165,10 @@ Stone certified(StoneDraft draft)
 {
     const std::string name = draft.surface.name;
     const std::vector<mesh::Repair> repairs = std::move(draft.repairs);
-    const fit::FittedStone fitted = draft.fitted;
+    fit::FittedStone fitted = draft.fitted;
     try {
-        Stone stone = stone_of(shaped(std::move(draft)), fitted);
+        exact::Certificate certificate = shaped(std::move(draft), fitted);
+        Stone stone = stone_of(std::move(certificate), fitted);
         stone.repairs.insert(stone.repairs.begin(), repairs.begin(), repairs.end());
         return stone;
     } catch (const std::bad_alloc&) {
