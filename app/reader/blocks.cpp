@@ -143,6 +143,7 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
         if (model.blocks.size() <= importers::patterns::max_blocks) return false;
         where.fault(fmt::format("more than {} blocks", importers::patterns::max_blocks),
                     "give larger blocks or fewer walls");
+        model.blocks.clear();  // they have no groups yet, and nobody is to look at them
         return true;
     };
     for (YamlCursor& entry : entries) {
