@@ -1,6 +1,7 @@
 #include "importers/exact/cell.h"
 
 #include "importers/exact/hull_volume.h"
+#include "importers/exact/kept_vertices.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -32,59 +33,23 @@ double winding(const TriangleSurface& surface, const Vector3d& point)
     return sum / (4 * std::numbers::pi);
 }
 
-/// One side of a surface, clipped at a plane.
-class Side
+/// One side of a surface, clipped at a plane. @param sign 1 keeps what has positive distances
+TriangleSurface side_of(const TriangleSurface& whole, const std::vector<double>& distance, double sign)
 {
- public:
-    /// @param sign 1 keeps what has positive distances
-    Side(const TriangleSurface& whole, const std::vector<double>& distance, double sign)
-        : whole_(whole), distance_(distance), sign_(sign), place_(whole.vertices.size(), -1)
-    {
-        for (const Eigen::Vector3i& t : whole.triangles) clip(t);
-    }
-
     TriangleSurface side;
-
- private:
-    int add(const Vector3d& x)
-    {
-        side.vertices.push_back(x);
-        return static_cast<int>(side.vertices.size()) - 1;
-    }
-    int keep(int v)
-    {
-        if (place_[v] < 0) place_[v] = add(whole_.vertices[v]);
-        return place_[v];
-    }
-    /// The same point, to the last bit, from both sides of the plane and from both triangles at the edge.
-    int cut(int a, int b)
-    {
-        const auto [entry, is_new] = cuts_.try_emplace(std::minmax(a, b), -1);
-        if (is_new) {
-            const auto& [low, high] = entry->first;
-            const double share = distance_[low] / (distance_[low] - distance_[high]);
-            entry->second = add(whole_.vertices[low] + share * (whole_.vertices[high] - whole_.vertices[low]));
-        }
-        return entry->second;
-    }
-    void clip(const Eigen::Vector3i& t)
-    {
+    KeptVertices vertices(whole, distance, side);
+    for (const Eigen::Vector3i& t : whole.triangles) {
         std::array<int, 4> loop{};
         int count = 0;
         for (int k = 0; k < 3; ++k) {
             const int from = t[k], to = t[(k + 1) % 3];
-            if (sign_ * distance_[from] >= 0) loop[count++] = keep(from);
-            if (distance_[from] * distance_[to] < 0) loop[count++] = cut(from, to);
+            if (sign * distance[from] >= 0) loop[count++] = vertices.keep(from);
+            if (distance[from] * distance[to] < 0) loop[count++] = vertices.cut(from, to);
         }
         for (int i = 1; i + 1 < count; ++i) side.triangles.emplace_back(loop[0], loop[i], loop[i + 1]);
     }
-
-    const TriangleSurface& whole_;
-    const std::vector<double>& distance_;
-    double sign_;
-    std::vector<int> place_;  // of the whole's vertices on this side
-    std::map<std::pair<int, int>, int> cuts_;
-};
+    return side;
+}
 
 /// Where the plane meets two walls of the cell each, in the cell and inside the solid.
 std::vector<Vector3d> corners_on(const CutPlane& plane, const std::vector<CutPlane>& walls,
@@ -120,8 +85,8 @@ std::pair<Cell, Cell> divided(const Cell& cell, const CutPlane& plane, const Tri
 {
     std::vector<double> distance;
     for (const Vector3d& x : cell.surface.vertices) distance.push_back(plane.distance(x));
-    Cell behind{cell.walls, Side(cell.surface, distance, -1).side, {}};
-    Cell before{cell.walls, Side(cell.surface, distance, 1).side, {}};
+    Cell behind{cell.walls, side_of(cell.surface, distance, -1), {}};
+    Cell before{cell.walls, side_of(cell.surface, distance, 1), {}};
     behind.walls.push_back(plane);
     before.walls.push_back({plane.anchor, -plane.normal});
     for (const Vector3d& x : cell.corners) (plane.distance(x) <= 0 ? behind : before).corners.push_back(x);

@@ -18,10 +18,25 @@ constexpr double nearly_flat = 1e-4;  // share of a side's size: nearer than thi
 // with others. Where corners have to go further, a course would be bent to fit.
 constexpr double far_for_a_bend = 2.5;
 
+SideOf first_of(const Facing& joint)
+{
+    return {joint.stone_a, joint.side_a};
+}
+
+SideOf second_of(const Facing& joint)
+{
+    return {joint.stone_b, joint.side_b};
+}
+
 /// Sets of sides that joints connect.
 class Components
 {
  public:
+    Components() = default;
+    explicit Components(const std::vector<Facing>& joints)
+    {
+        for (const Facing& joint : joints) join(first_of(joint), second_of(joint));
+    }
     int of(const SideOf& side)
     {
         const auto [known, is_new] = index_.try_emplace(side, static_cast<int>(parent_.size()));
@@ -44,23 +59,14 @@ class Components
     std::vector<int> parent_;
 };
 
-SideOf first_of(const Facing& joint)
-{
-    return {joint.stone_a, joint.side_a};
-}
-
-SideOf second_of(const Facing& joint)
-{
-    return {joint.stone_b, joint.side_b};
-}
-
 bool is_flat(const std::vector<SidedStone>& stones, const SideOf& key, const JointLimits& limits)
 {
     const Side& side = stones[key.stone].sides[key.side];
     return side.largest_off <= limits.flat_enough * side.size;
 }
 
-/// For each face of a side the opponent that it faces with most of its area; its own number where it faces none.
+/// For each face of a side the area with which it faces each side of other stones [m2]; none where it faces
+/// nothing.
 using Opponents = std::map<int, std::map<SideOf, double>>;  // by face
 
 std::map<SideOf, Opponents> opponents_of(const std::vector<Facing>& joints)
@@ -114,8 +120,7 @@ double move_of(const SidedStone& stone, const Side& side, const std::vector<Eige
 std::vector<SideOf> overbent_sides(const std::vector<Facing>& joints, const SharedShape& shape,
                                    const std::vector<SidedStone>& stones)
 {
-    Components components;
-    for (const Facing& joint : joints) components.join(first_of(joint), second_of(joint));
+    Components components(joints);
     struct Drawn {
         double misfit = 0, bend = 0;  // m
         double allowed() const { return std::max(misfit, far_for_a_bend * bend); }
@@ -151,8 +156,7 @@ JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vect
     for (const SidedStone& stone : stones)
         allowed.push_back(limits.planarity * exact::diagonal_of(stone.surface->vertices));
     JointChoice choice;
-    Components components;
-    std::vector<const Facing*> flat, bad;
+    std::vector<Facing> flat;
     for (const Facing& joint : joints) {
         double misfit = misfit_of(joint, stones), bend = 0;
         for (const SideOf& key : {first_of(joint), second_of(joint)})
@@ -166,23 +170,28 @@ JointChoice choose_joints(const std::vector<SidedStone>& stones, const std::vect
             choice.left += misfits ? 1 : 0;
             continue;
         }
-        components.join(first_of(joint), second_of(joint));
-        flat.push_back(&joint);
-        if (misfits) bad.push_back(&joint);
+        flat.push_back(joint);
+        flat.back().misfits = misfits;
     }
-    choice.misfitting = static_cast<int>(bad.size());
+    Components components(flat);
     std::set<int> misfitting;
-    for (const Facing* joint : bad) misfitting.insert(components.of(first_of(*joint)));
-    for (const Facing* joint : flat)
-        if (misfitting.contains(components.of(first_of(*joint)))) choice.joints.push_back(*joint);
+    for (const Facing& joint : flat)
+        if (joint.misfits) misfitting.insert(components.of(first_of(joint)));
+    for (Facing& joint : flat)
+        if (misfitting.contains(components.of(first_of(joint)))) choice.joints.push_back(std::move(joint));
     return choice;
+}
+
+int JointChoice::misfitting() const
+{
+    return static_cast<int>(
+        std::count_if(joints.begin(), joints.end(), [](const Facing& joint) { return joint.misfits; }));
 }
 
 bool split_sides(const std::vector<Facing>& joints, const std::vector<SideOf>& bent,
                  std::vector<SidedStone>& stones)
 {
-    Components components;
-    for (const Facing& joint : joints) components.join(first_of(joint), second_of(joint));
+    Components components(joints);
     std::set<int> bent_components;
     for (const SideOf& key : bent) bent_components.insert(components.of(key));
     std::vector<std::pair<SideOf, std::vector<std::vector<int>>>> divisions;  // found before any side changes
@@ -217,8 +226,7 @@ std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vec
 std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vector<SidedStone>& stones,
                                const SharedShape& whole, const SharedShape& divided)
 {
-    Components components;
-    for (const Facing& joint : joints) components.join(first_of(joint), second_of(joint));
+    Components components(joints);
     struct Moves {
         double whole = 0, divided = 0, allowed = 0;  // m
     };
@@ -243,18 +251,15 @@ std::vector<SideOf> bent_sides(const std::vector<Facing>& joints, const std::vec
 
 bool leave_bent_joints(const SharedShape& shape, const std::vector<SidedStone>& stones, JointChoice& choice)
 {
-    Components components;
-    for (const Facing& joint : choice.joints) components.join(first_of(joint), second_of(joint));
+    Components components(choice.joints);
     std::set<int> bent;
     for (const SideOf& key : overbent_sides(choice.joints, shape, stones)) bent.insert(components.of(key));
-    std::vector<Facing> kept;
-    for (Facing& joint : choice.joints)
-        if (!bent.contains(components.of(first_of(joint)))) kept.push_back(std::move(joint));
-    const auto left = static_cast<int>(choice.joints.size() - kept.size());
-    choice.left += left;
-    choice.misfitting = std::max(0, choice.misfitting - left);
-    choice.joints = std::move(kept);
-    return left > 0;
+    if (bent.empty()) return false;
+    const int before = choice.misfitting();
+    std::erase_if(choice.joints,
+                  [&](const Facing& joint) { return bent.contains(components.of(first_of(joint))); });
+    choice.left += before - choice.misfitting();
+    return true;
 }
 
 }  // namespace voussoir::importers::fit

@@ -11,9 +11,10 @@ namespace voussoir::importers::fit
 /// Joints to be fitted.
 struct JointChoice {
     std::vector<Facing> joints;  // those that do not fit, and those whose sides hang together with one of them
-    int misfitting = 0;          // of them
     int left = 0;                // that do not fit, but have a side that is bent too much to be flattened
     double misfit = 0;           // m: the largest of all, as drawn
+
+    int misfitting() const;  ///< Of the joints, how many do not fit.
 };
 
 /// What is a joint that can be fitted.

@@ -148,7 +148,7 @@ std::optional<Facing> facing_of(const std::vector<SidedStone>& stones, int a, in
     const double apart = normal.dot(second.plane.centre - first.plane.centre);
     if (std::abs(apart) > 0.5 * (first.size + second.size)) return std::nullopt;
     const Frame frame = frame_of(first.plane.centre, normal);
-    Facing facing{a, side_a, b, side_b, normal, {}, {}, {}, 0, 0, 0};
+    Facing facing{a, side_a, b, side_b, normal, {}, {}, {}, 0, false, 0, 0};
     const std::vector<Shadow> of_second = shadows_of(stones[b], second, frame);
     for (const Shadow& one : shadows_of(stones[a], first, frame))
         for (const Shadow& other : of_second) add_points(one, other, frame, facing);

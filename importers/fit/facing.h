@@ -31,6 +31,7 @@ struct Facing {
     std::vector<FacingPoint> points;
     std::map<int, double> area_of_face_a, area_of_face_b;  // m2 of it, by the faces of either stone
     double area = 0;                                       // m2
+    bool misfits = false;                                  // what choose_joints found
     double smallest_gap = 0, largest_gap = 0;              // m
 
     double misfit() const { return std::max(-smallest_gap, largest_gap); }

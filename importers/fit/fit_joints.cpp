@@ -141,7 +141,6 @@ std::optional<mesh::PolygonSurface> fitted(const SidedStone& stone, const std::v
     }
     mesh::PolygonSurface surface = reshaped(stone, vertices, wanted, options);
     report.largest_move = move;
-    report.volume_change = volume_of(surface) / volume_of(*stone.surface) - 1;
     for (const auto& [side, plane] : wanted.planes) report.joints.push_back(plane);
     report.fitted = true;
     return surface;
@@ -184,12 +183,12 @@ Fit fit_joints(const std::vector<mesh::PolygonSurface*>& stones, const FitOption
     std::vector<Facing> joints = find_facing(assembly.stones);
     const JointChoice drawn = choose_joints(assembly.stones, joints, limits);
     fit.misfit_before = drawn.misfit;
-    if (drawn.misfitting + drawn.left == 0) return fit;
+    if (drawn.misfitting() + drawn.left == 0) return fit;
     divide_sides(limits, assembly.stones, joints);
     JointChoice choice = choose_joints(assembly.stones, joints, limits);
     SharedShape shape = share_corners(assembly.stones, choice.joints);
     if (leave_bent_joints(shape, assembly.stones, choice)) shape = share_corners(assembly.stones, choice.joints);
-    fit.joints = choice.misfitting;
+    fit.joints = choice.misfitting();
     fit.left = choice.left;
     const std::vector<Wanted> wanted = wanted_of(assembly.stones, joints, shape);
     std::vector<std::optional<mesh::PolygonSurface>> surfaces(assembly.stones.size());

@@ -27,7 +27,6 @@ struct FitOptions {
 struct FittedStone {
     bool fitted = false;        // its surface was changed
     double largest_move = 0;    // m: of a corner
-    double volume_change = 0;   // share of its volume as drawn
     std::vector<Frame> joints;  // planes of its sides that face others
     std::string left;           // why it was left as drawn although its joints do not fit; empty if it was not
 };

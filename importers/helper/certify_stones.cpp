@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <new>
-#include <sstream>
 
 #include "importers/exact/triangle_surface.h"
 #include "importers/exact/weld.h"
+#include "importers/helper/repair_summary.h"
 
 namespace voussoir::importers::helper
 {
@@ -14,14 +14,6 @@ namespace
 {
 
 constexpr double largest_weld = 1e-3;  // share of a stone's diagonal; wider would change its shape
-
-std::string short_number(double value)
-{
-    std::ostringstream words;
-    words.precision(3);
-    words << value;
-    return words.str();
-}
 
 /// Vertices that rounding has parted must be joined, and others must not: the welding of a stone that is small for
 /// the rounding becomes as wide as that needs, unless the stone has corners that are nearly as near.
@@ -49,7 +41,7 @@ void allow_for_rounding(const mesh::PolygonSurface& surface, double rounding, ex
                        1, "", width, "m"});
 }
 
-Stone stone_of(exact::Certificate certificate, const fit::FittedStone& fitted)
+Stone stone_of(exact::Certificate certificate)
 {
     Stone stone;
     stone.name = certificate.name;
@@ -61,8 +53,6 @@ Stone stone_of(exact::Certificate certificate, const fit::FittedStone& fitted)
     stone.parts = std::move(certificate.parts);
     stone.moments = certificate.moments;
     stone.volume_error = certificate.volume_error;
-    stone.fit_move = fitted.largest_move;
-    stone.fit_volume_change = fitted.volume_change;
     stone.features = std::move(certificate.features);
     if (!stone.features.empty()) {
         stone.vertices = std::move(certificate.surface.vertices);
@@ -81,8 +71,10 @@ exact::Certificate out_of_memory(const std::string& name)
 }
 
 /// A stone that was changed since its surface was proven sound is proven once more.
-exact::Certificate shaped(StoneDraft draft, fit::FittedStone& fitted)
+/// @param volume_change by that, a share
+exact::Certificate shaped(StoneDraft draft, double& volume_change)
 {
+    const fit::FittedStone& fitted = draft.fitted;
     if (!fitted.fitted) {
         if (!fitted.left.empty())
             draft.surface.repairs.push_back(
@@ -94,14 +86,14 @@ exact::Certificate shaped(StoneDraft draft, fit::FittedStone& fitted)
     const Moments drawn = draft.surface.moments;
     exact::Certificate certificate = exact::certify(std::move(draft.surface.surface), draft.options);
     if (certificate.reason.empty()) {
-        fitted.volume_change = certificate.moments.volume / drawn.volume - 1;
+        volume_change = certificate.moments.volume / drawn.volume - 1;
         certificate.moments = drawn;  // mass and inertia stay
     }
     certificate.repairs.insert(certificate.repairs.begin(), before.begin(), before.end());
     certificate.repairs.push_back({"joints fitted",
                                    "its joints were fitted to its neighbours': corners moved by up to " +
                                        short_number(fitted.largest_move) + " m, its volume changed by " +
-                                       short_number(100 * fitted.volume_change) + " %",
+                                       short_number(100 * volume_change) + " %",
                                    1, "", fitted.largest_move, "m"});
     return certificate;
 }
@@ -165,14 +157,16 @@ Stone certified(StoneDraft draft)
 {
     const std::string name = draft.surface.name;
     const std::vector<mesh::Repair> repairs = std::move(draft.repairs);
-    fit::FittedStone fitted = draft.fitted;
+    const double move = draft.fitted.largest_move;
+    double volume_change = 0;
     try {
-        exact::Certificate certificate = shaped(std::move(draft), fitted);
-        Stone stone = stone_of(std::move(certificate), fitted);
+        Stone stone = stone_of(shaped(std::move(draft), volume_change));
+        stone.fit_move = move;
+        stone.fit_volume_change = volume_change;
         stone.repairs.insert(stone.repairs.begin(), repairs.begin(), repairs.end());
         return stone;
     } catch (const std::bad_alloc&) {
-        return stone_of(out_of_memory(name), fitted);
+        return stone_of(out_of_memory(name));
     }
 }
 

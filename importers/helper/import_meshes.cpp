@@ -11,6 +11,7 @@
 #include "importers/helper/certify_stones.h"
 #include "importers/helper/choose_stones.h"
 #include "importers/helper/close_joints.h"
+#include "importers/helper/repair_summary.h"
 #include "importers/mesh/read_mesh.h"
 #include "libdda/errors.h"
 
@@ -21,14 +22,6 @@ namespace
 {
 
 constexpr double largest_plain_coordinate = 1e4;  // m; doubles keep 2e-12 m there
-
-std::string short_number(double value)
-{
-    std::ostringstream words;
-    words.precision(3);
-    words << value;
-    return words.str();
-}
 
 std::string sentence(const InputError& error)
 {

@@ -1,7 +1,5 @@
 #include "importers/helper/repair_summary.h"
 
-#include <sstream>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -11,13 +9,6 @@ namespace voussoir::importers::helper
 
 namespace
 {
-
-std::string short_number(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);  // NOLINT: the pattern is a literal
-    return text.data();
-}
 
 void add(const mesh::Repair& repair, const std::string& stone, std::vector<RepairSummary>& summaries)
 {
@@ -94,16 +85,21 @@ std::vector<std::string> all_repairs(const ImportedMesh& mesh)
     return lines;
 }
 
+std::string short_number(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", value);  // NOLINT: the pattern is a literal
+    return text.data();
+}
+
 std::vector<std::string> in_words(const JointFit& fit)
 {
     std::vector<std::string> lines;
-    std::ostringstream words;
-    words.precision(3);
-    if (fit.joints > 0) {
-        words << fit.joints << " joints did not fit as drawn, by up to " << fit.misfit_before
-              << " m, and got one surface for both sides; now they fit to " << fit.misfit_after << " m";
-        lines.push_back(words.str());
-    }
+    if (fit.joints > 0)
+        lines.push_back(std::to_string(fit.joints) + " joints did not fit as drawn, by up to " +
+                        short_number(fit.misfit_before) +
+                        " m, and got one surface for both sides; now they fit to " +
+                        short_number(fit.misfit_after) + " m");
     if (fit.left > 0)
         lines.push_back(std::to_string(fit.left) +
                         " joints do not fit and were left as drawn: a side of them is too far from a plane");

@@ -29,6 +29,9 @@ std::vector<RepairSummary> summarised_repairs(const ImportedMesh& mesh);
 /// the name of its stone, where there is only one.
 std::string in_words(const RepairSummary& summary);
 
+/// A number of a sentence, with three digits.
+std::string short_number(double value);
+
 /// What fitting joints came to: "joints: 285 did not fit as drawn, by up to 0.039 m, and were fitted"; what was
 /// left. Nothing where all joints fit.
 std::vector<std::string> in_words(const JointFit& fit);

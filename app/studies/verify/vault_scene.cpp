@@ -84,6 +84,17 @@ scenes::StagedScene vault_scene(const importers::patterns::StoneGrid& grid, cons
     return scene;
 }
 
+Benchmark vault_row()
+{
+    Benchmark row;
+    row.setting.kinematics = Kinematics::spatial_rigid;
+    row.also = {Kinematics::spatial_deformable};
+    row.source = "docs/vaults.md";
+    row.paper_error = "none: not from a paper";
+    row.tolerance = 0.01;
+    return row;
+}
+
 std::vector<Reaction> rest(const scenes::StagedScene& scene, State& state, VerifyResult& result)
 {
     state = initial_state(scene.model);

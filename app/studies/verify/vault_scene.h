@@ -28,6 +28,9 @@ struct Reaction {
     Eigen::Vector3d centre;  // m, where its normal component acts
 };
 
+/// What the rows of vaults have in common.
+Benchmark vault_row();
+
 /// Runs a scene to rest. @returns the reactions of its supports in the order of the blocks; none when it gave up
 std::vector<Reaction> rest(const scenes::StagedScene& scene, State& state, VerifyResult& result);
 

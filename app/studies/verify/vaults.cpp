@@ -99,12 +99,7 @@ VerifyResult run_barrel(const scenes::SceneSetting& setting)
 
 std::vector<Benchmark> vault_benchmarks()
 {
-    Benchmark row;
-    row.setting.kinematics = Kinematics::spatial_rigid;
-    row.also = {Kinematics::spatial_deformable};
-    row.source = "docs/vaults.md";
-    row.paper_error = "none: not from a paper";
-    row.tolerance = 0.01;
+    Benchmark row = vault_row();
     std::vector<Benchmark> rows;
 
     row.name = "dome-thrust";

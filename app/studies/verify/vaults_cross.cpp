@@ -113,12 +113,7 @@ VerifyResult run_cross(const scenes::SceneSetting& setting)
 
 std::vector<Benchmark> cross_vault_benchmarks()
 {
-    Benchmark row;
-    row.setting.kinematics = Kinematics::spatial_rigid;
-    row.also = {Kinematics::spatial_deformable};
-    row.source = "docs/vaults.md";
-    row.paper_error = "none: not from a paper";
-    row.tolerance = 0.01;
+    Benchmark row = vault_row();
     row.name = "cross-vault-thrust";
     row.title = "A cross vault of 20 to 180 stones under its own weight";
     row.quantity =
