@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,7 +53,12 @@ struct JointMaterial {
     ContactStiffness stiffness;              // normal
     double shear_to_normal_stiffness = 0.5;  // -; Shi's 1/h2
     double relaxation_time = 0;  // s, stiffness-proportional contact damping (eta of N = -k(g + eta dg/dt))
+    // -, 0..1, of the approach speed where stones land on one another; none: impacts are left to the springs, as
+    // in the papers. A dashpot takes its place
+    std::optional<double> restitution = 0.0;
 
+    /// Whether stones that land on one another do it by an impulse, and not by springs and dashpots.
+    bool has_landing_law() const { return restitution && relaxation_time == 0; }
     /// Whether joints of it may be bonded.
     bool has_strength() const { return cohesion > 0 || tensile_strength > 0; }
 };

@@ -27,6 +27,7 @@ struct EnergyLedger {
     double damping_static = 0;        // velocity removed in static stages, and springs of contacts found in them
     double damping_contact = 0;       // dissipated by contact dashpots
     double fracture = 0;              // elastic energy lost when an intact joint breaks
+    double impact = 0;                // taken by the impulses of landing stones
     double algorithmic = 0;           // loss of the integrator, from its own identity
     double algorithmic_rotation = 0;  // of the finite rotation and shape update
     double redetection = 0;           // spring energy that changed when contacts were found anew
@@ -41,7 +42,7 @@ struct EnergyLedger {
     /// All losses [J].
     double dissipated() const
     {
-        return friction + damping_kinetic + damping_static + damping_contact + fracture + algorithmic +
+        return friction + damping_kinetic + damping_static + damping_contact + fracture + impact + algorithmic +
                algorithmic_rotation + redetection;
     }
     /// What kinetic, strain and contact energy have grown by since the start [J].
@@ -98,7 +99,7 @@ struct StepReport {
     double time_step = 0;                          // s, of the accepted step
     int open_close_iterations = 0;                 // of all attempts
     int cuts = 0;                                  // attempts that failed
-    bool divided = false;                          // ended where a sliding joint turned round
+    bool divided = false;                          // ended just before stones land
     int factorisations = 0;                        // of the linear systems
     int linear_iterations = 0;                     // of conjugate gradients
     std::int64_t factor_entries = 0;               // of the last factorisation
@@ -159,7 +160,7 @@ struct RunReport {
     Outcome outcome = Outcome::completed;                          // how it ended
     std::optional<Diagnosis> diagnosis;                            // why, when not completed
     std::int64_t steps = 0, step_cuts = 0, unconverged_steps = 0;  // counts
-    std::int64_t divided_steps = 0;                                // that ended where a sliding joint turned round
+    std::int64_t divided_steps = 0;                                // that ended just before stones land
     std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;  // counts
     std::int64_t factor_entries = 0;                              // of the last factorisation
     double simulated_time = 0;                                    // s, dynamic stages only

@@ -1,6 +1,9 @@
 // How the steps of a stage are made.
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
 namespace voussoir
 {
 
@@ -10,8 +13,8 @@ namespace voussoir
 /// (Shi's Newmark beta = 1/2, gamma = 1): damping ratio omega h / 4. `energy_decaying` takes, term by term, the
 /// discrete gradient of the potential (which conserves energy exactly) plus `dissipation` times the difference to
 /// the end-of-step force: damping ratio dissipation x omega h / 4, and never a gain of energy, for every term's
-/// loss is >= 0 by convexity. A contact that was open or sliding at the start of the step keeps the end-of-step
-/// force.
+/// loss is >= 0 by convexity; loads are means over the step. A contact that was open or sliding at the start of
+/// the step keeps the end-of-step force.
 enum class Integrator { newmark, energy_decaying };
 
 /// How the state of contacts is found.
@@ -31,12 +34,12 @@ enum class LinearSolverKind {
 struct StepControl {
     double time_step = 1e-3;                      // s, nominal; cut steps return to this grid
     double min_time_step = 1e-9;                  // s; below it the run gives up
-    Integrator integrator = Integrator::newmark;  // of the step
-    double dissipation = 0.1;                     // 0..1, of energy_decaying
+    Integrator integrator = Integrator::energy_decaying;  // of the step
+    // 0..1, of energy_decaying; none: as much as keeps the method second order, 10/s x time_step, at most 0.1
+    std::optional<double> dissipation;
     OpenClose open_close = OpenClose::newton;     // the published one is for comparison
-    // Steps end where a sliding joint turns round, and the rest of the step follows, in scenes of at most this
-    // many blocks with unknowns. In a large structure some joint turns in nearly every step, and none of them
-    // decides.
+    // Steps end just before stones land, and the rest of the step follows, in scenes of at most this many blocks with
+    // unknowns. In a large structure something lands in nearly every step, and none of it decides.
     int divide_up_to_blocks = 10;
     int max_open_close = 40;        // Newton iterations (published: 6) before the step is cut
     double force_tolerance = 1e-5;  // unbalanced force of a block / (its weight + its contact forces)
@@ -44,6 +47,9 @@ struct StepControl {
     double linear_tolerance =
         1e-3;         // relative residual of conjugate gradients; the force residual is exact anyway
     int threads = 1;  // answers do not depend on it
+
+    /// The dissipation of energy_decaying, given or by the rule.
+    double dissipation_used() const { return dissipation.value_or(std::min(0.1, 10 * time_step)); }
 };
 
 }  // namespace voussoir

@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr int max_parts_of_step = 20000;  // into which cutting may divide a nominal step before the run gives up
-constexpr int max_divisions = 8;          // of a nominal step; joints that tremble turn round without end
+constexpr int max_divisions = 8;          // of a nominal step; stones that tremble land without end
 
 /// The times at which nominal steps end.
 struct Grid {

@@ -19,7 +19,7 @@ struct RunPosition {
     // Of the stage under way:
     bool stage_done = false;
     std::int64_t multiples = 0;  // dynamic: of RunObserver::every that had their frame
-    int divisions = 0;           // dynamic: of the nominal step under way, where a sliding joint turned round
+    int divisions = 0;           // dynamic: of the nominal step under way, before landings
     int parts = 0;               // dynamic: of the nominal step under way, those that cutting made
     int load_increments = 0;     // static: complete ones
     int static_steps = 0;        // static: of the load increment under way

@@ -4,13 +4,13 @@
 #include <variant>
 
 #include "libdda/step/accept_step.h"
+#include "libdda/step/landing.h"
 #include "libdda/step/missed_contacts.h"
 #include "libdda/step/newton.h"
 #include "libdda/step/part_timer.h"
 #include "libdda/step/policy.h"
 #include "libdda/step/published.h"
 #include "libdda/step/reach.h"
-#include "libdda/step/reversal.h"
 #include "libdda/step/work.h"
 
 namespace voussoir
@@ -42,25 +42,39 @@ bool iterate_open_close(const Model& model, const Stage& stage, const ContactSet
     return step::iterate_newton(model, stage, contacts, system, report);
 }
 
-/// Solves a step of length h [s]. @returns whether it converged
+/// Solves a step of length h [s] with the jumps of what lands in it. @returns whether it converged
 template <class K>
-bool attempt(const Model& model, const Stage& stage, const State& state, double h, Work<K>& work,
-             StepReport& report)
+bool solve(const Model& model, const Stage& stage, const State& state, double h, Work<K>& work, StepReport& report)
 {
     {
         const step::PartTimer timer(report.seconds, Part::assembly);
-        step::assemble_blocks(model, stage, state, work.contacts, h, work.system);
+        step::assemble_blocks(model, stage, state, work.contacts, h, work.jumps, work.system);
     }
     return iterate_open_close(model, stage, work.contacts, work.system, report);
 }
 
-/// The shorter step to redo a converged one with when a sliding joint turned round in it [s], where steps may be
-/// divided.
+/// The same, landings looked for; once more where one showed only in the step.
+/// @param h shortened where the step is to end before them
 template <class K>
-std::optional<double> divided_step(const Stage& stage, const Work<K>& work, step::ReversalSearch& reversal)
+bool attempt(const Model& model, const Stage& stage, const State& state, double& h, Work<K>& work,
+             StepReport& report)
 {
-    if (!step::may_divide(stage, static_cast<int>(work.system.block_of_row.size()))) return std::nullopt;
-    return step::step_to_reversal(work.contacts, work.system, reversal);
+    report.divided = false;
+    work.jumps.clear();
+    if (!step::stones_land(stage)) return solve(model, stage, state, h, work, report);
+    work.jumps = step::find_jumps<K>(model, stage, state, work.contacts, h, {});
+    const int moving = static_cast<int>(model.blocks.size() - model.foundations.size());
+    if (step::may_divide(stage, moving))
+        if (const std::optional<double> before = step::step_to_landing(stage, work.jumps, h)) {
+            h = *before;
+            report.divided = true;
+            work.jumps.clear();
+        }
+    if (!solve(model, stage, state, h, work, report)) return false;
+    const std::vector<int> missed = step::missed_landings(model, stage, state, work.contacts, work.system);
+    if (missed.empty()) return true;
+    work.jumps = step::find_jumps<K>(model, stage, state, work.contacts, h, missed);
+    return solve(model, stage, state, h, work, report);
 }
 
 /// Whether a converged step knew of all the contacts that it came upon.
@@ -72,10 +86,9 @@ bool knew_its_contacts(const Model& model, const Stage& stage, const State& stat
 }
 
 /// Shortens a step that does not hold. @returns false when there is nothing left to cut
-bool cut(const StepControl& control, double& h, step::ReversalSearch& reversal, StepReport& report)
+bool cut(const StepControl& control, double& h, StepReport& report)
 {
     ++report.cuts;
-    reversal = {};
     h *= cut_factor;
     return h >= control.min_time_step;
 }
@@ -91,20 +104,10 @@ StepReport advance_with(const Model& model, const Stage& stage, double time_step
                         EnergyLedger& energy, Work<K>& work)
 {
     StepReport report;
-    step::ReversalSearch reversal;
     double h = time_step;
     look_for_contacts(model, stage, state, h, work, report);
-    while (true) {
-        const bool converged = attempt(model, stage, state, h, work, report);
-        const std::optional<double> shorter = converged ? divided_step(stage, work, reversal) : std::nullopt;
-        if (shorter) {
-            h = *shorter;
-            continue;
-        }
-        if (converged && knew_its_contacts(model, stage, state, work)) break;
-        if (!cut(stage.control, h, reversal, report)) return give_up(report);
-    }
-    report.divided = reversal.passes > 0;
+    while (!attempt(model, stage, state, h, work, report) || !knew_its_contacts(model, stage, state, work))
+        if (!cut(stage.control, h, report)) return give_up(report);
     step::accept_step(model, stage, work, state, energy, report);
     return report;
 }

@@ -100,32 +100,83 @@ typename K::Matrix read_velocities(const State& state, int block, BlockStep<K>& 
     }
 }
 
-/// Predicts the free flight of a block: q + h v, with the rotation done exactly and the momentum kept exactly.
-/// Source: docs/numerics.md 2.6.
+/// A block in free flight, some way from the start of the step.
 template <class K>
-void predict(const State& state, int block, double h, BlockStep<K>& step)
+struct Flight {
+    PoseIn<K::dimension> pose;
+    OrientationIn<K::dimension> orientation;  // rigid
+    typename K::Matrix stretching;            // 1/s, dA/dt without the spin
+    typename K::Vector velocity;              // m/s
+    typename K::Spin spin, momentum;          // rad/s, Nms
+    typename K::Spin turn;                    // rad, of the last leg; small enough to be halved
+    typename K::Matrix rotation;              // since the start
+};
+
+template <class K>
+double kinetic_energy(const BlockStep<K>& step, const Flight<K>& flight)
+{
+    return kinetic_energy(step, flight.velocity,
+                          typename K::Matrix(skew(flight.spin) * flight.pose.map + flight.stretching));
+}
+
+/// q + t v, with the rotation done exactly and the momentum kept exactly. Source: docs/numerics.md 2.6.
+template <class K>
+void fly(const BlockStep<K>& step, double t, Flight<K>& flight)
+{
+    constexpr int dimension = K::dimension;
+    flight.pose.centroid += t * flight.velocity;
+    flight.turn = t * midpoint_spin<dimension>(flight.pose.map, step.density_second, flight.spin, flight.momentum, t);
+    const typename K::Matrix rotation = rotation_by(flight.turn);
+    if constexpr (K::deformable) {
+        flight.pose.map = rotation * (flight.pose.map + t * flight.stretching);
+        flight.stretching = rotation * flight.stretching;
+    } else {
+        flight.orientation = flight.orientation.turned_by(flight.turn);
+        flight.pose.map = flight.orientation.matrix();
+    }
+    flight.rotation = rotation * flight.rotation;
+    flight.spin = spin_of<dimension>(spread_of(flight.pose.map, step.density_second), flight.momentum);
+}
+
+/// Predicts the free flight of a block over the step, and its landing.
+template <class K>
+void predict(const State& state, int block, double h, const Jump<K>* jump, BlockStep<K>& step)
 {
     constexpr int dimension = K::dimension;
     const typename K::Matrix rate = read_velocities(state, block, step);
-    const typename K::Matrix& map = step.start.map;
-    step.predicted.centroid = step.start.centroid + h * step.start_velocity;
     step.start_kinetic = kinetic_energy(step, step.start_velocity, rate);
-
-    const typename K::Spin spin =
-        midpoint_spin<dimension>(map, step.density_second, step.start_spin, step.momentum, h);
-    step.step_rotation = rotation_by(typename K::Spin(h * spin));
-    if constexpr (K::deformable) {
-        step.predicted.map = step.step_rotation * (map + h * step.stretching);
-        step.stretching = step.step_rotation * step.stretching;
-    } else {
+    Flight<K> flight{step.start,          {},        step.stretching, step.start_velocity, step.start_spin,
+                     step.momentum,       K::Spin::Zero(), K::Matrix::Identity()};
+    if constexpr (!K::deformable) {
         const double* x = state.coordinates.data() + block * coordinates_per_block(K::kinematics);
-        step.predicted_orientation =
-            OrientationIn<dimension>::read(x + dimension).turned_by(typename K::Spin(h * spin));
-        step.predicted.map = step.predicted_orientation.matrix();
+        flight.orientation = OrientationIn<dimension>::read(x + dimension);
     }
+    step.jumps = jump != nullptr;
+    step.impact = 0;
+    double left = h;
+    if (jump) {
+        fly(step, jump->fraction * h, flight);
+        left -= jump->fraction * h;
+        step.impact = kinetic_energy(step, flight);
+        flight.velocity += jump->velocity;
+        flight.momentum += jump->momentum;
+        flight.spin = spin_of<dimension>(spread_of(flight.pose.map, step.density_second), flight.momentum);
+        step.impact -= kinetic_energy(step, flight);
+        step.start_kinetic -= step.impact;
+    }
+    fly(step, left, flight);
+
+    step.momentum = flight.momentum;
+    step.step_rotation = flight.rotation;
+    step.half_rotation = jump ? half_of(flight.rotation) : rotation_by(typename K::Spin(0.5 * flight.turn));
+    step.stretching = flight.stretching;
+    step.predicted = flight.pose;
+    step.predicted_orientation = flight.orientation;
     step.spread = spread_of(step.predicted.map, step.density_second);
-    step.predicted_spin = spin_of<dimension>(step.spread, step.momentum);
-    step.predicted_velocity = step.start_velocity;
+    step.predicted_spin = flight.spin;
+    step.predicted_velocity = flight.velocity;
+    step.ballistic.setZero();
+    if (jump) step.ballistic = h * flight.velocity - (flight.pose.centroid - step.start.centroid);
     const typename K::Matrix predicted_rate = skew(step.predicted_spin) * step.predicted.map + step.stretching;
     step.predicted_kinetic = kinetic_energy(step, step.predicted_velocity, predicted_rate);
     step.velocity.template head<dimension>() = step.predicted_velocity;
@@ -133,6 +184,22 @@ void predict(const State& state, int block, double h, BlockStep<K>& step)
         Map<typename K::Matrix>{step.velocity.data() + dimension} = predicted_rate * step.predicted.map.inverse();
     else
         step.velocity.template tail<K::spins>() = step.predicted_spin;
+}
+
+/// How the prediction moves levers, for contacts: they act where they are in the middle of the step.
+template <class K>
+void find_flow(BlockStep<K>& step)
+{
+    using Matrix = typename K::Matrix;
+    step.turns = !step.rotation_held();
+    if (!step.turns) {
+        step.flow.setIdentity();
+        step.chord.setZero();
+        step.half_rotation.setIdentity();
+        return;
+    }
+    step.flow = step.predicted.map * step.start.map.inverse();
+    step.chord = 2 * (step.flow - Matrix::Identity()) * Matrix(Matrix::Identity() + step.flow).inverse();
 }
 
 /// V (1 + theta)/2 [lambda B:L B:L' + 2 mu sym(A^T L A):sym(A^T L' A)], B = A A^T: for components ij, kl
@@ -156,7 +223,7 @@ void add_elastic_stiffness(const Elasticity& e, const MatrixIn<D>& map, double b
 
 template <class K>
 void begin_block(const Model& model, const Stage& stage, const State& state, int block, double h, double end_time,
-                 BlockStep<K>& step)
+                 const Jump<K>* jump, BlockStep<K>& step)
 {
     constexpr int dimension = K::dimension;
     step.mass = model.mass(block);
@@ -164,8 +231,9 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
     step.density_second = from_space<dimension>(model.mass_second(block));
     step.start = pose_in<dimension>(K::kinematics, state, block);
     hold_components(model, block, step);
-    predict(state, block, h, step);
+    predict(state, block, h, jump, step);
     follow_ground(model, stage, state, block, end_time, step);
+    find_flow(step);
 
     const double blend = end_share(stage);
     step.gravity = step.mass * from_space<dimension>(stage.gravity);
@@ -190,19 +258,20 @@ double end_share(const Stage& stage)
 {
     const bool at_end = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic ||
                         stage.control.open_close == OpenClose::published;
-    return at_end ? 1 : stage.control.dissipation;
+    return at_end ? 1 : stage.control.dissipation_used();
 }
 
 template <class K>
 void add_body_accelerations(const Stage& stage, double h, double end_time, std::vector<BlockStep<K>>& blocks)
 {
-    const double blend = end_share(stage);
+    const bool at_end = end_share(stage) == 1;
     for (const BodyAcceleration& load : stage.body_accelerations) {
         BlockStep<K>& step = blocks[load.block];
-        const double before = load.motion->acceleration(end_time - h), after = load.motion->acceleration(end_time);
+        const GroundMotion& motion = *load.motion;
+        const double acceleration =
+            at_end ? motion.acceleration(end_time) : (motion.velocity(end_time) - motion.velocity(end_time - h)) / h;
         for (int k = 0; k < K::dimension; ++k)
-            if (load.component == axis_in_space<K::dimension>(k))
-                step.body_force[k] += step.mass * (0.5 * (1 - blend) * before + 0.5 * (1 + blend) * after);
+            if (load.component == axis_in_space<K::dimension>(k)) step.body_force[k] += step.mass * acceleration;
         step.steady.template head<K::dimension>() = step.body_force;
     }
 }
@@ -288,7 +357,8 @@ typename K::Matrix rotation_of_step(const BlockStep<K>& step, const typename K::
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                               \
     template struct BlockStep<K>;                                                                             \
-    template void begin_block(const Model&, const Stage&, const State&, int, double, double, BlockStep<K>&);  \
+    template void begin_block(const Model&, const Stage&, const State&, int, double, double, const Jump<K>*,   \
+                              BlockStep<K>&);                                                             \
     template void add_body_accelerations(const Stage&, double, double, std::vector<BlockStep<K>>&);           \
     template InternalForce<K> internal_force(const BlockStep<K>&, const K::Unknowns&);                        \
     template void update_block(const BlockStep<K>&, const K::Unknowns&, const K::Spin&, double, int, State&); \

@@ -16,6 +16,15 @@
 namespace voussoir::step
 {
 
+/// What landing does to a block within a step.
+template <class K>
+struct Jump {
+    int block = 0;                                    // index into Model::blocks
+    typename K::Vector velocity = K::Vector::Zero();  // m/s, change
+    typename K::Spin momentum = K::Spin::Zero();      // Nms, change of the angular momentum about its centroid
+    double fraction = 0;                              // of the step, when it happens
+};
+
 /// A block in a step of length h. "Predicted" is where it comes to rest relative to the step: q^ = q + h v with
 /// the rotation done exactly, so that the unknowns D measure only what forces do.
 template <class K>
@@ -34,11 +43,18 @@ struct BlockStep {
     Matrix spread = Matrix::Zero();          // kg m2, predicted configuration
     PoseIn<dimension> start, predicted;
     Matrix step_rotation = Matrix::Identity();                   // of the prediction
+    Matrix half_rotation = Matrix::Identity();                   // its half: to the middle of the step
+    bool turns = false;                                          // the prediction is no mere translation
+    Matrix flow = Matrix::Identity();   // F of the prediction: the lever y of the start goes to F y
+    Matrix chord = Matrix::Zero();      // C with (F - 1) y = C (y + F y)/2: of a rotation, 2 tan(angle/2) axis x
     OrientationIn<dimension> predicted_orientation;              // rigid
     Vector start_velocity, predicted_velocity, ground_velocity;  // m/s
     Spin start_spin, predicted_spin, momentum;                   // rad/s, Nms
     Matrix stretching = Matrix::Zero();               // dA/dt without the spin, turned to the prediction
     double start_kinetic = 0, predicted_kinetic = 0;  // J, of components that are not held
+    bool jumps = false;                               // it lands, or is struck by what does
+    double impact = 0;                                // J, taken by that
+    Vector ballistic = Vector::Zero();                // m, h v^ minus the predicted move of the centroid: of a jump
     Vector body_force = Vector::Zero();               // N, gravity and body accelerations
     Vector gravity = Vector::Zero();                  // N, the gravity part of it
     Elasticity elasticity;
@@ -68,10 +84,11 @@ struct InternalForce {
 /// static stages and the published springs know the end of the step only.
 double end_share(const Stage& stage);
 
-/// Prepares one block for a step of length h, body accelerations aside. @param end_time stage time at its end [s]
+/// Prepares one block for a step of length h, body accelerations aside. @param end_time stage time at its end [s];
+/// @param jump its own in this step, or null
 template <class K>
 void begin_block(const Model& model, const Stage& stage, const State& state, int block, double h, double end_time,
-                 BlockStep<K>& step);
+                 const Jump<K>* jump, BlockStep<K>& step);
 
 /// Adds the body accelerations of the stage to the blocks, which are prepared; each once, however many blocks.
 template <class K>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdda/step/turning.h"
+
 namespace voussoir::step
 {
 
@@ -80,17 +82,23 @@ double friction_of(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
            friction_coefficient(*patch.friction_law, tangential(p.displacement, patch.normal).norm() / patch.h);
 }
 
-template <int D>
-void shear_force(bool intact, double friction, FrictionBound rule, const VectorIn<D>& normal, PointStep<D>& p)
+template <class K>
+void shear_force(double friction, FrictionBound rule, const PatchStep<K>& patch, PointStep<K::dimension>& p)
 {
-    const VectorIn<D> slip = p.slip_start + 0.5 * (1 + p.shear_blend) * tangential(p.displacement, normal);
-    p.trial = p.shear_stiffness * slip;
-    if (intact) {
+    using Vector = typename K::Vector;
+    const Vector move = tangential(p.displacement, patch.normal);
+    p.trial = p.shear_stiffness * (p.slip_start + 0.5 * (1 + p.shear_blend) * move);
+    p.turns_round = false;
+    if (patch.intact) {
         p.status = ContactStatus::locked;
         p.shear = p.trial;
         return;
     }
     if (rule == FrictionBound::exact) p.bound = friction * p.normal;
+    if (p.speed > 0 && p.normal > 0 && p.heading.dot(move) < half_way(p, patch.h)) {
+        turn_round(move, patch, p);
+        return;
+    }
     const double length = p.trial.norm();
     if (length <= p.bound) {
         p.status = p.normal > 0 ? ContactStatus::locked : ContactStatus::open;
@@ -101,19 +109,46 @@ void shear_force(bool intact, double friction, FrictionBound rule, const VectorI
     }
 }
 
+/// What the unknowns of the two blocks of a patch do to it.
 template <class K>
-typename K::Vector displacement_of(const VectorXd& d, int row, const typename K::Vector& lever)
-{
-    if (row < 0) return K::Vector::Zero();
-    return K::displacement(d.segment<K::unknowns>(K::unknowns * row), lever);
-}
+struct PatchMove {
+    using Vector = typename K::Vector;
+    using Matrix = typename K::Matrix;
+    Vector u_a = Vector::Zero(), u_b = Vector::Zero();      // m
+    Matrix l_a = Matrix::Zero(), l_b = Matrix::Zero();      // displacement gradients
+    Vector normal;                                          // that of the middle of the whole step
 
+    PatchMove(const VectorXd& d, const PatchStep<K>& patch) : normal(patch.normal)
+    {
+        constexpr int n = K::unknowns;
+        if (patch.row_a >= 0) {
+            const typename K::Unknowns of_a = d.segment<n>(n * patch.row_a);
+            u_a = of_a.template head<K::dimension>();
+            l_a = K::gradient(of_a);
+        }
+        if (patch.row_b >= 0) {
+            const typename K::Unknowns of_b = d.segment<n>(n * patch.row_b);
+            u_b = of_b.template head<K::dimension>();
+            l_b = K::gradient(of_b);
+            normal += 0.25 * (l_b - l_b.transpose()) * patch.normal;
+        }
+    }
+};
+
+/// Displacement and gap of a point, second order in the turning of both blocks. The forces' own measure of the
+/// displacement leaves out terms that are small in the turning of a step, but not beside the yielding of a stiff
+/// joint, whose gap would otherwise jump whenever contacts are found anew.
 template <class K>
-void move_point(const VectorXd& d, const PatchStep<K>& patch, PointStep<K::dimension>& p)
+void move_point(const PatchMove<K>& move, const PatchStep<K>& patch, PointStep<K::dimension>& p)
 {
-    p.displacement = p.predicted + displacement_of<K>(d, patch.row_a, p.lever_a) -
-                     displacement_of<K>(d, patch.row_b, p.lever_b);
-    p.gap = p.gap_start + patch.normal.dot(p.displacement);
+    using Vector = typename K::Vector;
+    Vector of_a = move.l_a * p.end_lever_a;
+    if constexpr (!K::deformable) of_a += 0.5 * move.l_a * of_a;  // the rotation is done exactly
+    const Vector apart = move.u_a + of_a - move.u_b;
+    p.linear = p.predicted + move.u_a - move.u_b + move.l_a * p.lever_a - move.l_b * p.lever_b;
+    p.displacement =
+        p.predicted + apart - move.l_b * (p.lever_b + 0.5 * apart) - 0.5 * patch.chord_b * apart;
+    p.gap = p.gap_start + move.normal.dot(p.displacement);
 }
 
 template <class K>
@@ -130,6 +165,56 @@ void sum_forces(const std::vector<PointStep<K::dimension>>& points, PatchStep<K>
     }
 }
 
+/// How a point slides at the start of the step.
+template <class K>
+void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const BlockStep<K>& b,
+                 PointStep<K::dimension>& p)
+{
+    const auto velocity = [](const BlockStep<K>& block, const typename K::Vector& lever) {
+        const typename K::Vector of_centroid = block.velocity.template head<K::dimension>();
+        return block.rotation_held() ? of_centroid : typename K::Vector(of_centroid + block.spin_velocity(lever));
+    };
+    const typename K::Vector slip = tangential(
+        typename K::Vector(velocity(a, p.lever_a) - velocity(b, p.lever_b)), normal);
+    p.speed = slip.norm();
+    if (p.speed > 0) p.heading = slip / p.speed;
+}
+
+/// What friction takes from the speed of two stones in the step, as if nothing else held them [m/s].
+template <class K>
+double braking_of(const ContactSetIn<K::dimension>& contacts, const ContactPatchIn<K::dimension>& found,
+                  const PatchStep<K>& patch, const BlockStep<K>& a, const BlockStep<K>& b)
+{
+    double pressing = 0;
+    for (int i = found.first_point; i < found.first_point + found.point_count; ++i)
+        pressing += found.stiffness * contacts.points[i].area * std::max(-contacts.points[i].gap, 0.0);
+    const double mobility = (a.row < 0 ? 0 : 1 / a.mass) + (b.row < 0 ? 0 : 1 / b.mass);
+    return patch.friction * pressing * mobility * patch.h;
+}
+
+/// A contact acts where it is in the middle of the step, on both blocks alike: then the work of its force on the
+/// finite rotations and the angular momentum are those of the whole step to second order, and no moment is left
+/// over. Of block b that is the material point which lies there then, not the one of the start.
+/// Source: docs/method.md, "Rotation".
+/// @param position of the contact at the start of the step [m]
+template <class K>
+void place_point(const typename K::Vector& position, const BlockStep<K>& a, const BlockStep<K>& b, double h,
+                 PointStep<K::dimension>& p)
+{
+    using Vector = typename K::Vector;
+    const Vector lever = position - a.start.centroid;
+    const Vector turned = a.turns ? Vector(a.flow * lever) : lever;
+    p.end_lever_a = turned;
+    const Vector middle = 0.5 * (position + a.predicted.centroid + turned);
+    p.lever_a = middle - 0.5 * (a.start.centroid + a.predicted.centroid);
+    p.lever_b = middle - 0.5 * (b.start.centroid + b.predicted.centroid);
+    const Vector chord_a = turned - lever, chord_b = b.chord * p.lever_b;
+    p.predicted =
+        a.predicted.centroid - a.start.centroid + chord_a - (b.predicted.centroid - b.start.centroid + chord_b);
+    p.ballistic_a = a.turns ? Vector(h * a.spin_velocity(p.lever_a) - chord_a + a.ballistic) : a.ballistic;
+    p.ballistic_b = b.turns ? Vector(h * b.spin_velocity(p.lever_b) - chord_b + b.ballistic) : b.ballistic;
+}
+
 }  // namespace
 
 template <class K>
@@ -138,6 +223,8 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
 {
     using Vector = typename K::Vector;
     const double blend = end_share(stage);
+    const bool looks_for_turning =
+        stage.type == StageType::dynamic && stage.control.open_close == OpenClose::newton;
     step.patches.resize(contacts.patches.size());
     step.points.resize(contacts.points.size());
     for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
@@ -150,35 +237,31 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         patch.row_b = b.row;
         patch.first = found.first_point;
         patch.count = found.point_count;
-        patch.normal = found.normal;
+        patch.normal = b.turns ? typename K::Vector(b.half_rotation * found.normal) : found.normal;
         patch.friction_factor = model.friction_factor(found.block_a, found.block_b);
         patch.friction = patch.friction_factor * std::tan(joint.friction_angle);
         const bool has_speeds = stage.type == StageType::dynamic && !joint.friction_at_speed.empty();
         patch.friction_law = has_speeds ? &joint : nullptr;
         patch.h = h;
         patch.dashpot_over_h = joint.relaxation_time / h;
+        patch.braking = looks_for_turning ? braking_of<K>(contacts, found, patch, a, b) : 0;
         patch.intact = found.intact;
-        const typename K::Matrix back_a = a.start.map.inverse(), back_b = b.start.map.inverse();
+        patch.chord_b = b.chord;
         for (int i = found.first_point; i < found.first_point + found.point_count; ++i) {
             const ContactPointIn<K::dimension>& point = contacts.points[i];
             PointStep<K::dimension>& p = step.points[i];
-            const Vector from_a = point.position - a.start.centroid, from_b = point.position - b.start.centroid;
-            p.lever_a = a.predicted.map * (back_a * from_a);
-            p.lever_b = b.predicted.map * (back_b * from_b);
-            const Vector move_a = a.predicted.centroid - a.start.centroid + (p.lever_a - from_a);
-            const Vector move_b = b.predicted.centroid - b.start.centroid + (p.lever_b - from_b);
-            p.predicted = move_a - move_b;
-            p.ballistic_a = a.rotation_held() ? Vector(Vector::Zero())
-                                              : Vector(h * a.spin_velocity(p.lever_a) - (p.lever_a - from_a));
-            p.ballistic_b = b.rotation_held() ? Vector(Vector::Zero())
-                                              : Vector(h * b.spin_velocity(p.lever_b) - (p.lever_b - from_b));
-            p.slip_start = point.elastic_slip;
+            place_point<K>(point.position, a, b, h, p);
+            p.slip_start = b.turns ? Vector(b.half_rotation * point.elastic_slip) : point.elastic_slip;
             p.gap_start = point.gap;
             p.normal_stiffness = found.stiffness * point.area;
             p.shear_stiffness = joint.shear_to_normal_stiffness * p.normal_stiffness;
             // A contact that was open or sliding keeps the end-of-step force: impacts and slips dissipate.
             p.normal_blend = point.gap < 0 || found.intact ? blend : 1;
             p.shear_blend = found.intact || (point.gap < 0 && point.status == ContactStatus::locked) ? blend : 1;
+            p.turns_round = false;
+            p.speed = 0;
+            if (looks_for_turning && point.gap < 0 && point.status == ContactStatus::sliding)
+                set_heading(patch.normal, a, b, p);
             p.status = point.gap > 0 && !found.intact
                            ? ContactStatus::open
                            : (point.status == ContactStatus::open ? ContactStatus::locked : point.status);
@@ -196,11 +279,12 @@ void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, Cont
 #pragma omp parallel for num_threads(threads) schedule(static) if (count > 256)
     for (int k = 0; k < count; ++k) {
         PatchStep<K>& patch = step.patches[k];
+        const PatchMove<K> move(d, patch);
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             PointStep<K::dimension>& p = step.points[i];
-            move_point(d, patch, p);
+            move_point(move, patch, p);
             normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
-            shear_force<K::dimension>(patch.intact, friction_of(patch, p), bound, patch.normal, p);
+            shear_force(friction_of(patch, p), bound, patch, p);
         }
         sum_forces(step.points, patch);
     }
@@ -211,9 +295,10 @@ void evaluate_published(const VectorXd& d, ContactStep<K>& step)
 {
     using Vector = typename K::Vector;
     for (PatchStep<K>& patch : step.patches) {
+        const PatchMove<K> move(d, patch);
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             PointStep<K::dimension>& p = step.points[i];
-            move_point(d, patch, p);
+            move_point(move, patch, p);
             const bool closed = p.status != ContactStatus::open;
             // Blends other than one belong to the first guess of a Newton iteration.
             const double gap = 0.5 * (1 - p.normal_blend) * p.gap_start + 0.5 * (1 + p.normal_blend) * p.gap;
@@ -252,13 +337,15 @@ bool switch_published(ContactStep<K>& step)
     return changed;
 }
 
-template <int D>
-VectorIn<D> slip_at_end(const PointStep<D>& p, const VectorIn<D>& normal)
+template <class K>
+typename K::Vector slip_at_end(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
 {
-    if (p.status == ContactStatus::locked) return p.slip_start + tangential(p.displacement, normal);
-    if (p.status == ContactStatus::open) return VectorIn<D>::Zero();
+    using Vector = typename K::Vector;
+    if (p.turns_round) return slip_after_turning(patch, p);
+    if (p.status == ContactStatus::locked) return p.slip_start + tangential(p.displacement, patch.normal);
+    if (p.status == ContactStatus::open) return Vector::Zero();
     // Of a published step this is not p.shear, the load it was solved with, but the load of the pass to come.
-    const VectorIn<D> shear = p.bound / p.trial.norm() * p.trial;
+    const Vector shear = p.bound / p.trial.norm() * p.trial;
     const double theta = p.shear_blend;
     return (shear / p.shear_stiffness - 0.5 * (1 - theta) * p.slip_start) * (2 / (1 + theta));
 }
@@ -275,7 +362,7 @@ ContactEnergies contact_energies(const ContactStep<K>& step)
             const double normal_start = 0.5 * p.normal_stiffness * depth_0 * depth_0;
             const double normal_end = 0.5 * p.normal_stiffness * depth_1 * depth_1;
             const double closing = p.gap_start - p.gap;
-            const typename K::Vector slip = slip_at_end<K::dimension>(p, patch.normal);
+            const typename K::Vector slip = slip_at_end(patch, p);
             const typename K::Vector elastic = slip - p.slip_start;
             const double shear_start = 0.5 * p.shear_stiffness * p.slip_start.squaredNorm();
             const double shear_end = 0.5 * p.shear_stiffness * slip.squaredNorm();
@@ -294,11 +381,9 @@ ContactEnergies contact_energies(const ContactStep<K>& step)
     template void evaluate_contacts(const VectorXd&, FrictionBound, int, ContactStep<K>&);              \
     template void evaluate_published(const VectorXd&, ContactStep<K>&);                                 \
     template bool switch_published(ContactStep<K>&);                                                    \
-    template ContactEnergies contact_energies(const ContactStep<K>&)
+    template ContactEnergies contact_energies(const ContactStep<K>&);                                   \
+    template K::Vector slip_at_end(const PatchStep<K>&, const PointStep<K::dimension>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
-
-template VectorIn<3> slip_at_end(const PointStep<3>&, const VectorIn<3>&);
-template VectorIn<2> slip_at_end(const PointStep<2>&, const VectorIn<2>&);
 
 }  // namespace voussoir::step

@@ -14,33 +14,41 @@ namespace voussoir::step
 /// A contact point within a step. Displacements are of a relative to b.
 template <int D>
 struct PointStep {
-    VectorIn<D> lever_a, lever_b;                      // m, predicted configuration
+    VectorIn<D> lever_a, lever_b;                      // m, of the contact in the middle of the predicted step
+    VectorIn<D> end_lever_a;                           // m, of the material point of a at the end, if D = 0
     VectorIn<D> predicted;                             // m, relative displacement of the step if D = 0
     VectorIn<D> ballistic_a, ballistic_b;              // m, h v^ minus the predicted displacement, of the rotation
-    VectorIn<D> slip_start;                            // m, elastic slip
+    VectorIn<D> slip_start;                            // m, elastic slip, turned to the middle of the step
     double gap_start = 0;                              // m
     double normal_stiffness = 0, shear_stiffness = 0;  // N/m
     double normal_blend = 1, shear_blend = 1;          // theta of the integrator
+    VectorIn<D> heading;                               // unit, of the sliding at the start of the step
+    double speed = 0;                                  // m/s, of that; 0: it does not slide
     // At the current iterate:
     ContactStatus status = ContactStatus::open;
     double gap = 0, normal = 0, elastic_normal = 0, normal_tangent = 0;  // m, N, N, N/m
     double bound = 0;                                                    // N, friction bound
     VectorIn<D> displacement;                                            // m, relative, of the step
+    VectorIn<D> linear;                                                  // m, the same as the forces measure it
     VectorIn<D> trial;                                                   // N, shear force if it all stuck
     VectorIn<D> shear;                                                   // N, resisting
+    bool turns_round = false;                     // the sliding of the start ends within the step
+    double tangent_along = 0, tangent_across = 0;  // N/m, of the shear force then
 };
 
 template <class K>
 struct PatchStep {
     int row_a = -1, row_b = -1;
     int first = 0, count = 0;
-    typename K::Vector normal;
+    typename K::Vector normal;   // in the middle of the predicted step
     double friction = 0;         // -, tan of the friction angle; at rest if it depends on the speed
     double friction_factor = 1;  // -, of the two blocks; `friction` has it already
     const JointMaterial* friction_law = nullptr;  // only if it does, and the stage has speeds: a dynamic one
     double h = 0;                                 // s, the step
+    double braking = 0;                           // m/s, what friction takes from the stones' speed in the step
     double dashpot_over_h = 0;                    // -
     bool intact = false;
+    typename K::Matrix chord_b = K::Matrix::Zero();  // of block b
     typename K::Unknowns force_a, force_b;  // generalised forces on the two blocks
     typename K::Square aa, ab, bb;          // stiffness
 };
@@ -84,7 +92,7 @@ template <class K>
 ContactEnergies contact_energies(const ContactStep<K>& step);
 
 /// Elastic slip at the end of the step [m]: of a blend theta, t = (1-theta)/2 k s0 + (1+theta)/2 k s1.
-template <int D>
-VectorIn<D> slip_at_end(const PointStep<D>& point, const VectorIn<D>& normal);
+template <class K>
+typename K::Vector slip_at_end(const PatchStep<K>& patch, const PointStep<K::dimension>& point);
 
 }  // namespace voussoir::step

@@ -18,6 +18,10 @@ MatrixIn<D> point_stiffness(const PointStep<D>& p, const VectorIn<D>& n, bool pu
         return c;
     }
     MatrixIn<D> c = p.normal_tangent * across;
+    if (p.turns_round) {
+        const MatrixIn<D> ahead = p.heading * p.heading.transpose();
+        return c + p.tangent_along * ahead + p.tangent_across * (along - ahead);
+    }
     if (p.status == ContactStatus::locked) c += k_t * along;
     if (p.status == ContactStatus::sliding) {
         const double length = p.trial.norm();
@@ -82,7 +86,7 @@ void add_points(const std::vector<PointStep<D>>& points, bool published, PatchSt
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
         const PointStep<D>& p = points[i];
         if (!has_stiffness(p, published)) continue;
-        if (p.status != ContactStatus::locked) {
+        if (p.status != ContactStatus::locked || (p.turns_round && !published)) {
             add_point(p, point_stiffness<D>(p, patch.normal, published), patch);
             continue;
         }

@@ -114,16 +114,24 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
         energy.gravity_work += block.gravity.dot(moved);
         energy.load_work += (block.body_force - block.gravity).dot(moved);
         energy.algorithmic += internal.loss;
-        energy.algorithmic_rotation -= rotation_gain(block, internal, d, moment, system.h);
+        (block.jumps ? energy.impact : energy.algorithmic_rotation) -=
+            rotation_gain(block, internal, d, moment, system.h) + block.body_force.dot(block.ballistic);
+        energy.impact += block.impact;
         energy.strain += strain_energy_of(block, state, b);
         energy.kinetic += kinetic_energy_of(block, state, b);
     }
-    for (const PatchStep<K>& patch : system.contacts.patches)
+    for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
+        const PatchStep<K>& patch = system.contacts.patches[k];
+        const bool jumps =
+            system.blocks[contacts.patches[k].block_a].jumps || system.blocks[contacts.patches[k].block_b].jumps;
+        double& book = jumps ? energy.impact : energy.algorithmic_rotation;
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             const PointStep<K::dimension>& p = system.contacts.points[i];
             const Vector force = p.normal * patch.normal - p.shear;
-            energy.algorithmic_rotation -= force.dot(p.ballistic_a - p.ballistic_b);
+            const double work = p.normal * (p.gap - p.gap_start) - p.shear.dot(p.displacement);
+            book -= force.dot(p.linear + p.ballistic_a - p.ballistic_b) - work;
         }
+    }
     energy.note_peaks();
 }
 

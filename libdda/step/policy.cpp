@@ -26,7 +26,12 @@ contact::NewOverlap new_overlaps_in(const Model& model, const Stage& stage, cons
 
 bool may_divide(const Stage& stage, int moving)
 {
-    return follows_motion(stage) && moving <= stage.control.divide_up_to_blocks;
+    return moving <= stage.control.divide_up_to_blocks;
+}
+
+bool stones_land(const Stage& stage)
+{
+    return follows_motion(stage);
 }
 
 }  // namespace voussoir::step

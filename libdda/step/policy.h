@@ -12,7 +12,10 @@ namespace voussoir::step
 /// What a step makes of overlaps that no force has made.
 contact::NewOverlap new_overlaps_in(const Model& model, const Stage& stage, const State& state);
 
-/// Whether a step may end where a sliding joint turns round. @param moving blocks that have unknowns
+/// Whether a step may end before its stones land. @param moving blocks that have unknowns
 bool may_divide(const Stage& stage, int moving);
+
+/// Whether stones that land do it by impulses, where their joints have a law for it.
+bool stones_land(const Stage& stage);
 
 }  // namespace voussoir::step

@@ -69,6 +69,19 @@ inline Eigen::Matrix2d rotation_by(const SpinIn<2>& vector)
     return Eigen::Rotation2Dd(vector[0]).toRotationMatrix();
 }
 
+/// The rotation that done twice is this one, of less than half a turn.
+inline Eigen::Matrix3d half_of(const Eigen::Matrix3d& rotation)
+{
+    Eigen::Quaterniond q(rotation);
+    if (q.w() < 0) q.coeffs() = -q.coeffs();
+    q.w() += 1;
+    return q.normalized().toRotationMatrix();
+}
+inline Eigen::Matrix2d half_of(const Eigen::Matrix2d& rotation)
+{
+    return Eigen::Rotation2Dd(0.5 * std::atan2(rotation(1, 0), rotation(0, 0))).toRotationMatrix();
+}
+
 /// Rotary inertia of a body with second moment `spread` [kg m2]: tr(s) 1 - s, in the plane tr(s).
 inline Eigen::Matrix3d inertia_tensor(const Eigen::Matrix3d& spread)
 {

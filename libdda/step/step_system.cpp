@@ -10,8 +10,10 @@ using Eigen::VectorXd;
 
 template <class K>
 void assemble_blocks(const Model& model, const Stage& stage, const State& state,
-                     const ContactSetIn<K::dimension>& contacts, double h, StepSystem<K>& system)
+                     const ContactSetIn<K::dimension>& contacts, double h, const std::vector<Jump<K>>& jumps,
+                     StepSystem<K>& system)
 {
+    auto jump = jumps.begin();
     const int count = static_cast<int>(model.blocks.size());
     const double end_time = state.stage_time + h;
     system.h = h;
@@ -20,7 +22,8 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     system.block_of_row.clear();
     for (int b = 0; b < count; ++b) {
         BlockStep<K>& block = system.blocks[b];
-        begin_block(model, stage, state, b, h, end_time, block);
+        const bool lands = jump != jumps.end() && jump->block == b;
+        begin_block(model, stage, state, b, h, end_time, lands ? &*jump++ : nullptr, block);
         bool all_held = true;
         for (const bool held : block.held) all_held = all_held && held;
         block.row = all_held ? -1 : static_cast<int>(system.block_of_row.size());
@@ -177,7 +180,7 @@ bool solve_direction(const StepControl& control, bool published, StepSystem<K>& 
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                                \
     template void assemble_blocks(const Model&, const Stage&, const State&, const ContactSetIn<K::dimension>&, \
-                                  double, StepSystem<K>&);                                                     \
+                                  double, const std::vector<Jump<K>>&, StepSystem<K>&);                        \
     template bool evaluate_residual(const VectorXd&, StepSystem<K>&);                                          \
     template bool solve_direction(const StepControl&, bool, StepSystem<K>&, StepReport&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);

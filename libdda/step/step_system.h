@@ -34,10 +34,11 @@ struct StepSystem {
     double solver_tolerance = 0;
 };
 
-/// Sets up blocks, contacts and pattern for a step of length h ending at stage time `end_time`.
+/// Sets up blocks, contacts and pattern for a step of length h. @param jumps of blocks that land in it, ascending
 template <class K>
 void assemble_blocks(const Model& model, const Stage& stage, const State& state,
-                     const ContactSetIn<K::dimension>& contacts, double h, StepSystem<K>& system);
+                     const ContactSetIn<K::dimension>& contacts, double h, const std::vector<Jump<K>>& jumps,
+                     StepSystem<K>& system);
 
 /// Residual and loads at the iterate `d` from the contact forces last evaluated. @returns false if a block inverts
 template <class K>

@@ -64,11 +64,11 @@ void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>
         ContactPatchIn<dimension>& kept = stored.patches[k];
         const PatchStep<K>& patch = system.contacts.patches[k];
         const BlockStep<K>& reference = system.blocks[kept.block_b];
-        const BlockStep<K>& incident = system.blocks[kept.block_a];
         typename K::Unknowns d_a = K::Unknowns::Zero(), d_b = K::Unknowns::Zero();
         if (patch.row_a >= 0) d_a = system.d.template segment<n>(n * patch.row_a);
         if (patch.row_b >= 0) d_b = system.d.template segment<n>(n * patch.row_b);
         const typename K::Matrix turn = rotation_of_step(reference, d_b);
+        const typename K::Matrix rest = turn * reference.half_rotation.transpose();  // from the middle of the step
         // A point that carries next to nothing flickers by rounding, and so does one that has come to rest at its
         // friction bound, between sticking and sliding; neither is a change of the structure.
         const double load = std::max(patch.row_a >= 0 ? system.load[patch.row_a] : 0,
@@ -78,12 +78,12 @@ void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             const PointStep<dimension>& p = system.contacts.points[i];
             ContactPointIn<dimension>& point = stored.points[i];
-            const Vector slip = slip_at_end<dimension>(p, patch.normal);
+            const Vector slip = slip_at_end(patch, p);
             const Vector sliding =
                 p.displacement - patch.normal.dot(p.displacement) * patch.normal - (slip - p.slip_start);
-            if (p.status != ContactStatus::open) point.plastic_slip += sliding;
             point.plastic_slip = turn * point.plastic_slip;
-            point.elastic_slip = turn * slip;
+            if (p.status != ContactStatus::open) point.plastic_slip += rest * sliding;
+            point.elastic_slip = rest * slip;
             const double carried = std::max(p.normal, -p.normal_stiffness * p.gap_start);
             const bool stays_closed = p.status != ContactStatus::open && point.status != ContactStatus::open;
             const bool at_bound = stays_closed && std::abs(p.trial.norm() - p.bound) <= enough;
@@ -93,7 +93,8 @@ void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>
             point.gap = p.gap;
             point.normal_force = p.normal;
             point.shear_force = p.shear;
-            point.position = incident.predicted.centroid + p.lever_a + K::displacement(d_a, p.lever_a);
+            point.position = system.blocks[kept.block_a].predicted.centroid + p.end_lever_a +
+                             K::displacement(d_a, p.end_lever_a);
             report.max_penetration = std::max(report.max_penetration, contact::depth_beyond_fit(model, point));
             report.closed_points += p.status != ContactStatus::open;
         }

@@ -17,6 +17,7 @@ struct Work {
     std::vector<contact::PlacedPartIn<K::dimension>> parts;
     std::vector<double> radii, reach;  // m, of the blocks
     ContactSetIn<K::dimension> contacts;
+    std::vector<step::Jump<K>> jumps;  // of blocks that land in the step
     step::StepSystem<K> system;
 };
 
