@@ -135,8 +135,8 @@ void print_report(const Case& the_case, const RunReport& report, double wall_tim
         report.max_penetration, e.relative_residual());
     fmt::print(
         "  energy: {:.4g} kJ put in; {:.4g} stored, {:.4g} removed in static stages, {:.4g} friction, {:.4g} "
-        "damping, {:.4g} loss of the integrator\n",
-        e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3,
+        "impacts, {:.4g} damping, {:.4g} loss of the integrator\n",
+        e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3, e.impact / 1e3,
         (e.damping_kinetic + e.damping_contact + e.fracture) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3);
     print_joints(report.joints);

@@ -90,7 +90,7 @@ Json integrators(const std::vector<Stage>& stages)
                       {"integrator", name_of(stage.control.integrator)},
                       {"time_step_s", stage.control.time_step}};
         if (stage.control.integrator == Integrator::energy_decaying) {
-            entry["dissipation"] = stage.control.dissipation;
+            entry["dissipation"] = stage.control.dissipation_used();
         }
         json.push_back(entry);
     }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "libdda/contact/normal_stiffness.h"
+
 namespace voussoir::app::studies::scenes
 {
 
@@ -36,7 +38,7 @@ JointMaterial dry_joint_at_angle(double friction_angle, const ContactStiffness& 
 
 double default_stiffness(Kinematics kinematics, double compliance)
 {
-    return 2 * (is_deformable(kinematics) ? 10 : 1) / compliance;
+    return 2 * contact::default_stiffness_factor(kinematics) / compliance;
 }
 
 ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance)

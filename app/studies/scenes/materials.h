@@ -23,7 +23,7 @@ BlockMaterial stone(double density = 2000, double young = 1e10);
 /// Source: docs/method.md. @param compliance L_a/E_a + L_b/E_b of the blocks that are not held [m/Pa]
 ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance);
 
-/// 2 f / compliance, f = 10 for deformable blocks and 1 for rigid ones [Pa/m].
+/// 2 f / compliance, f the default factor of the engine [Pa/m].
 double default_stiffness(Kinematics kinematics, double compliance);
 
 }  // namespace voussoir::app::studies::scenes
