@@ -13,8 +13,8 @@ namespace voussoir::app::commands
 namespace
 {
 
-// A step costs a block 40 microseconds or more, in which a sparse factorisation does 2e4 operations; the search may
-// take a hundredth of the steps, and of a short run some ten milliseconds.
+// A step costs a block 40 microseconds or more, in which a sparse factorisation does 2e4 operations; the search
+// may take a hundredth of the steps, and of a short run some ten milliseconds.
 constexpr double work_of_a_block_in_a_step = 2e4;
 constexpr double share_of_the_run = 0.01;
 constexpr double always_allowed = 5e6;

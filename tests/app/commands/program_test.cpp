@@ -312,7 +312,8 @@ TEST(Program, EveryShippedCaseCanBeRun)
         // Only the survey has joints to be fitted. What is said of a run's trust is another matter.
         const bool surveyed = entry.path().stem() == "surveyed_dome";
         EXPECT_EQ(ended.output.find("\nwarnings:") != std::string::npos, surveyed) << ended.output;
-        EXPECT_NE(ended.output.find("as drawn, all joints closed: first modes"), std::string::npos) << ended.output;
+        EXPECT_NE(ended.output.find("as drawn, all joints closed: first modes"), std::string::npos)
+            << ended.output;
         ++cases;
     }
     EXPECT_GE(cases, 5);
