@@ -29,7 +29,7 @@ void refuse_haste(const YamlCursor& value, const Vector3d& motion, std::string_v
 /// [x, y, z], in a planar scene [x, z] or [x, 0, z].
 Vector3d read_velocity(const YamlCursor& value, Kinematics kinematics)
 {
-    const Vector3d velocity = read_vector(value, words::dimension::velocity, kinematics);
+    Vector3d velocity = read_vector(value, words::dimension::velocity, kinematics);
     if (is_planar(kinematics) && std::abs(velocity.y()) > 0)
         value.fault(fmt::format("{:g} m/s along y", velocity.y()), "a planar scene lies in x and z: give [x, z]");
     refuse_haste(value, velocity, "m/s");

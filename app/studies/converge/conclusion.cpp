@@ -107,7 +107,7 @@ void add_case_lines(const ConvergeStudy& study, const ConvergeSetting& setting, 
         if (keys.empty()) continue;
         conclusion.case_lines.push_back(fmt::format("# stages[{}], '{}'", stage.index, stage.name));
         for (const auto& [key, value] : keys) {
-            conclusion.case_lines.push_back(key + ": " + value);
+            conclusion.case_lines.push_back(fmt::format("{}: {}", key, value));
             conclusion.set_options.push_back(fmt::format("stages[{}].{}={}", stage.index, key, value));
         }
     }

@@ -131,7 +131,7 @@ const Stage& first_dynamic_stage(const Case& the_case)
     for (const Stage& stage : the_case.stages)
         if (stage.type == StageType::dynamic) return stage;
     throw InputError(the_case.file.string() + ": stages", "none is dynamic",
-                     "converge varies the time step of dynamic stages: add one");
+                     "converge varies the time step of dynamic stages: add one, or look for a --threshold");
 }
 
 const Stage& leading_stage(const Case& the_case)
