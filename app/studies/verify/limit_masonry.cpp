@@ -81,11 +81,12 @@ LimitMasonry random_wall(Draw& draw, Kinematics kinematics, bool window)
     masonry.model = empty_model(kinematics, friction, wall.block_height, wall.thickness);
     for (const patterns::MasonryBlock& block : patterns::wall(wall)) {
         add_stone(masonry.model, block.name, patterns::to_polyhedron(block));
-        if (block.name == "wall_base") scenes::hold(masonry.model, static_cast<int>(masonry.model.blocks.size()) - 1);
+        if (block.name == "wall_base")
+            scenes::hold(masonry.model, static_cast<int>(masonry.model.blocks.size()) - 1);
     }
-    masonry.description =
-        fmt::format("{}wall {:.2f} x {:.2f} m, stones {:.2f} x {:.2f} m, friction {:.3f}", window ? "windowed " : "",
-                    wall.length, wall.height, wall.block_length, wall.block_height, friction);
+    masonry.description = fmt::format("{}wall {:.2f} x {:.2f} m, stones {:.2f} x {:.2f} m, friction {:.3f}",
+                                      window ? "windowed " : "", wall.length, wall.height, wall.block_length,
+                                      wall.block_height, friction);
     return masonry;
 }
 
@@ -129,8 +130,8 @@ void add_contacts(const Model& model, references::LimitProblem& problem)
             if (point.gap > 1e-9) continue;
             const double friction = friction_coefficient(model.joint_between(patch.block_a, patch.block_b), 0) *
                                     model.friction_factor(patch.block_a, patch.block_b);
-            problem.contacts.push_back({patch.block_a, patch.block_b, to_space(point.position),
-                                        to_space(patch.normal), friction});
+            problem.contacts.push_back(
+                {patch.block_a, patch.block_b, to_space(point.position), to_space(patch.normal), friction});
         }
 }
 

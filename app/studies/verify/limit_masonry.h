@@ -1,5 +1,5 @@
-// Walls and arches under a horizontal load, and the factor of it at which they become a mechanism: by limit analysis
-// over the engine's own contacts, and by the engine's static stages.
+// Walls and arches under a horizontal load, and the factor of it at which they become a mechanism: by limit
+// analysis over the engine's own contacts, and by the engine's static stages.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ struct LimitMasonry {
     Model model;
 };
 
-/// The n-th of a row of random walls (running bond, every third with a window) and circular arches, two walls to an
-/// arch: every fifth is spatial, the others planar, all rigid. Aspect, stones, thickness, embrace and friction (0.3
-/// to 0.8) are drawn; the same seed draws the same on every machine.
+/// The n-th of a row of random walls (running bond, every third with a window) and circular arches, two walls to
+/// an arch: every fifth is spatial, the others planar, all rigid. Aspect, stones, thickness, embrace and friction
+/// (0.3 to 0.8) are drawn; the same seed draws the same on every machine.
 LimitMasonry random_masonry(std::uint64_t seed, int n);
 
-/// The blocks and contact points of a model at its start as limit analysis takes them: their weight stays, `factor`
-/// of it along +x is the live load. Cohesion is left out.
+/// The blocks and contact points of a model at its start as limit analysis takes them: their weight stays,
+/// `factor` of it along +x is the live load. Cohesion is left out.
 references::LimitProblem limit_problem(const Model& model);
 
 /// A static stage under the weight and `factor` of it along +x.

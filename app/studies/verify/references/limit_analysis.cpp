@@ -3,10 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "app/studies/verify/references/linear_program.h"
 
@@ -42,7 +41,8 @@ Vector3d direction_of_load(const LimitProblem& problem)
 }
 
 /// Directions in which a contact rubs: the edges of its pyramid.
-std::vector<Vector3d> shear_directions(const LimitProblem& problem, const LimitContact& contact, const Vector3d& load)
+std::vector<Vector3d> shear_directions(const LimitProblem& problem, const LimitContact& contact,
+                                       const Vector3d& load)
 {
     if (problem.planar) {
         const Vector3d along = contact.normal.cross(Vector3d::UnitY());
@@ -85,20 +85,42 @@ class Statics
             columns.friction = program_.add_row(row, -infinite, 0);
         }
     }
-    void set_cohesion(std::size_t contact, double cohesion) { program_.set_upper(columns_[contact].friction, cohesion); }
+    void set_cohesion(std::size_t contact, double cohesion)
+    {
+        program_.set_upper(columns_[contact].friction, cohesion);
+    }
+    /// Seeks the least sum of weight x normal force under a given factor instead of the greatest factor.
+    void seek_least_pressure(double factor, const std::vector<double>& weights)
+    {
+        program_.set_objective(factor_, 0);
+        program_.fix(factor_, factor);
+        for (std::size_t i = 0; i < columns_.size(); ++i) program_.set_objective(columns_[i].normal, -weights[i]);
+    }
     bool solve() { return program_.maximise(); }
-    double factor() const { return program_.greatest(); }
-    double normal_force(std::size_t contact) const { return program_.value(columns_[contact].normal); }
+    double factor() const { return program_.value(factor_); }
+    /// (contacts) over the scale of forces
+    std::vector<double> normal_forces() const
+    {
+        std::vector<double> forces;
+        for (const ContactColumns& columns : columns_) forces.push_back(program_.value(columns.normal));
+        return forces;
+    }
+    double beyond_friction() const
+    {
+        double worst = 0;
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            worst = std::max(
+                worst, shear_of(i).norm() - problem_.contacts[i].friction * program_.value(columns_[i].normal));
+        return worst;
+    }
     LimitState state() const
     {
         LimitState state;
         state.found = true;
         state.factor = factor();
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-            const Vector3d shear = shear_of(i);
-            state.normal_forces.push_back(scale_.force * normal_force(i));
-            state.forces.push_back(scale_.force * (normal_force(i) * problem_.contacts[i].normal + shear));
-        }
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            state.forces.push_back(
+                scale_.force * (program_.value(columns_[i].normal) * problem_.contacts[i].normal + shear_of(i)));
         state.beyond_friction = beyond_friction();
         return state;
     }
@@ -160,14 +182,6 @@ class Statics
             shear += program_.value(columns.first_shear + static_cast<int>(k)) * columns.directions[k];
         return shear;
     }
-    double beyond_friction() const
-    {
-        double worst = 0;
-        for (std::size_t i = 0; i < columns_.size(); ++i)
-            worst = std::max(worst, shear_of(i).norm() - problem_.contacts[i].friction * normal_force(i));
-        return worst;
-    }
-
     const LimitProblem& problem_;
     Scale scale_;
     LinearProgram program_;
@@ -175,39 +189,73 @@ class Statics
     int factor_ = 0;
 };
 
+/// Normal forces of a random state of equilibrium under a factor; none when it is not found.
+std::vector<double> random_normal_forces(const LimitProblem& problem, double factor, std::mt19937_64& random)
+{
+    std::vector<double> weights(problem.contacts.size());
+    for (double& weight : weights) weight = static_cast<double>(random() >> 11) * 0x1p-53;
+    Statics statics(problem, Friction::cone);
+    statics.seek_least_pressure(factor, weights);
+    if (!statics.solve()) return {};
+    return statics.normal_forces();
+}
+
+/// Iterates from the normal forces `first`. @returns what it converges to, if it does
+LimitState slide_without_opening(const LimitProblem& problem, const std::vector<double>& first)
+{
+    constexpr int most_programs = 300, enough = 5;
+    constexpr double same = 1e-6, admissible = 3e-3;  // of the factor; of the dead load, beyond friction
+    constexpr double slack = 1e-7;                    // of the dead load: the first forces must not be at the edge
+    Statics statics(problem, Friction::cohesion);
+    std::vector<double> normal = first;
+    double last = 0;
+    int quiet = 0, programs = 0;
+    while (quiet < enough) {
+        if (++programs > most_programs) return {};
+        for (std::size_t i = 0; i < normal.size(); ++i)
+            statics.set_cohesion(i, problem.contacts[i].friction * normal[i] + slack);
+        const bool solved = statics.solve();
+        const std::vector<double> next = solved ? statics.normal_forces() : first;  // these bear the dead load
+        for (std::size_t i = 0; i < normal.size(); ++i) normal[i] = (normal[i] + next[i]) / 2;
+        const bool settled = solved && std::abs(statics.factor() - last) <= same * last;
+        quiet = settled && statics.beyond_friction() <= admissible ? quiet + 1 : 0;
+        last = solved ? statics.factor() : 0;
+    }
+    LimitState state = statics.state();
+    state.programs = programs;
+    return state;
+}
+
 }  // namespace
 
-LimitState limit_state(const LimitProblem& problem, Flow flow)
+LimitState associated_limit(const LimitProblem& problem)
 {
-    constexpr int most_programs = 300;
-    constexpr double same = 1e-6;
+    Statics statics(problem, Friction::cone);
+    if (!statics.solve()) return {};
+    LimitState state = statics.state();
+    state.programs = 1;
+    return state;
+}
+
+LimitState non_associated_limit(const LimitProblem& problem, int starts)
+{
+    constexpr double share = 0.8;
     Statics dilating(problem, Friction::cone);
     if (!dilating.solve()) return {};
-    if (flow == Flow::associated) return dilating.state();
-    Statics statics(problem, Friction::cohesion);
-    const std::size_t n = problem.contacts.size();
-    std::vector<double> normal(n), safe(n);
-    for (std::size_t i = 0; i < n; ++i) safe[i] = normal[i] = dilating.normal_force(i);
-    double last = dilating.factor();
-    int quiet = 0, k = 0, retreats = 0;
-    for (; k < most_programs && quiet < 5; ++k) {
-        for (std::size_t i = 0; i < n; ++i) statics.set_cohesion(i, problem.contacts[i].friction * normal[i] + 1e-7);
-        if (!statics.solve()) {
-            ++retreats;
-            for (std::size_t i = 0; i < n; ++i) normal[i] += 0.5 * (safe[i] - normal[i]);
-            quiet = 0;
-            continue;
-        }
-        for (std::size_t i = 0; i < n; ++i) normal[i] += 0.5 * (statics.normal_force(i) - normal[i]);
-        quiet = std::abs(statics.factor() - last) <= same * statics.factor() ? quiet + 1 : 0;
-        last = statics.factor();
-        if (std::getenv("VL")) std::printf("  %d %.7f viol %.2e\n", k, last, statics.state().beyond_friction);
+    std::mt19937_64 random(1);
+    LimitState lowest;
+    int programs = 1;
+    for (int start = 0; start <= starts; ++start) {
+        const std::vector<double> first = start == 0
+                                              ? dilating.normal_forces()
+                                              : random_normal_forces(problem, share * dilating.factor(), random);
+        if (first.empty()) continue;
+        LimitState state = slide_without_opening(problem, first);
+        programs += state.programs + (start > 0);
+        if (state.found && (!lowest.found || state.factor < lowest.factor)) lowest = std::move(state);
     }
-    if (std::getenv("VR")) std::printf("  retreats %d k %d\n", retreats, k);
-    if (quiet < 5) return {};
-    LimitState state = statics.state();
-    state.programs = k;
-    return state;
+    lowest.programs = programs;
+    return lowest;
 }
 
 }  // namespace voussoir::app::studies::verify::references

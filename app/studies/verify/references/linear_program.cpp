@@ -38,6 +38,16 @@ void LinearProgram::set_upper(int row, double upper)
     model_->setRowUpper(row, upper);
 }
 
+void LinearProgram::set_objective(int variable, double objective)
+{
+    model_->setObjectiveCoefficient(variable, objective);
+}
+
+void LinearProgram::fix(int variable, double value)
+{
+    model_->setColumnBounds(variable, value, value);
+}
+
 bool LinearProgram::maximise()
 {
     model_->dual();

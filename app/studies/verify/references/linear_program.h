@@ -27,6 +27,8 @@ class LinearProgram
     /// lower <= row x <= upper. @pre its variables have been added @returns its number
     int add_row(const Row& row, double lower, double upper);
     void set_upper(int row, double upper);
+    void set_objective(int variable, double objective);
+    void fix(int variable, double value);
 
     /// Whether there is a greatest value and it was found.
     bool maximise();
