@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <random>
 
@@ -163,25 +164,31 @@ references::LimitProblem limit_problem(const Model& model)
     return problem;
 }
 
-Stage pushed(const scenes::SceneSetting& setting, double factor)
+Pushed push(const Model& model, double factor)
 {
-    return scenes::static_stage(setting, {factor * gravity, 0, -gravity});
-}
-
-RunReport push(const Model& model, const Stage& stage)
-{
+    Stage stage = scenes::static_stage({}, {factor * gravity, 0, -gravity});
+    stage.max_static_steps = 300;  // what stands does so in less than 60
     State state = initial_state(model);
-    return run(model, {stage}, state, {});
+    const std::clock_t start = std::clock();
+    Pushed pushed;
+    pushed.report = run(model, {stage}, state, {});
+    pushed.cpu_time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    return pushed;
 }
 
 EngineThreshold engine_threshold(const Model& model, double stands, double falls, double width)
 {
-    EngineThreshold found{stands, falls, 0};
+    EngineThreshold found;
+    found.stands = stands;
+    found.falls = falls;
     while (found.falls - found.stands > width * found.falls) {
         const double middle = (found.stands + found.falls) / 2;
-        const bool holds = push(model, pushed({}, middle)).outcome == Outcome::completed;
-        (holds ? found.stands : found.falls) = middle;
-        ++found.runs;
+        const Pushed pushed = push(model, middle);
+        (pushed.report.outcome == Outcome::completed ? found.stands : found.falls) = middle;
+        found.steps += pushed.report.steps;
+        found.step_cuts += pushed.report.step_cuts;
+        found.iterations += pushed.report.open_close_iterations;
+        found.cpu_time += pushed.cpu_time;
     }
     return found;
 }

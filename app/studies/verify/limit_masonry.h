@@ -5,11 +5,9 @@
 #include <cstdint>
 #include <string>
 
-#include "app/studies/scenes/scene_setting.h"
 #include "app/studies/verify/references/limit_analysis.h"
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
-#include "libdda/model/stage.h"
 
 namespace voussoir::app::studies::verify
 {
@@ -20,27 +18,32 @@ struct LimitMasonry {
     Model model;
 };
 
+constexpr std::uint64_t limit_masonry_seed = 1;  // of the 200 of the tests
+
 /// The n-th of a row of random walls (running bond, every third with a window) and circular arches, two walls to
 /// an arch: every fifth is spatial, the others planar, all rigid. Aspect, stones, thickness, embrace and friction
 /// (0.3 to 0.8) are drawn; the same seed draws the same on every machine.
 LimitMasonry random_masonry(std::uint64_t seed, int n);
 
-/// The blocks and contact points of a model at its start as limit analysis takes them: their weight stays,
-/// `factor` of it along +x is the live load. Cohesion is left out.
+/// The blocks and contact points of a model at its start as limit analysis takes them: their weight stays, so much
+/// of it along +x is the live load. Cohesion is left out.
 references::LimitProblem limit_problem(const Model& model);
 
-/// A static stage under the weight and `factor` of it along +x.
-Stage pushed(const scenes::SceneSetting& setting, double factor);
+/// A run of one static stage under the weight and `factor` of it along +x.
+struct Pushed {
+    RunReport report;
+    double cpu_time = 0;  // s
+};
+Pushed push(const Model& model, double factor);
 
-/// What the engine says of it.
-RunReport push(const Model& model, const Stage& stage);
-
-/// Where the engine's verdict changes from `completed` to something else, between two factors of which the first
-/// stands and the second does not, to a share `width` of it; how often it ran.
+/// Between which two factors the verdict changes from `completed` to something else.
 struct EngineThreshold {
     double stands = 0, falls = 0;
-    int runs = 0;
+    std::int64_t steps = 0, step_cuts = 0, iterations = 0;  // of all runs
+    double cpu_time = 0;                                    // s
 };
+
+/// By bisection between a factor that stands and one that falls, to a share `width` of the latter.
 EngineThreshold engine_threshold(const Model& model, double stands, double falls, double width);
 
 }  // namespace voussoir::app::studies::verify
