@@ -11,8 +11,6 @@
 #include "app/studies/scenes/materials.h"
 #include "app/studies/scenes/scene_blocks.h"
 #include "app/studies/scenes/stages.h"
-#include "importers/patterns/vaults.h"
-#include "importers/patterns/wall.h"
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/run/run.h"
 
@@ -52,14 +50,6 @@ Model empty_model(Kinematics kinematics, double friction, double depth, double t
     return scenes::make_scene_model(setting, scenes::stone(2000, young), joint, thickness);
 }
 
-void add_stone(Model& model, const std::string& name, const ConvexPolyhedron& shape)
-{
-    double depth = 0;
-    model.blocks.push_back(is_planar(model.kinematics)
-                               ? make_planar_block(name, 0, 0, {outline_of(shape, depth, name)}, model.thickness)
-                               : make_block(name, 0, 0, {shape}));
-}
-
 LimitMasonry random_wall(Draw& draw, Kinematics kinematics, bool window)
 {
     patterns::Wall wall;
@@ -80,11 +70,7 @@ LimitMasonry random_wall(Draw& draw, Kinematics kinematics, bool window)
     const double friction = draw.between(0.3, 0.8);
     LimitMasonry masonry;
     masonry.model = empty_model(kinematics, friction, wall.block_height, wall.thickness);
-    for (const patterns::MasonryBlock& block : patterns::wall(wall)) {
-        add_stone(masonry.model, block.name, patterns::to_polyhedron(block));
-        if (block.name == "wall_base")
-            scenes::hold(masonry.model, static_cast<int>(masonry.model.blocks.size()) - 1);
-    }
+    add_wall(masonry.model, wall);
     masonry.description = fmt::format("{}wall {:.2f} x {:.2f} m, stones {:.2f} x {:.2f} m, friction {:.3f}",
                                       window ? "windowed " : "", wall.length, wall.height, wall.block_length,
                                       wall.block_height, friction);
@@ -107,12 +93,7 @@ LimitMasonry random_arch(Draw& draw, Kinematics kinematics)
     const double friction = draw.between(0.3, 0.8);
     LimitMasonry masonry;
     masonry.model = empty_model(kinematics, friction, vault.thickness, vault.length);
-    const patterns::StoneGrid grid = patterns::barrel_vault(vault);
-    for (const patterns::StoneGrid::Stone& stone : grid.stones()) {
-        add_stone(masonry.model, stone.name, patterns::parts_of(grid, stone).front());
-        if (stone.name.starts_with("support"))
-            scenes::hold(masonry.model, static_cast<int>(masonry.model.blocks.size()) - 1);
-    }
+    add_arch(masonry.model, vault);
     masonry.description =
         fmt::format("arch of {} stones over {:.0f} degrees, thickness {:.3f} of the radius, friction {:.3f}",
                     vault.courses, 2 * half_embrace * 180 / std::numbers::pi, share, friction);
@@ -137,6 +118,31 @@ void add_contacts(const Model& model, references::LimitProblem& problem)
 }
 
 }  // namespace
+
+void add_stone(Model& model, const std::string& name, const ConvexPolyhedron& shape)
+{
+    double depth = 0;
+    model.blocks.push_back(is_planar(model.kinematics)
+                               ? make_planar_block(name, 0, 0, {outline_of(shape, depth, name)}, model.thickness)
+                               : make_block(name, 0, 0, {shape}));
+}
+
+void add_wall(Model& model, const patterns::Wall& wall)
+{
+    for (const patterns::MasonryBlock& block : patterns::wall(wall)) {
+        add_stone(model, block.name, patterns::to_polyhedron(block));
+        if (block.name == wall.name + "_base") scenes::hold(model, static_cast<int>(model.blocks.size()) - 1);
+    }
+}
+
+void add_arch(Model& model, const patterns::BarrelVault& vault)
+{
+    const patterns::StoneGrid grid = patterns::barrel_vault(vault);
+    for (const patterns::StoneGrid::Stone& stone : grid.stones()) {
+        add_stone(model, stone.name, patterns::parts_of(grid, stone).front());
+        if (stone.name.starts_with("support")) scenes::hold(model, static_cast<int>(model.blocks.size()) - 1);
+    }
+}
 
 LimitMasonry random_masonry(std::uint64_t seed, int n)
 {
@@ -164,9 +170,9 @@ references::LimitProblem limit_problem(const Model& model)
     return problem;
 }
 
-Pushed push(const Model& model, double factor)
+Pushed push(const Model& model, double factor, const scenes::SceneSetting& setting)
 {
-    Stage stage = scenes::static_stage({}, {factor * gravity, 0, -gravity});
+    Stage stage = scenes::static_stage(setting, {factor * gravity, 0, -gravity});
     stage.max_static_steps = 300;  // what stands does so in less than 60
     State state = initial_state(model);
     const std::clock_t start = std::clock();
@@ -176,14 +182,15 @@ Pushed push(const Model& model, double factor)
     return pushed;
 }
 
-EngineThreshold engine_threshold(const Model& model, double stands, double falls, double width)
+EngineThreshold engine_threshold(const Model& model, double stands, double falls, double width,
+                                 const scenes::SceneSetting& setting)
 {
     EngineThreshold found;
     found.stands = stands;
     found.falls = falls;
     while (found.falls - found.stands > width * found.falls) {
         const double middle = (found.stands + found.falls) / 2;
-        const Pushed pushed = push(model, middle);
+        const Pushed pushed = push(model, middle, setting);
         (pushed.report.outcome == Outcome::completed ? found.stands : found.falls) = middle;
         found.steps += pushed.report.steps;
         found.step_cuts += pushed.report.step_cuts;

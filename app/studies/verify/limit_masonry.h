@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <string>
 
+#include "app/studies/scenes/scene_setting.h"
 #include "app/studies/verify/references/limit_analysis.h"
+#include "importers/patterns/vaults.h"
+#include "importers/patterns/wall.h"
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
 
@@ -17,6 +20,15 @@ struct LimitMasonry {
     std::string description;  // one line
     Model model;
 };
+
+/// Adds a stone of group 0; a planar scene takes the outline of a prism along y.
+void add_stone(Model& model, const std::string& name, const ConvexPolyhedron& shape);
+
+/// Adds the stones of a wall to a model; its base is held.
+void add_wall(Model& model, const importers::patterns::Wall& wall);
+
+/// Adds the stones of a barrel vault, one along each course, to a model; the supports are held.
+void add_arch(Model& model, const importers::patterns::BarrelVault& vault);
 
 constexpr std::uint64_t limit_masonry_seed = 1;  // of the 200 of the tests
 
@@ -34,7 +46,7 @@ struct Pushed {
     RunReport report;
     double cpu_time = 0;  // s
 };
-Pushed push(const Model& model, double factor);
+Pushed push(const Model& model, double factor, const scenes::SceneSetting& setting = {});
 
 /// Between which two factors the verdict changes from `completed` to something else.
 struct EngineThreshold {
@@ -44,6 +56,7 @@ struct EngineThreshold {
 };
 
 /// By bisection between a factor that stands and one that falls, to a share `width` of the latter.
-EngineThreshold engine_threshold(const Model& model, double stands, double falls, double width);
+EngineThreshold engine_threshold(const Model& model, double stands, double falls, double width,
+                                 const scenes::SceneSetting& setting = {});
 
 }  // namespace voussoir::app::studies::verify

@@ -11,6 +11,7 @@ LinearProgram::LinearProgram() : model_(std::make_unique<ClpSimplex>())
     model_->setOptimizationDirection(-1);
     model_->setPrimalTolerance(1e-9);
     model_->setDualTolerance(1e-9);
+    model_->scaling(0);  // tolerances are those of the rows as they are
 }
 
 LinearProgram::~LinearProgram() = default;

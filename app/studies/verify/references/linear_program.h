@@ -10,7 +10,8 @@ class ClpSimplex;
 namespace voussoir::app::studies::verify::references
 {
 
-/// maximise c x subject to rows and x >= 0. Solved again after a change it goes on from its last basis.
+/// maximise c x subject to rows and x >= 0, coefficients and x of the order of 1. Solved again after a change it
+/// goes on from its last basis.
 class LinearProgram
 {
  public:
