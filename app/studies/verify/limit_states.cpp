@@ -221,7 +221,7 @@ std::vector<Benchmark> capacity_rows()
         "A semicircle of 27 voussoirs, its mean radius 10 m, thickness 0.12 of it, friction 0.7; 10 GPa. "
         "Bisection "
         "of the verdict of static stages, to 2e-4. Joints 300 times as soft, as those of rigid scenes once were, "
-        "take 4 % of its capacity.";
+        "take 2 % of its capacity.";
     arch.run = run_arch;
     Benchmark walls = limit_row({Kinematics::spatial_rigid, Kinematics::planar_deformable});
     walls.name = "wall-opening-lateral";

@@ -1,4 +1,4 @@
-// A linear program, solved by the simplex method of CLP. Source: [ForrestLougeeHeimer2005].
+// A linear program, solved by the simplex method of CLP. Source: [ClpManual].
 #pragma once
 
 #include <memory>

@@ -4,6 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+
+#include "app/studies/scenes/materials.h"
+#include "app/studies/verify/limit_masonry.h"
+#include "app/studies/verify/references/linear_program.h"
 
 namespace voussoir::app::studies::verify::references
 {
@@ -87,11 +92,56 @@ TEST(LimitAnalysis, CleftLocksADilatantStoneOnly)
     EXPECT_NEAR(associated_limit(stone_in_a_cleft(0.5, wide)).factor, 1, 1e-6);
 }
 
-// Two blocks, the upper one wedged by nothing: where the limits differ the non-associated one is lower.
+// Seven voussoirs over 157.5 degrees, thickness 0.15 of the radius: four hinges at 0.3736 of the weight (virtual
+// work over all sets of four hinges, cases/arch_planar.yaml). Source: [Oppenheim1992].
+TEST(LimitAnalysis, ArchOfFourHinges)
+{
+    constexpr double inner = 1.85, half = 7 * std::numbers::pi / 16;
+    importers::patterns::BarrelVault vault;
+    vault.span = 2 * inner * std::sin(half);
+    vault.rise = inner * (1 - std::cos(half));
+    vault.thickness = 0.3;
+    vault.length = 1;
+    vault.courses = 7;
+    vault.stones = 1;
+    vault.bonded = false;
+    for (const Kinematics kinematics : {Kinematics::planar_rigid, Kinematics::spatial_rigid}) {
+        Model model = make_model(kinematics, scenes::stone(), scenes::dry_joint(0.839));
+        add_arch(model, vault);
+        const LimitProblem problem = limit_problem(model);
+        EXPECT_NEAR(associated_limit(problem).factor, 0.3736, 1e-4);
+        EXPECT_NEAR(non_associated_limit(problem).factor, 0.3736, 1e-4);
+    }
+}
+
+TEST(LimitAnalysis, LinearProgram)
+{
+    LinearProgram program;  // greatest 3 x + 2 y with x + y <= 4, x + 3 y <= 6, x <= 3
+    const int x = program.add_variable(3), y = program.add_variable(2);
+    const double none = -1e30;
+    const int sum = program.add_row({{x, 1}, {y, 1}}, none, 4);
+    program.add_row({{x, 1}, {y, 3}}, none, 6);
+    program.add_row({{x, 1}}, none, 3);
+    ASSERT_TRUE(program.maximise());
+    EXPECT_NEAR(program.greatest(), 11, 1e-9);
+    program.set_upper(sum, 2);
+    ASSERT_TRUE(program.maximise());
+    EXPECT_NEAR(program.greatest(), 6, 1e-9);
+    program.fix(x, 0);
+    ASSERT_TRUE(program.maximise());
+    EXPECT_NEAR(program.value(y), 2, 1e-9);
+    program.fix(x, 5);
+    EXPECT_FALSE(program.maximise());  // x <= 3
+    LinearProgram endless;
+    endless.add_row({{endless.add_variable(1), 1}}, 0, 1e30);
+    EXPECT_FALSE(endless.maximise());
+}
+
+// A block beyond the edge of what it stands on.
 TEST(LimitAnalysis, BlocksThatCannotStandHaveNoLimit)
 {
     LimitProblem problem = block_on_base(0.5, true);
-    problem.blocks[1].centroid.x() = 0.6 * width;  // overhangs
+    problem.blocks[1].centroid.x() = 0.6 * width;
     EXPECT_FALSE(associated_limit(problem).found);
     EXPECT_FALSE(non_associated_limit(problem).found);
 }
