@@ -252,6 +252,7 @@ std::vector<Benchmark> limit_state_benchmarks()
         "Mean radius 5 m, 10 GPa, friction 0.7. Bisection of the thickness to 5e-6; suddenly loaded it has fallen "
         "when a stone has moved by 1e-4 of the radius after 2 s.";
     thickness.tolerance = 1e-4;
+    thickness.sweep = sweep_of(thickness.setting, {8e-3, 4e-3, 2e-3, 1e-3});
     thickness.run = run_thickness;
     rows.push_back(thickness);
     Benchmark closed = limit_row({Kinematics::spatial_rigid});

@@ -10,9 +10,10 @@
 namespace voussoir::app::studies::verify
 {
 
-/// How many of the scenes have one limit, and how many an interval of them.
+/// How many of the scenes have one limit, how many an interval of them, and what all runs cost.
 struct LimitCounts {
     int sharp = 0, wide = 0;
+    std::int64_t standing = 0, falling = 0;  // iterations
 };
 
 /// Pushes the n-th scene with 0.3 % less than the non-associated limit and with 0.3 % more than the associated
@@ -36,6 +37,10 @@ inline void judge_verdicts(std::uint64_t seed, int n, LimitCounts& counts)
         << n << ": " << masonry.description << ", limits " << least.factor << " and " << most.factor;
     EXPECT_EQ(above.report.outcome, Outcome::collapsed)
         << n << ": " << masonry.description << ", limits " << least.factor << " and " << most.factor;
+    EXPECT_TRUE(above.report.diagnosis && !above.report.diagnosis->blocks.empty())
+        << n << ": " << masonry.description << " names no stone that falls";
+    counts.standing += below.report.open_close_iterations;
+    counts.falling += above.report.open_close_iterations;
     std::printf("%3d limits %.5f %.5f, stands for %.4f s, falls for %.4f s of CPU: %s\n", n, least.factor,
                 most.factor, below.cpu_time, above.cpu_time, masonry.description.c_str());
 }
