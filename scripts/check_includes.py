@@ -93,6 +93,7 @@ FOREIGN_RULES = (
     ("libzip", r"zip\.h$", ("importers/mesh/",), False),
     ("zlib", r"zlib\.h$", ("records/", "tests/"), False),
     ("libmseed", r"libmseed\.h$", ("records/formats/",), False),
+    ("CLP", r"(Clp|Coin)", ("app/studies/verify/references/",), False),
     ("FFTW", r"fftw3\.h$", ("records/",), False),
     ("nlohmann-json", r"nlohmann/", ("app/", "importers/mesh/", "importers/helper/", "tests/"), False),
     ("fmt", r"fmt/", ("app/", "importers/assembly/"), False),

@@ -31,6 +31,7 @@ std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
     add(vault_benchmarks());
     add(cross_vault_benchmarks());
     add(made_planar(opening_benchmarks(), false));
+    add(limit_state_benchmarks());
     return all;
 }
 

@@ -45,6 +45,9 @@ std::vector<Benchmark> cross_vault_benchmarks();  // cross vaults
 /// Openings and slips of joints against geometry: a rocking block, an arch with four hinges, a sheared bond.
 std::vector<Benchmark> opening_benchmarks();
 
+/// Lateral capacities, a least thickness and a bridge that stays closed, beside limit analysis.
+std::vector<Benchmark> limit_state_benchmarks();
+
 /// A mass under a constant force with damping per step and per second. Source: [YagodaBiranHatzor2017], 4.2.2.
 std::vector<Benchmark> kinetic_damping_benchmarks();
 

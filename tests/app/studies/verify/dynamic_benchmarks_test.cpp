@@ -65,6 +65,10 @@ TEST(DynamicBenchmarks, Openings)
 {
     run_and_judge(opening_benchmarks());
 }
+TEST(DynamicBenchmarks, LimitStates)
+{
+    run_and_judge(limit_state_benchmarks());
+}
 TEST(DynamicBenchmarks, KineticDamping)
 {
     run_and_judge(kinetic_damping_benchmarks());

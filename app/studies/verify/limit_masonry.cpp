@@ -1,0 +1,203 @@
+#include "app/studies/verify/limit_masonry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+#include <random>
+
+#include "app/studies/scenes/materials.h"
+#include "app/studies/scenes/scene_blocks.h"
+#include "app/studies/scenes/stages.h"
+#include "libdda/contact/initial_contacts.h"
+#include "libdda/run/run.h"
+
+namespace voussoir::app::studies::verify
+{
+namespace
+{
+
+namespace patterns = importers::patterns;
+using Eigen::Vector3d;
+
+constexpr double gravity = scenes::papers_gravity, young = 1e10;  // m/s2, Pa
+constexpr double stiffness_factor = 300;                          // times E/L: a joint yields like 3 mm of a stone
+
+/// Even numbers from a generator whose answers the standard fixes.
+class Draw
+{
+ public:
+    Draw(std::uint64_t seed, int n) : random_(seed * 1000003 + static_cast<std::uint64_t>(n)) {}
+    double between(double low, double high)
+    {
+        return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
+    }
+    int whole(int low, int high) { return std::min(high, static_cast<int>(std::floor(between(low, high + 1)))); }
+
+ private:
+    std::mt19937_64 random_;
+};
+
+/// @param depth of a stone [m]
+Model empty_model(Kinematics kinematics, double friction, double depth, double thickness)
+{
+    scenes::SceneSetting setting;
+    setting.kinematics = kinematics;
+    JointMaterial joint = scenes::dry_joint(friction);
+    joint.stiffness = {ContactStiffness::Kind::per_area, stiffness_factor * young / depth};
+    return scenes::make_scene_model(setting, scenes::stone(2000, young), joint, thickness);
+}
+
+LimitMasonry random_wall(Draw& draw, Kinematics kinematics, bool window)
+{
+    patterns::Wall wall;
+    wall.thickness = 0.3;
+    wall.block_height = draw.between(0.2, 0.4);
+    wall.block_length = wall.block_height * draw.between(1, 2.5);
+    const int courses = window ? draw.whole(6, 8) : draw.whole(3, 8);
+    wall.height = courses * wall.block_height;
+    wall.length = window ? wall.block_length * draw.whole(5, 7) : wall.height * draw.between(0.3, 1.3);
+    wall.length = std::max(wall.length, 1.5 * wall.block_length);
+    if (window) {
+        wall.openings = {{1.5 * wall.block_length, 2 * wall.block_height, wall.length - 3 * wall.block_length,
+                          (courses - 4) * wall.block_height}};
+        wall.lintel = {wall.block_height, 0.5 * wall.block_length};
+    }
+    wall.base = {0.3, 0.3};
+    wall.flat = is_planar(kinematics);
+    const double friction = draw.between(0.3, 0.8);
+    LimitMasonry masonry;
+    masonry.model = empty_model(kinematics, friction, wall.block_height, wall.thickness);
+    add_wall(masonry.model, wall);
+    masonry.description = fmt::format("{}wall {:.2f} x {:.2f} m, stones {:.2f} x {:.2f} m, friction {:.3f}",
+                                      window ? "windowed " : "", wall.length, wall.height, wall.block_length,
+                                      wall.block_height, friction);
+    return masonry;
+}
+
+LimitMasonry random_arch(Draw& draw, Kinematics kinematics)
+{
+    const double radius = 2, half_embrace = draw.between(0.35, 0.5) * std::numbers::pi;
+    patterns::BarrelVault vault;
+    const double share = draw.between(0.12, 0.3);
+    vault.thickness = share * radius;
+    const double inner = radius - vault.thickness / 2;
+    vault.span = 2 * inner * std::sin(half_embrace);
+    vault.rise = std::min(inner * (1 - std::cos(half_embrace)), vault.span / 2);
+    vault.length = 0.5;
+    vault.courses = draw.whole(7, 27);
+    vault.stones = 1;
+    vault.bonded = false;
+    const double friction = draw.between(0.3, 0.8);
+    LimitMasonry masonry;
+    masonry.model = empty_model(kinematics, friction, vault.thickness, vault.length);
+    add_arch(masonry.model, vault);
+    masonry.description =
+        fmt::format("arch of {} stones over {:.0f} degrees, thickness {:.3f} of the radius, friction {:.3f}",
+                    vault.courses, 2 * half_embrace * 180 / std::numbers::pi, share, friction);
+    return masonry;
+}
+
+template <int D>
+void add_contacts(const Model& model, references::LimitProblem& problem)
+{
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    const ContactSetIn<D>& found = contacts_in<D>(state);
+    for (const ContactPatchIn<D>& patch : found.patches)
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+            const ContactPointIn<D>& point = found.points[static_cast<std::size_t>(i)];
+            if (point.gap > 1e-9) continue;
+            const double friction = friction_coefficient(model.joint_between(patch.block_a, patch.block_b), 0) *
+                                    model.friction_factor(patch.block_a, patch.block_b);
+            problem.contacts.push_back(
+                {patch.block_a, patch.block_b, to_space(point.position), to_space(patch.normal), friction});
+        }
+}
+
+}  // namespace
+
+void add_stone(Model& model, const std::string& name, const ConvexPolyhedron& shape)
+{
+    double depth = 0;
+    model.blocks.push_back(is_planar(model.kinematics)
+                               ? make_planar_block(name, 0, 0, {outline_of(shape, depth, name)}, model.thickness)
+                               : make_block(name, 0, 0, {shape}));
+}
+
+void add_wall(Model& model, const patterns::Wall& wall)
+{
+    for (const patterns::MasonryBlock& block : patterns::wall(wall)) {
+        add_stone(model, block.name, patterns::to_polyhedron(block));
+        if (block.name == wall.name + "_base") scenes::hold(model, static_cast<int>(model.blocks.size()) - 1);
+    }
+}
+
+void add_arch(Model& model, const patterns::BarrelVault& vault)
+{
+    const patterns::StoneGrid grid = patterns::barrel_vault(vault);
+    for (const patterns::StoneGrid::Stone& stone : grid.stones()) {
+        add_stone(model, stone.name, patterns::parts_of(grid, stone).front());
+        if (stone.name.starts_with("support")) scenes::hold(model, static_cast<int>(model.blocks.size()) - 1);
+    }
+}
+
+LimitMasonry random_masonry(std::uint64_t seed, int n)
+{
+    Draw draw(seed, n);
+    const Kinematics kinematics = n % 5 == 4 ? Kinematics::spatial_rigid : Kinematics::planar_rigid;
+    LimitMasonry masonry = n % 3 == 2 ? random_arch(draw, kinematics) : random_wall(draw, kinematics, n % 9 < 3);
+    masonry.description += is_planar(kinematics) ? "" : ", spatial";
+    return masonry;
+}
+
+references::LimitProblem limit_problem(const Model& model)
+{
+    references::LimitProblem problem;
+    problem.planar = is_planar(model.kinematics);
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        const double weight = gravity * model.mass(static_cast<int>(b));
+        problem.blocks.push_back({false, model.blocks[b].moments.centroid, {0, 0, -weight}, {weight, 0, 0}});
+    }
+    for (const Foundation& foundation : model.foundations)
+        problem.blocks[static_cast<std::size_t>(foundation.block)].held = true;
+    if (problem.planar)
+        add_contacts<2>(model, problem);
+    else
+        add_contacts<3>(model, problem);
+    return problem;
+}
+
+Pushed push(const Model& model, double factor, const scenes::SceneSetting& setting)
+{
+    Stage stage = scenes::static_stage(setting, {factor * gravity, 0, -gravity});
+    stage.max_static_steps = 300;  // what stands does so in less than 60
+    State state = initial_state(model);
+    const std::clock_t start = std::clock();
+    Pushed pushed;
+    pushed.report = run(model, {stage}, state, {});
+    pushed.cpu_time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    return pushed;
+}
+
+EngineThreshold engine_threshold(const Model& model, double stands, double falls, double width,
+                                 const scenes::SceneSetting& setting)
+{
+    EngineThreshold found;
+    found.stands = stands;
+    found.falls = falls;
+    while (found.falls - found.stands > width * found.falls) {
+        const double middle = (found.stands + found.falls) / 2;
+        const Pushed pushed = push(model, middle, setting);
+        (pushed.report.outcome == Outcome::completed ? found.stands : found.falls) = middle;
+        found.steps += pushed.report.steps;
+        found.step_cuts += pushed.report.step_cuts;
+        found.iterations += pushed.report.open_close_iterations;
+        found.cpu_time += pushed.cpu_time;
+    }
+    return found;
+}
+
+}  // namespace voussoir::app::studies::verify

@@ -1,0 +1,63 @@
+// Limit analysis of rigid blocks: the factor of a live load at which they become a mechanism, by linear
+// programming.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace voussoir::app::studies::verify::references
+{
+
+/// A point at which two blocks may press and rub. It takes no tension.
+struct LimitContact {
+    int block_a = 0, block_b = 0;                        // indices into LimitProblem::blocks
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // m
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();    // unit, from b to a
+    double friction = 0;                                 // -, coefficient
+};
+
+/// A rigid block. Both loads act at its centroid.
+struct LimitBlock {
+    bool held = false;                                   // takes any force: it has no equations
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  // m
+    Eigen::Vector3d dead = Eigen::Vector3d::Zero();      // N, the load that stays
+    Eigen::Vector3d live = Eigen::Vector3d::Zero();      // N, what the factor multiplies
+};
+
+/// Blocks as they stand; displacements are small.
+struct LimitProblem {
+    bool planar = false;  // in x and z: nothing moves along y, nothing turns but about y
+    std::vector<LimitBlock> blocks;
+    std::vector<LimitContact> contacts;
+    // In space the friction cone is an inscribed pyramid of so many sides (a multiple of 4), two of its edges in
+    // the plane of the normal and the live load: there friction is exact, at worst it lacks 1 - cos(pi / sides) of
+    // itself.
+    int sides = 8;
+};
+
+/// A state of equilibrium in which the blocks begin to move.
+struct LimitState {
+    bool found =
+        false;  // else the blocks do not stand under the dead load, or under any factor, or nothing converged
+    double factor = 0;                    // -, of the live load
+    std::vector<Eigen::Vector3d> forces;  // (contacts) N, on block a
+    double beyond_friction = 0;           // largest |shear| - friction x normal force of a contact / the dead load
+    int programs = 0;                     // linear programs solved on the way
+};
+
+/// The greatest factor for which contact forces within the cones of friction balance dead + factor x live on every
+/// block: the limit if joints that slide open by the angle of friction, and with Coulomb's friction no factor
+/// beyond it has an equilibrium. Source: [Livesley1978].
+LimitState associated_limit(const LimitProblem& problem);
+
+/// A factor at which blocks begin to move that slide without opening.
+///
+/// A joint that slides at a constant distance does no work against its normal force: its friction acts as a
+/// cohesion, mu times the normal force of the state sought. So linear programs with the cohesion of the last
+/// normal forces, averaged, follow each other until the factor stays. Source: [GilbertCasapullaAhmed2006]. There
+/// may be several such factors, for statics does not determine the normal forces of joints that rub on all sides;
+/// this is the lowest of those that the iteration finds from the normal forces of the associated limit and from
+/// `starts` random states of equilibrium under four fifths of it.
+LimitState non_associated_limit(const LimitProblem& problem, int starts = 12);
+
+}  // namespace voussoir::app::studies::verify::references

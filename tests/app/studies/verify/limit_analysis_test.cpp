@@ -1,0 +1,149 @@
+// Limit analysis against closed forms.
+#include "app/studies/verify/references/limit_analysis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/studies/scenes/materials.h"
+#include "app/studies/verify/limit_masonry.h"
+#include "app/studies/verify/references/linear_program.h"
+
+namespace voussoir::app::studies::verify::references
+{
+
+namespace
+{
+
+constexpr double width = 0.4, height = 1.2;  // m
+
+/// A block of 1 N on a held base, pushed along +x, with four contact points in space and two in the plane.
+LimitProblem block_on_base(double friction, bool planar)
+{
+    LimitProblem problem;
+    problem.planar = planar;
+    problem.blocks.resize(2);
+    problem.blocks[0].held = true;
+    problem.blocks[1] = {false, {0, 0, height / 2}, {0, 0, -1}, {1, 0, 0}};
+    for (const double x : {-width / 2, width / 2})
+        for (const double y : {-0.5, 0.5}) {
+            if (planar && y > 0) continue;
+            problem.contacts.push_back({1, 0, {x, planar ? 0 : y, 0}, {0, 0, 1}, friction});
+        }
+    return problem;
+}
+
+/// A wedge-shaped stone between two held ones whose joints lean by `lean` from the vertical: 1 N down, pushed up.
+LimitProblem stone_in_a_cleft(double friction, double lean)
+{
+    LimitProblem problem;
+    problem.planar = true;
+    problem.blocks.resize(3);
+    problem.blocks[0].held = problem.blocks[1].held = true;
+    problem.blocks[2] = {false, {0, 0, 0}, {0, 0, -1}, {0, 0, 1}};
+    for (const double side : {-1.0, 1.0})
+        problem.contacts.push_back(
+            {2, side < 0 ? 0 : 1, {side, 0, 0}, {-side * std::cos(lean), 0, std::sin(lean)}, friction});
+    return problem;
+}
+
+}  // namespace
+
+// It slides at mu and topples at width / height.
+TEST(LimitAnalysis, BlockSlidesOrTopples)
+{
+    for (const bool planar : {true, false})
+        for (const double friction : {0.1, 0.3, 0.5}) {
+            const LimitProblem problem = block_on_base(friction, planar);
+            const double exact = std::min(friction, width / height);
+            EXPECT_NEAR(associated_limit(problem).factor, exact, 1e-7);
+            EXPECT_NEAR(non_associated_limit(problem).factor, exact, 1e-6);
+        }
+}
+
+// Pushed along a diagonal, with as many edges of the pyramid as it has: friction is exact along the load.
+TEST(LimitAnalysis, PyramidIsExactAlongTheLoad)
+{
+    LimitProblem problem = block_on_base(0.2, false);
+    for (const double angle : {0.0, 0.3, 1.1}) {
+        problem.blocks[1].live = {std::cos(angle), std::sin(angle), 0};
+        EXPECT_NEAR(associated_limit(problem).factor, 0.2, 1e-7);
+    }
+}
+
+TEST(LimitAnalysis, ForcesBalanceTheLoads)
+{
+    const LimitProblem problem = block_on_base(0.5, false);
+    const LimitState state = associated_limit(problem);
+    Eigen::Vector3d sum = problem.blocks[1].dead + state.factor * problem.blocks[1].live;
+    for (const Eigen::Vector3d& force : state.forces) sum += force;
+    EXPECT_LT(sum.norm(), 1e-9);
+    EXPECT_LT(state.beyond_friction, 1e-9);
+}
+
+// A stone that slides along a vertical joint between two that cannot give way: with dilatancy it is locked for
+// good, the associated limit has no end. Drawn out of a cleft that opens by more than the angle of friction it is
+// free: nothing but its weight holds it.
+TEST(LimitAnalysis, CleftLocksADilatantStoneOnly)
+{
+    EXPECT_FALSE(associated_limit(stone_in_a_cleft(0.5, 0)).found);
+    const double wide = std::atan(0.5) + 0.1;
+    EXPECT_NEAR(associated_limit(stone_in_a_cleft(0.5, wide)).factor, 1, 1e-6);
+}
+
+// Seven voussoirs over 157.5 degrees, thickness 0.15 of the radius: four hinges at 0.3736 of the weight (virtual
+// work over all sets of four hinges, cases/arch_planar.yaml). Source: [Oppenheim1992].
+TEST(LimitAnalysis, ArchOfFourHinges)
+{
+    constexpr double inner = 1.85, half = 7 * std::numbers::pi / 16;
+    importers::patterns::BarrelVault vault;
+    vault.span = 2 * inner * std::sin(half);
+    vault.rise = inner * (1 - std::cos(half));
+    vault.thickness = 0.3;
+    vault.length = 1;
+    vault.courses = 7;
+    vault.stones = 1;
+    vault.bonded = false;
+    for (const Kinematics kinematics : {Kinematics::planar_rigid, Kinematics::spatial_rigid}) {
+        Model model = make_model(kinematics, scenes::stone(), scenes::dry_joint(0.839));
+        add_arch(model, vault);
+        const LimitProblem problem = limit_problem(model);
+        EXPECT_NEAR(associated_limit(problem).factor, 0.3736, 1e-4);
+        EXPECT_NEAR(non_associated_limit(problem).factor, 0.3736, 1e-4);
+    }
+}
+
+TEST(LimitAnalysis, LinearProgram)
+{
+    LinearProgram program;  // greatest 3 x + 2 y with x + y <= 4, x + 3 y <= 6, x <= 3
+    const int x = program.add_variable(3), y = program.add_variable(2);
+    const double none = -1e30;
+    const int sum = program.add_row({{x, 1}, {y, 1}}, none, 4);
+    program.add_row({{x, 1}, {y, 3}}, none, 6);
+    program.add_row({{x, 1}}, none, 3);
+    ASSERT_TRUE(program.maximise());
+    EXPECT_NEAR(program.greatest(), 11, 1e-9);
+    program.set_upper(sum, 2);
+    ASSERT_TRUE(program.maximise());
+    EXPECT_NEAR(program.greatest(), 6, 1e-9);
+    program.fix(x, 0);
+    ASSERT_TRUE(program.maximise());
+    EXPECT_NEAR(program.value(y), 2, 1e-9);
+    program.fix(x, 5);
+    EXPECT_FALSE(program.maximise());  // x <= 3
+    LinearProgram endless;
+    endless.add_row({{endless.add_variable(1), 1}}, 0, 1e30);
+    EXPECT_FALSE(endless.maximise());
+}
+
+// A block beyond the edge of what it stands on.
+TEST(LimitAnalysis, BlocksThatCannotStandHaveNoLimit)
+{
+    LimitProblem problem = block_on_base(0.5, true);
+    problem.blocks[1].centroid.x() = 0.6 * width;
+    EXPECT_FALSE(associated_limit(problem).found);
+    EXPECT_FALSE(non_associated_limit(problem).found);
+}
+
+}  // namespace voussoir::app::studies::verify::references
