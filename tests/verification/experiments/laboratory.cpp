@@ -7,6 +7,7 @@
 #include <string_view>
 #include <thread>
 
+#include "app/plots/plots.h"
 #include "libdda/errors.h"
 #include "records/source_file.h"
 
@@ -102,10 +103,10 @@ double median_of(std::vector<double> values)
     return quantile_of(std::move(values), 0.5);
 }
 
-bool is_asked_for(const char* variable)
+void draw_if_asked(const app::plots::Figure& figure)
 {
-    const char* value = std::getenv(variable);
-    return value != nullptr && std::string_view(value) != "0" && *value != 0;
+    const char* folder = std::getenv("VOUSSOIR_EXPERIMENT_FIGURES");
+    if (folder != nullptr && app::plots::can_draw_figures()) app::plots::draw_figures({figure}, folder);
 }
 
 }  // namespace voussoir::verification

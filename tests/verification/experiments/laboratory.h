@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/plots/diagram.h"
+
 namespace voussoir::verification
 {
 
@@ -36,7 +38,7 @@ double median_of(std::vector<double> values);
 /// What lies above a share of the values, 0 to 1.
 double quantile_of(std::vector<double> values, double share);
 
-/// An environment variable that is set and not 0.
-bool is_asked_for(const char* variable);
+/// Draws a figure into the folder that VOUSSOIR_EXPERIMENT_FIGURES names, if it does.
+void draw_if_asked(const app::plots::Figure& figure);
 
 }  // namespace voussoir::verification

@@ -53,7 +53,7 @@ struct BoulderEnd {
     bool settled = false;      // it came to rest before the shaking
     bool ran = false;          // to the end of the motion, or until it lay
     double largest_tilt = 0;   // degrees, against its rest before the shaking
-    double last_tilt = 0;      // degrees; it is stopped at 45
+    double last_tilt = 0;      // degrees; the run ends beyond 45
     double moved = 0;          // m, over the table, of the centroid
     double seconds = 0;        // of processor time
     bool overturned = false;   // by 45 degrees, or it rests on another face

@@ -16,7 +16,6 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double mass = 0.37, inertia = 8.1e-4;  // kg, kg m2; a uniform cube would have 6.8e-4
 constexpr double row_interval = 1.0 / 148;       // s
 constexpr double half = cube_edge / 2;
 
@@ -25,7 +24,7 @@ Block cube_block()
 {
     Block uniform = make_block("cube", 0, 1, {make_box(Vector3d::Constant(-half), Vector3d::Constant(half))});
     Moments moments = uniform.moments;
-    moments.second = inertia / 2 / (mass / moments.volume) * Matrix3d::Identity();
+    moments.second = cube_inertia / 2 / (cube_mass / moments.volume) * Matrix3d::Identity();
     return make_block("cube", 0, 1, uniform.parts, moments);
 }
 
@@ -41,7 +40,7 @@ Model cube_model(const CubeSetting& setting)
     set_restitution(joint, setting.restitution);
     if (setting.stiffness) joint.stiffness = {ContactStiffness::Kind::per_point, *setting.stiffness};
     Model model = make_model(Kinematics::spatial_rigid, testing::stone(), joint);
-    model.materials.push_back({"plastic", mass / std::pow(cube_edge, 3), setting.young, 0.35});
+    model.materials.push_back({"plastic", cube_mass / std::pow(cube_edge, 3), setting.young, 0.35});
     const int table =
         testing::add_box(model, "table", {-3, -3, setting.table - 0.2}, {3, 3, setting.table});
     testing::hold(model, table);
@@ -67,11 +66,6 @@ Toss start_of(const LaboratoryTable& table, std::size_t row)
     toss.velocity = Vector3d(at("vx_m_s"), at("vy_m_s"), at("vz_m_s") - testing::gravity * row_interval / 2);
     toss.spin = toss.measured.turns[0] * Vector3d(at("wbx_rad_s"), at("wby_rad_s"), at("wbz_rad_s"));
     return toss;
-}
-
-double lowest_corner(const Vector3d& centre, const Quaterniond& turn)
-{
-    return centre.z() - half * turn.toRotationMatrix().row(2).cwiseAbs().sum();
 }
 
 /// Which face is up: 1 to 3 for the axes of the cube, negative for the opposite sides.
@@ -127,6 +121,27 @@ double horizontal(const Vector3d& v)
     return v.head<2>().norm();
 }
 
+TossScore score_of(const Toss& toss, const CubeSetting& setting, const CubeModel& model)
+{
+    TossScore score;
+    const TrackedMotion& measured = toss.measured;
+    const TrackedMotion predicted = model(toss, setting, score.ran);
+    const std::size_t rows = predicted.times.size();
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double distance = (predicted.centres[i] - measured.centres[i]).norm();
+        score.position += distance / static_cast<double>(rows);
+        score.rotation += predicted.turns[i].angularDistance(measured.turns[i]) / testing::degrees / static_cast<double>(rows);
+        score.distances.push_back(distance);
+    }
+    score.right_face = face_up(predicted.turns.back()) == face_up(measured.turns.back());
+    const Vector3d went = measured.centres.back() - measured.centres.front();
+    const Vector3d goes = predicted.centres.back() - predicted.centres.front();
+    score.travel = horizontal(goes - went);
+    score.measured_travel = horizontal(went);
+    score.predicted_travel = horizontal(goes);
+    return score;
+}
+
 }  // namespace
 
 std::vector<Toss> read_tosses()
@@ -160,33 +175,11 @@ TrackedMotion predicted_toss(const Toss& toss, const CubeSetting& setting, bool&
     return predicted;
 }
 
-TossScore score_of(const Toss& toss, const CubeSetting& setting)
-{
-    TossScore score;
-    const TrackedMotion& measured = toss.measured;
-    const TrackedMotion predicted = predicted_toss(toss, setting, score.ran);
-    const std::size_t rows = predicted.times.size();
-    bool flying = true;
-    for (std::size_t i = 0; i < rows; ++i) {
-        const double distance = (predicted.centres[i] - measured.centres[i]).norm();
-        score.position += distance / static_cast<double>(rows);
-        score.rotation += predicted.turns[i].angularDistance(measured.turns[i]) / testing::degrees / static_cast<double>(rows);
-        flying = flying && lowest_corner(predicted.centres[i], predicted.turns[i]) > setting.table + 2e-3;
-        if (flying) score.in_flight = std::max(score.in_flight, distance);
-    }
-    score.right_face = face_up(predicted.turns.back()) == face_up(measured.turns.back());
-    const Vector3d went = measured.centres.back() - measured.centres.front();
-    const Vector3d goes = predicted.centres.back() - predicted.centres.front();
-    score.travel = horizontal(goes - went);
-    score.measured_travel = horizontal(went);
-    score.predicted_travel = horizontal(goes);
-    return score;
-}
-
-std::vector<TossScore> scores_of(const std::vector<Toss>& tosses, const CubeSetting& setting)
+std::vector<TossScore> scores_of(const std::vector<Toss>& tosses, const CubeSetting& setting,
+                                 const CubeModel& model)
 {
     std::vector<TossScore> scores(tosses.size());
-    for_each_case(static_cast<int>(tosses.size()), [&](int i) { scores[i] = score_of(tosses[i], setting); });
+    for_each_case(static_cast<int>(tosses.size()), [&](int i) { scores[i] = score_of(tosses[i], setting, model); });
     return scores;
 }
 
@@ -200,6 +193,7 @@ CubeFigures figures_of(const std::vector<TossScore>& scores)
         travel.push_back(score.travel);
         bias.push_back(score.predicted_travel - score.measured_travel);
         figures.right_faces += score.right_face / static_cast<double>(scores.size());
+        figures.stopped += score.ran ? 0 : 1;
         figures.mean_position += score.position / static_cast<double>(scores.size());
     }
     figures.position = median_of(position);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@
 
 namespace voussoir::verification
 {
+
+constexpr double cube_edge = 0.1048;      // m
+constexpr double cube_mass = 0.37;        // kg
+constexpr double cube_inertia = 8.1e-4;   // kg m2, about each axis; a uniform cube would have 6.8e-4
 
 /// Centre [m] and turn of the cube, body to world, row by row.
 struct TrackedMotion {
@@ -51,9 +56,9 @@ struct TossScore {
     bool right_face = false;     // the same face up at the end
     double travel = 0;           // m, distance of the horizontal displacements
     double measured_travel = 0;  // m, length of the horizontal displacement
-    double predicted_travel = 0;
-    double in_flight = 0;  // m, largest distance before the cube first touches the table
-    bool ran = false;      // to the end
+    double predicted_travel = 0;  // m
+    std::vector<double> distances;  // m, of the centres, row by row
+    bool ran = false;               // to the end
 };
 
 /// Of all 60 tosses. Velocities are taken to row 0: they are differences to the row before.
@@ -61,10 +66,12 @@ std::vector<Toss> read_tosses();
 
 TrackedMotion predicted_toss(const Toss& toss, const CubeSetting& setting, bool& ran);
 
-TossScore score_of(const Toss& toss, const CubeSetting& setting);
+/// What predicts a toss, and says whether it ran to the end.
+using CubeModel = std::function<TrackedMotion(const Toss&, const CubeSetting&, bool& ran)>;
 
 /// Scores of tosses, side by side.
-std::vector<TossScore> scores_of(const std::vector<Toss>& tosses, const CubeSetting& setting);
+std::vector<TossScore> scores_of(const std::vector<Toss>& tosses, const CubeSetting& setting,
+                                 const CubeModel& model = predicted_toss);
 
 /// What a line of the table says of some tosses.
 struct CubeFigures {
@@ -73,9 +80,9 @@ struct CubeFigures {
     double right_faces = 0;                                    // share
     double travel = 0, travel_bias = 0;                        // m, medians
     double mean_position = 0;                                  // m
+    int stopped = 0;                                           // tosses that did not run to the end
 };
 CubeFigures figures_of(const std::vector<TossScore>& scores);
 
-constexpr double cube_edge = 0.1048;  // m
 
 }  // namespace voussoir::verification
