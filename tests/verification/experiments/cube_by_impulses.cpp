@@ -25,7 +25,10 @@ class Cube
 {
  public:
     Cube(const Toss& toss, const CubeSetting& setting)
-        : setting_(setting), centre(toss.measured.centres[0]), turn(toss.measured.turns[0]), velocity_(toss.velocity),
+        : setting_(setting),
+          centre_(toss.measured.centres[0]),
+          turn_(toss.measured.turns[0]),
+          velocity_(toss.velocity),
           spin_(toss.spin)
     {
     }
@@ -36,13 +39,20 @@ class Cube
         spin_old_ = spin_;
         velocity_.z() -= gravity * h;
         meet(h);
-        centre += h / 2 * (velocity_old_ + velocity_);
+        centre_ += h / 2 * (velocity_old_ + velocity_);
         const Vector3d way = h / 2 * (spin_old_ + spin_);
-        if (way.norm() > 0) turn = (Quaterniond(Eigen::AngleAxisd(way.norm(), way.normalized())) * turn).normalized();
+        if (way.norm() > 0)
+            turn_ = (Quaterniond(Eigen::AngleAxisd(way.norm(), way.normalized())) * turn_).normalized();
     }
 
+    const Vector3d& centre() const { return centre_; }
+    const Quaterniond& turn() const { return turn_; }
+
  private:
-    static Vector3d speed_at(const Vector3d& v, const Vector3d& w, const Vector3d& lever) { return v + w.cross(lever); }
+    static Vector3d speed_at(const Vector3d& v, const Vector3d& w, const Vector3d& lever)
+    {
+        return v + w.cross(lever);
+    }
     static double mobility(const Vector3d& lever, const Vector3d& along)
     {
         return 1 / cube_mass + lever.cross(along).squaredNorm() / cube_inertia;
@@ -59,9 +69,10 @@ class Cube
         std::size_t count = 0;
         for (int i = 0; i < 8; ++i) {
             Corner corner;
-            corner.lever = turn * (half * Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+            corner.lever = turn_ * (half * Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
             corner.before = speed_at(velocity_old_, spin_old_, corner.lever).z();
-            if (centre.z() + corner.lever.z() + h / 2 * corner.before <= setting_.table) corners[count++] = corner;
+            if (centre_.z() + corner.lever.z() + h / 2 * corner.before <= setting_.table)
+                corners[count++] = corner;
         }
         for (int sweep = 0; count > 0 && sweep < 200; ++sweep) {
             double most = 0;
@@ -94,13 +105,10 @@ class Cube
     }
 
     CubeSetting setting_;
-
- public:
-    Vector3d centre;  // m
-    Quaterniond turn;
-
- private:
-    Vector3d velocity_, spin_, velocity_old_, spin_old_;
+    Vector3d centre_;  // m
+    Quaterniond turn_;
+    Vector3d velocity_, spin_;                                                // m/s, rad/s
+    Vector3d velocity_old_ = Vector3d::Zero(), spin_old_ = Vector3d::Zero();  // at the start of the step
 };
 
 }  // namespace
@@ -115,8 +123,8 @@ TrackedMotion cube_by_impulses(const Toss& toss, const CubeSetting& setting, dou
         for (int i = 0; i < parts; ++i) cube.step((row - time) / parts);
         time = row;
         predicted.times.push_back(row);
-        predicted.centres.push_back(cube.centre);
-        predicted.turns.push_back(cube.turn);
+        predicted.centres.push_back(cube.centre());
+        predicted.turns.push_back(cube.turn());
     }
     return predicted;
 }

@@ -25,16 +25,10 @@ constexpr double another_face = 8;       // degrees at the end: the barrier of t
 constexpr double rest_after_motion = 2;  // s
 constexpr double sampling_interval = 0.005;
 
-template <class Joint>
-void set_restitution(Joint& joint, std::optional<double> value)
-{
-    if constexpr (requires { joint.restitution; }) joint.restitution = value;
-}
-
 Model boulder_model(const BoulderShape& shape, const BoulderSetting& setting)
 {
     JointMaterial joint = testing::dry(std::atan(setting.friction) / testing::degrees);
-    set_restitution(joint, setting.restitution);
+    joint.restitution = setting.restitution;
     if (setting.stiffness) joint.stiffness = {ContactStiffness::Kind::per_point, *setting.stiffness};
     const BlockMaterial granite{"granite", mass / shape.moments.volume, setting.young, 0.25};
     Model model = make_model(Kinematics::spatial_rigid, granite, joint);
@@ -177,8 +171,7 @@ std::vector<BoulderEnd> ends_of(const BoulderShape& shape, const std::vector<Tab
                                 const BoulderSetting& setting)
 {
     std::vector<BoulderEnd> ends(tests.size());
-    for_each_case(static_cast<int>(tests.size()),
-                  [&](int i) { ends[i] = end_of(shape, tests[i], setting); });
+    for_each_case(static_cast<int>(tests.size()), [&](int i) { ends[i] = end_of(shape, tests[i], setting); });
     return ends;
 }
 

@@ -26,18 +26,18 @@ struct TableMotion {
     int number = 0;
     std::string record;
     bool overturned = false;
-    double peak_velocity = 0;  // m/s, as listed: without slow motion
+    double peak_velocity = 0;      // m/s, as listed: without slow motion
     double peak_acceleration = 0;  // g, as listed
     std::shared_ptr<const GroundMotion> motion;
 };
 
 /// What is not known of the boulder, and the numerics.
 struct BoulderSetting {
-    double friction = 0.6;                   // -
-    double sign = 1;                         // of the motion, towards x of the mesh
-    std::optional<double> restitution = 0;   // -; none: the springs alone
-    double young = 5e10;                     // Pa: of granite; it sets the stiffness of contacts alone
-    std::optional<double> stiffness;         // N/m per point; none: the default
+    double friction = 0.6;                    // -
+    double sign = 1;                          // of the motion, towards x of the mesh
+    std::optional<double> restitution = 0;    // -; none: the springs alone
+    double young = 5e10;                      // Pa: of granite; it sets the stiffness of contacts alone
+    std::optional<double> stiffness;          // N/m per point; none: the default
     StepControl control = default_control();  // what a case file has unless it says otherwise
 
     static StepControl default_control()
@@ -50,13 +50,13 @@ struct BoulderSetting {
 
 /// How a test ends in the engine.
 struct BoulderEnd {
-    bool settled = false;      // it came to rest before the shaking
-    bool ran = false;          // to the end of the motion, or until it lay
-    double largest_tilt = 0;   // degrees, against its rest before the shaking
-    double last_tilt = 0;      // degrees; the run ends beyond 45
-    double moved = 0;          // m, over the table, of the centroid
-    double seconds = 0;        // of processor time
-    bool overturned = false;   // by 45 degrees, or it rests on another face
+    bool settled = false;     // it came to rest before the shaking
+    bool ran = false;         // to the end of the motion, or until it lay
+    double largest_tilt = 0;  // degrees, against its rest before the shaking
+    double last_tilt = 0;     // degrees; the run ends beyond 45
+    double moved = 0;         // m, over the table, of the centroid
+    double seconds = 0;       // of processor time
+    bool overturned = false;  // by 45 degrees, or it rests on another face
 };
 
 /// Reads and simplifies the scan. @throws InputError when it cannot

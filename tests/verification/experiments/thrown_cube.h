@@ -13,9 +13,9 @@
 namespace voussoir::verification
 {
 
-constexpr double cube_edge = 0.1048;      // m
-constexpr double cube_mass = 0.37;        // kg
-constexpr double cube_inertia = 8.1e-4;   // kg m2, about each axis; a uniform cube would have 6.8e-4
+constexpr double cube_edge = 0.1048;     // m
+constexpr double cube_mass = 0.37;       // kg
+constexpr double cube_inertia = 8.1e-4;  // kg m2, about each axis; a uniform cube would have 6.8e-4
 
 /// Centre [m] and turn of the cube, body to world, row by row.
 struct TrackedMotion {
@@ -51,12 +51,12 @@ struct CubeSetting {
 
 /// How far a predicted toss is from the measured one.
 struct TossScore {
-    double position = 0;         // m, mean distance of the centres over all rows
-    double rotation = 0;         // degrees, mean over all rows; the cube is marked
-    bool right_face = false;     // the same face up at the end
-    double travel = 0;           // m, distance of the horizontal displacements
-    double measured_travel = 0;  // m, length of the horizontal displacement
-    double predicted_travel = 0;  // m
+    double position = 0;            // m, mean distance of the centres over all rows
+    double rotation = 0;            // degrees, mean over all rows; the cube is marked
+    bool right_face = false;        // the same face up at the end
+    double travel = 0;              // m, distance of the horizontal displacements
+    double measured_travel = 0;     // m, length of the horizontal displacement
+    double predicted_travel = 0;    // m
     std::vector<double> distances;  // m, of the centres, row by row
     bool ran = false;               // to the end
 };
@@ -83,6 +83,5 @@ struct CubeFigures {
     int stopped = 0;                                           // tosses that did not run to the end
 };
 CubeFigures figures_of(const std::vector<TossScore>& scores);
-
 
 }  // namespace voussoir::verification

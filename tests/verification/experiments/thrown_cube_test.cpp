@@ -1,5 +1,6 @@
-// 60 tosses of a plastic cube, predicted from their first row: what the engine makes of impacts and friction at its
-// defaults. The bounds are what it reached, with room for tosses that turn over another edge: see docs/experiments.md.
+// 60 tosses of a plastic cube, predicted from their first row: what the engine makes of impacts and friction at
+// its defaults. The bounds are what it reached, with room for tosses that turn over another edge: see
+// docs/experiments.md.
 #include "tests/verification/experiments/thrown_cube.h"
 
 #include <fmt/format.h>
@@ -88,14 +89,14 @@ void draw(const Scores& engine, const Scores& impulses, const Scores& springs)
                                false,
                                false,
                                false});
-    figure.diagrams.push_back({"time since the first row [s]",
-                               "median distance of the centres [mm]",
-                               {growth(names[0], impulses, true), growth(names[1], engine, false),
-                                growth(names[2], springs, false)},
-                               {},
-                               false,
-                               false,
-                               false});
+    figure.diagrams.push_back(
+        {"time since the first row [s]",
+         "median distance of the centres [mm]",
+         {growth(names[0], impulses, true), growth(names[1], engine, false), growth(names[2], springs, false)},
+         {},
+         false,
+         false,
+         false});
     draw_if_asked(figure);
 }
 
