@@ -11,7 +11,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 12\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 13\n";  // its number rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 

@@ -49,7 +49,7 @@ Json modes(const NaturalModes& found)
 Json shares(const EnergyShares& shares)
 {
     return {{"put_in_J", shares.put_in},   {"integrator", shares.integrator}, {"redetection", shares.contacts},
-            {"friction", shares.friction}, {"damping", shares.damping},       {"dashpots", shares.dashpots},
+            {"friction", shares.friction}, {"impact", shares.impact}, {"damping", shares.damping},       {"dashpots", shares.dashpots},
             {"fracture", shares.fracture}};
 }
 

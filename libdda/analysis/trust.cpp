@@ -130,6 +130,7 @@ EnergyShares shares_of(const EnergyLedger& now, const TrustStart& start)
         std::abs(share(&EnergyLedger::algorithmic)) + std::abs(share(&EnergyLedger::algorithmic_rotation));
     shares.contacts = std::abs(share(&EnergyLedger::redetection));
     shares.friction = share(&EnergyLedger::friction);
+    shares.impact = share(&EnergyLedger::impact);
     shares.damping = share(&EnergyLedger::damping_kinetic);
     shares.dashpots = share(&EnergyLedger::damping_contact);
     shares.fracture = share(&EnergyLedger::fracture);

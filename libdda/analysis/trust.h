@@ -46,6 +46,7 @@ struct EnergyShares {
     double integrator = 0;  // algorithmic and algorithmic_rotation, each by its size
     double contacts = 0;    // redetection, by its size
     double friction = 0;    // in joints
+    double impact = 0;      // of stones that land
     double damping = 0;     // of the stage
     double dashpots = 0;    // of joints
     double fracture = 0;    // of joints
