@@ -31,6 +31,7 @@ void read_open_close(YamlCursor& stage, StepControl& control)
         for (const char* key : {"max_open_close", "force_tolerance"})
             stage.forbid(key, "the published iteration has six passes and no force tolerance");
         control.max_open_close = published_open_close;
+        control.integrator = Integrator::newmark;
         return;
     }
     control.max_open_close = stage.integer_or("max_open_close", 1, 100'000, control.max_open_close);

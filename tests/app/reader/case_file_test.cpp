@@ -203,7 +203,7 @@ TEST(CaseFile, KeysOfTheOtherKindOfStageSaySo)
 {
     EXPECT_EQ(faults_of(two_boxes, {"stages[0].duration=3 s"}),
               "--set stages[0].duration: has no meaning here; a static stage ends at equilibrium");
-    EXPECT_EQ(faults_of(two_boxes, {"stages[1].dissipation=0.1"}),
+    EXPECT_EQ(faults_of(two_boxes, {"stages[1].integrator=newmark", "stages[1].dissipation=0.1"}),
               "--set stages[1].dissipation: has no meaning here; it belongs to integrator: energy_decaying");
 }
 
@@ -235,6 +235,22 @@ std::string with_joint(const std::string& keys)
 double relaxation_time(const Case& the_case)
 {
     return the_case.model.joints.at(0).relaxation_time;
+}
+
+TEST(CaseFile, JointsHaveARestitutionOrADashpot)
+{
+    const auto restitution = [](const std::string& keys) {
+        return read(keys.empty() ? std::string(two_boxes) : with_joint(keys)).model.joints.at(0).restitution;
+    };
+    EXPECT_EQ(restitution(""), 0.0);
+    EXPECT_EQ(restitution("restitution: 0.3"), 0.3);
+    EXPECT_EQ(restitution("restitution: none"), std::nullopt);
+    EXPECT_EQ(restitution("relaxation_time: 1 ms"), std::nullopt);
+    EXPECT_EQ(restitution("relaxation_time: 1 ms, restitution: none"), std::nullopt);
+    EXPECT_EQ(faults_of(with_joint("restitution: 1.2")), "case.yaml:5: joints.dry.restitution: 1.2; must be 0 to 1");
+    EXPECT_EQ(faults_of(with_joint("relaxation_time: 1 ms, restitution: 0.3")),
+              "case.yaml:5: joints.dry.restitution: restitution beside a relaxation_time; a joint has one or the "
+              "other; or write restitution: none");
 }
 
 TEST(RenamedKeys, AreReadUnderTheirFormerNameWithAWarning)

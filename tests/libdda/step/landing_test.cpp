@@ -1,0 +1,158 @@
+// Landing: the restitution of a joint, and nothing else, decides how stones leave one another.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "tests/libdda/poses.h"
+#include "tests/libdda/scenes.h"
+
+namespace voussoir::testing
+{
+
+namespace
+{
+
+class Landing : public ::testing::TestWithParam<Kinematics>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Kinematics, Landing, every_kinematics(), test_name);
+
+/// A box that falls flat on a floor. @returns its highest rise after the first impact [m]
+double rebound(Kinematics kinematics, std::optional<double> restitution, double stiffness_factor, double h,
+               RunReport& report)
+{
+    JointMaterial joint = dry(30);
+    joint.restitution = restitution;
+    joint.stiffness.factor = stiffness_factor;
+    Model model = make_model(kinematics, stone(), joint);
+    hold(model, add_box(model, "floor", {-1, -1, -1}, {1, 1, 0}));
+    const int box = add_box(model, "box", {-0.3, -0.3, 0.2}, {0.3, 0.3, 0.7});
+    State state = initial_state(model);
+    double highest = 0;
+    bool has_landed = false;
+    RunObserver observer;
+    observer.step = [&](const State& now, const StepReport&, const RunReport&) {
+        const double height = centroid(model, now, box).z() - 0.25;
+        has_landed = has_landed || (now.time > 0.15 && velocity_of(model.kinematics, now, box).z() > -1e-3);
+        if (has_landed) highest = std::max(highest, height);
+    };
+    report = run(model, {dynamic_stage(0.5, h)}, state, observer);
+    return highest;
+}
+
+/// A block 1 m wide and 3 m high that begins to rock with a lean of 0.1. @returns by how much each of the first four
+/// impacts reduces the angular speed
+std::vector<double> rocking_ratios(Kinematics kinematics, double h)
+{
+    constexpr double width = 1, height = 3, lean = 0.1;
+    Model model = make_model(kinematics, stone(), dry(60));
+    hold(model, add_box(model, "floor", {-3, -1, -1}, {3, 1, 0}));
+    const int block = add_box(model, "block", {-width / 2, -0.5, 0}, {width / 2, 0.5, height});
+    State state = initial_state(model);
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(lean, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    const Eigen::Vector3d corner(width / 2, 0, 0), middle(0, 0, height / 2);
+    set_pose(model, state, block, corner + turn * (middle - corner), turn);
+    const double radius = std::hypot(width, height) / 2, alpha = std::atan2(width, height);
+    const auto rise = [&](double angle) { return radius * (std::cos(alpha - angle) - std::cos(alpha)); };
+    std::vector<double> swings{lean};
+    bool to_right = true;
+    RunObserver observer;
+    observer.step = [&](const State& now, const StepReport&, const RunReport&) {
+        const Eigen::Matrix3d map = pose_of(model.kinematics, now, block).map;
+        const double angle = std::atan2(map(0, 2), map(2, 2));
+        if (std::abs(angle) > 1e-6 && (angle > 0) != to_right) {
+            to_right = angle > 0;
+            swings.push_back(0);
+        }
+        swings.back() = std::max(swings.back(), std::abs(angle));
+    };
+    observer.stop = [&] { return swings.size() > 5; };
+    run(model, {dynamic_stage(6, h)}, state, observer);
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i + 1 < swings.size() && i < 4; ++i)
+        ratios.push_back(std::sqrt(rise(swings[i + 1]) / rise(swings[i])));
+    return ratios;
+}
+
+}  // namespace
+
+// The height goes with the square of the restitution, whatever the step and the stiffness.
+TEST_P(Landing, ABoxRisesByTheSquareOfTheRestitution)
+{
+    for (const double e : {0.0, 0.5, 1.0})
+        for (const double factor : {0.01, 1.0})
+            for (const double h : {2e-3, 3e-4}) {
+                RunReport report;
+                const double height = rebound(GetParam(), e, factor, h, report);
+                std::printf("restitution %g, stiffness x %g, %g ms: %.4f m of 0.2 m\n", e, factor, 1e3 * h, height);
+                EXPECT_NEAR(height, 0.2 * e * e, 2e-3) << e << " " << factor << " " << h;
+                EXPECT_LT(report.energy.relative_residual(), 1e-6);
+            }
+}
+
+// What the impulses take is the kinetic energy of the fall, times 1 - e^2, and a term of its own.
+TEST_P(Landing, TakesTheEnergyOfTheApproach)
+{
+    RunReport report;
+    rebound(GetParam(), 0.0, 1, 1e-3, report);
+    EXPECT_NEAR(report.energy.impact, report.energy.gravity_work, 0.02 * report.energy.gravity_work);
+    rebound(GetParam(), std::nullopt, 1, 1e-3, report);
+    EXPECT_EQ(report.energy.impact, 0);
+}
+
+// A rocking block's edge lands without bouncing: Housner's ratio of angular speeds, 1 - 1.5 sin^2(alpha).
+TEST_P(Landing, ARockingBlockFollowsHousner)
+{
+    const double exact = 1 - 1.5 * std::pow(std::sin(std::atan2(1, 3)), 2);
+    for (const double h : {2e-3, 2e-4}) {
+        const std::vector<double> ratios = rocking_ratios(GetParam(), h);
+        ASSERT_EQ(ratios.size(), 4U);
+        for (const double ratio : ratios) EXPECT_NEAR(ratio, exact, 0.01) << "at " << h << " s";
+    }
+}
+
+// Bodies that meet head on in free flight exchange their momentum, spin or not, and lose none of it.
+TEST_P(Landing, KeepsMomentumOfStonesInFlight)
+{
+    JointMaterial joint = dry(30);
+    joint.restitution = 0.5;
+    Model model = make_model(GetParam(), stone(), joint);
+    add_box(model, "left", {-0.6, -0.25, 0}, {-0.1, 0.25, 0.5});
+    add_box(model, "right", {0.1, -0.25, 0.1}, {0.7, 0.25, 0.7});
+    State state = initial_state(model);
+    set_velocity(model, state, 0, {2, 0, 0});
+    set_velocity(model, state, 1, {-1, 0, 0.1});
+    const auto momentum = [&](const State& now) {
+        Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
+        for (int b = 0; b < 2; ++b) {
+            const Eigen::Vector3d p = model.mass(b) * velocity_of(model.kinematics, now, b);
+            linear += p;
+            angular += centroid(model, now, b).cross(p) + angular_momentum(model, now, b);
+        }
+        return std::make_pair(linear, angular);
+    };
+    const auto before = momentum(state);
+    const RunReport report = run_quietly(model, {dynamic_stage(0.2, 1e-3, {0, 0, 0})}, state);
+    const auto after = momentum(state);
+    EXPECT_GT(report.energy.impact, 0);
+    EXPECT_LT((after.first - before.first).norm(), 1e-9 * before.first.norm() + 1e-6);
+    EXPECT_LT((after.second - before.second).norm(), 1e-6 * before.first.norm());
+}
+
+// A joint that stays closed loses nothing: a stack that trembles under its own weight has no impacts.
+TEST_P(Landing, AJointThatStaysClosedLosesNothing)
+{
+    Model model = make_model(GetParam(), stone(), dry(40));
+    hold(model, add_box(model, "floor", {-1, -1, -1}, {1, 1, 0}));
+    for (int i = 0; i < 4; ++i) add_box(model, std::to_string(i), {-0.3, -0.3, 0.4 * i}, {0.3, 0.3, 0.4 * (i + 1)});
+    State state = initial_state(model);
+    ASSERT_EQ(run_quietly(model, {static_stage(0.1)}, state).outcome, Outcome::completed);
+    for (int i = 1; i <= 4; ++i) set_velocity(model, state, i, {0, 0, -1e-5 * i});
+    begin_stage(model, 0, state);
+    const RunReport report = run_quietly(model, {dynamic_stage(0.2, 1e-3)}, state);
+    EXPECT_EQ(report.outcome, Outcome::completed);
+    EXPECT_EQ(report.energy.impact, 0);
+}
+
+}  // namespace voussoir::testing
