@@ -11,7 +11,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 11\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 12\n";  // its number rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -71,10 +71,14 @@ template <typename Archive, typename Position>
 void position_fields(Archive& archive, Position& position)
 {
     auto& [report, frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
-           step_unbalanced] = position;
+           step_unbalanced, course] = position;
     report_fields(archive, report);
     archive.fields(frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
                    step_unbalanced);
+    auto& [start, before, acceleration, steady, idle] = course;
+    archive.list(start);
+    archive.list(before);
+    archive.fields(acceleration, steady, idle);
 }
 
 template <typename Archive, typename SomeRestart>

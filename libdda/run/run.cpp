@@ -57,17 +57,29 @@ void enter_stage(int stage, const Stage& entered, driver::RunProgress& progress)
     progress.position = std::move(fresh);
 }
 
+/// A structure of which stones have fallen has collapsed, whatever came afterwards. Where the numerics failed in
+/// the ruins, that is told beside it.
+void settle_outcome(RunReport& report)
+{
+    const bool open = report.outcome == Outcome::completed || report.outcome == Outcome::gave_up;
+    if (!open || report.fallen.empty()) return;
+    if (report.diagnosis) report.warnings.push_back(std::move(*report.diagnosis));
+    report.outcome = Outcome::collapsed;
+    report.diagnosis = diagnosis_of_fallen(report);
+}
+
 /// Runs a stage to its end; false when the run ends in it.
 bool run_stage(const Stage& stage, driver::RunProgress& progress)
 {
     const bool is_static = stage.type == StageType::static_equilibrium;
     const bool done = is_static ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
     progress.position.stage_done = done;
-    if (done && is_static) {
-        note_joints(progress.model, progress.joints, progress.state, progress.report);
-        driver::show(progress);
+    if (is_static) note_joints(progress.model, progress.joints, progress.state, progress.report);
+    if (done && is_static) driver::show(progress);
+    if (!done) {
+        settle_outcome(progress.report);
+        driver::show_end(progress);
     }
-    if (!done) driver::show_end(progress);
     return done;
 }
 
@@ -101,6 +113,10 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
         if (s == state.stage && progress.position.stage_done) continue;
         if (s != state.stage || state.stage_time == 0) enter_stage(s, stages[s], progress);
         if (!run_stage(stages[s], progress)) break;
+    }
+    if (progress.report.outcome == Outcome::completed && !progress.report.fallen.empty()) {
+        settle_outcome(progress.report);
+        driver::show_end(progress);
     }
     add_last_warnings(progress.report);
     return std::move(progress.report);
