@@ -75,10 +75,10 @@ void position_fields(Archive& archive, Position& position)
     report_fields(archive, report);
     archive.fields(frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
                    step_unbalanced);
-    auto& [start, before, acceleration, steady, idle] = course;
+    auto& [start, before, acceleration, steady, kinetic, idle] = course;
     archive.list(start);
     archive.list(before);
-    archive.fields(acceleration, steady, idle);
+    archive.fields(acceleration, steady, kinetic, idle);
 }
 
 template <typename Archive, typename SomeRestart>

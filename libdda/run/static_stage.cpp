@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <cstdio>
-#include <cstdlib>
 
 #include "libdda/analysis/block_shifts.h"
 #include "libdda/analysis/mechanism.h"
@@ -22,11 +20,14 @@ constexpr double loosening = 1000;    // times the force_tolerance, at most
 constexpr double longest_step = 0.2;  // of a stone's size, that a corner of it may go in one step
 // Motion of a corner since the stage began, as shares of its stone's size.
 constexpr double settled = 0.1;    // what settles goes no farther; what does, and goes on, falls
+constexpr double creeping = 0.01;  // the same for stones that gather speed all the way, in many steps
+constexpr int long_steady = 20;    // as many
 constexpr double overturned = 0.5;  // what has gone so far has fallen, though it lies still by now
 constexpr int enough_steady = 3;    // steps on one way that show that stones do go on
 // Of two steps running that lead on one way:
 constexpr double same_way = 0.7;    // cosine between them, at least
 constexpr double no_slower = 0.7;   // of the acceleration, at least
+constexpr double let_go = 1e-4;      // of a stone's size, since the stage began: more than what settles by elasticity
 constexpr double motionless = 1e-6;  // of a stone's size in a step
 constexpr int enough_idle = 5;       // negligible steps, after which contacts that still take turns do not matter
 constexpr double longest_time = 1e4;  // times the nominal time step: of steps of stones on one way
@@ -87,6 +88,48 @@ double next_step(const StepReport& step, double share, const StaticCourse& cours
     return std::min(step.time_step * std::min(growth, jump), most);
 }
 
+/// Whether stones that have gone on one way are to keep their velocity. Held at rest at the start of each step they
+/// would go a gravity h^2 / 2 at a time, and joints that slide and open do not let h grow.
+bool may_let_go(const StaticCourse& course, double share)
+{
+    return course.steady >= enough_steady && share > let_go;
+}
+
+/// Takes the velocities of all stones.
+void stop_stones(RunProgress& progress)
+{
+    EnergyLedger& energy = progress.report.energy;
+    std::fill(progress.state.velocities.begin(), progress.state.velocities.end(), 0);
+    energy.damping_static += energy.kinetic;
+    energy.kinetic = 0;
+    progress.position.course.kinetic = 0;
+}
+
+/// The stage as stones that are let go see it: time does not pass, but they keep what the step gave them.
+Stage let_go_in(const Stage& loaded)
+{
+    Stage free = loaded;
+    free.type = StageType::dynamic;
+    free.control.integrator = Integrator::newmark;
+    return free;
+}
+
+/// After a step of stones that were let go: once they slow down, or turn, they are stopped.
+void note_free_step(RunProgress& progress)
+{
+    StaticCourse& course = progress.position.course;
+    const Model& model = progress.model;
+    const auto last = shifts_between(model, progress.before.coordinates, progress.state.coordinates);
+    const auto previous = shifts_between(model, course.before, progress.before.coordinates);
+    const double scale = std::sqrt(product_of(model, last, last) * product_of(model, previous, previous));
+    const bool goes_on = product_of(model, last, previous) > same_way * scale &&
+                         progress.report.energy.kinetic >= course.kinetic;
+    course.before = progress.before.coordinates;
+    course.kinetic = progress.report.energy.kinetic;
+    course.steady = goes_on ? course.steady + 1 : 0;
+    if (!goes_on) stop_stones(progress);
+}
+
 /// Makes a step in which no stone jumps; false when the run ends here.
 bool try_short_step(const Stage& loaded, double h, RunProgress& progress, StepReport& step, double& share)
 {
@@ -108,7 +151,10 @@ bool try_short_step(const Stage& loaded, double h, RunProgress& progress, StepRe
 /// Whether stones fall, as far as can be seen by now. @param gone since the stage began
 bool is_falling(const RunProgress& progress, const std::vector<BlockShift>& gone)
 {
-    return progress.position.course.steady >= enough_steady && largest_share(progress.model, gone) > settled;
+    const StaticCourse& course = progress.position.course;
+    const double share = largest_share(progress.model, gone);
+    return (course.steady >= enough_steady && share > settled) ||
+           (course.steady >= long_steady && course.kinetic > 0 && share > creeping);
 }
 
 /// After the last step that the stage allows, or one that could not be made. @returns false
@@ -132,30 +178,52 @@ bool give_up_resting(RunProgress& progress)
     return false;
 }
 
-/// One step at rest under `loaded`; false when the run ends here.
+/// Makes one step under `loaded` and counts it; false when it gave up. @param share gone in it, of a stone's size
+bool make_step(Stage& loaded, bool is_free, RunProgress& progress, StepReport& step, double& share)
+{
+    State& state = progress.state;
+    const double time = state.time;
+    const double h = state.next_time_step > 0 ? state.next_time_step : loaded.control.time_step;
+    if (!try_short_step(is_free ? let_go_in(loaded) : loaded, h, progress, step, share)) return false;
+    state.time = time;
+    return keep_step(loaded, progress, step);
+}
+
+/// What the step says of how far the stage has come.
+void note_balance(const Stage& stage, bool is_free, RunProgress& progress, StepReport& step)
+{
+    RunPosition& at = progress.position;
+    if (is_free) {
+        note_free_step(progress);
+        step.inertia_ratio = at.step_unbalanced;
+    } else {
+        note_step(stage, step, progress);
+    }
+    progress.report.static_unbalanced = at.step_unbalanced = step.inertia_ratio;
+    const bool balanced =
+        !is_free && step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
+    at.quiet_steps = balanced ? at.quiet_steps + 1 : 0;
+    ++at.static_steps;
+}
+
+/// One step under `loaded`; false when the run ends here.
 bool step_at_rest(const Stage& stage, Stage& loaded, RunProgress& progress)
 {
     RunPosition& at = progress.position;
-    State& state = progress.state;
-    if (at.course.start.empty()) at.course.start = state.coordinates;
+    if (at.course.start.empty()) at.course.start = progress.state.coordinates;
     // A step need only be solved as well as its own unbalanced force deserves: far from equilibrium the
     // last digits are friction points taking turns; near it the tolerance must not hide what is left.
+    const bool is_free =
+        at.course.kinetic > 0 || may_let_go(at.course, largest_share(progress.model, gone_in_stage(progress)));
     loaded.control.force_tolerance =
         std::min(loosening * stage.control.force_tolerance,
                  std::max(inexactness * at.step_unbalanced, 0.1 * stage.unbalanced_tolerance));
     StepReport step;
     double share = 0;
-    const double h = state.next_time_step > 0 ? state.next_time_step : stage.control.time_step;
-    if (!try_short_step(loaded, h, progress, step, share) || !keep_step(loaded, progress, step))
-        return end_unbalanced(progress);
-    note_step(stage, step, progress);
-    state.next_time_step = next_step(step, share, at.course, stage.control.time_step);
-    progress.report.static_unbalanced = at.step_unbalanced = step.inertia_ratio;
-    const bool balanced = step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
-    at.quiet_steps = balanced ? at.quiet_steps + 1 : 0;
-    ++at.static_steps;
-    if (progress.observer.step) progress.observer.step(state, step, progress.report);
-    if (getenv("DBG")) fprintf(stderr, "%d h %.3g unb %.3e chg %d disp %.3e cuts %d it %d closed %d steady %d a %.3e share %.3e gone %.3e\n", at.static_steps, step.time_step, step.inertia_ratio, step.contact_state_changed, step.max_displacement, step.cuts, step.open_close_iterations, step.closed_points, at.course.steady, at.course.acceleration, share, largest_share(progress.model, gone_in_stage(progress)));
+    if (!make_step(loaded, is_free, progress, step, share)) return end_unbalanced(progress);
+    note_balance(stage, is_free, progress, step);
+    progress.state.next_time_step = next_step(step, share, at.course, stage.control.time_step);
+    if (progress.observer.step) progress.observer.step(progress.state, step, progress.report);
     const auto gone = gone_in_stage(progress);
     if (is_falling(progress, gone) || (is_at_rest(at) && largest_share(progress.model, gone) > overturned)) {
         collapse(progress, gone);
