@@ -37,11 +37,12 @@ bool are_finite(const std::vector<double>& numbers)
 
 bool is_sound(const RunPosition& at)
 {
-    const std::array<std::int64_t, 9> counts{at.parts,        at.frames,       at.multiples,
-                                             at.divisions,    at.load_increments, at.static_steps,
-                                             at.quiet_steps,  at.course.steady,   at.course.idle};
+    const std::array<std::int64_t, 9> counts{at.parts,       at.frames,          at.multiples,
+                                             at.divisions,   at.load_increments, at.static_steps,
+                                             at.quiet_steps, at.course.steady,   at.course.idle};
     return is_sound(at.report) && are_finite(at.course.start) && are_finite(at.course.before) &&
-           std::isfinite(at.course.acceleration) && std::isfinite(at.course.kinetic) && std::all_of(counts.begin(), counts.end(), is_count);
+           std::isfinite(at.course.acceleration) && std::isfinite(at.course.kinetic) &&
+           std::all_of(counts.begin(), counts.end(), is_count);
 }
 
 /// The clock of the stage is where its grid is, and the counters of a static stage are within its own.

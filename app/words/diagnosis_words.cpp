@@ -91,17 +91,19 @@ constexpr std::size_t most_named = 5;  // stones, or joints
 /// "'a', 0.02 m towards [0, 0, -1]"
 std::string moving_block(const Subject& subject, std::size_t i)
 {
-    const double* values = subject.diagnosis.values.data() + 4 * i;  // moved_m and the direction
-    return fmt::format("{}, {:.3g} m towards [{:.2g}, {:.2g}, {:.2g}]", subject.block(i), values[0], values[1] + 0.0,
-                       values[2] + 0.0, values[3] + 0.0);
+    const double* values = subject.diagnosis.values.data() + 4 * i;                   // moved_m and the direction
+    const auto short_one = [](double x) { return std::round(100 * x) / 100 + 0.0; };  // no negative nought
+    return fmt::format("{}, {:.3g} m towards [{:g}, {:g}, {:g}]", subject.block(i), values[0],
+                       short_one(values[1]), short_one(values[2]), short_one(values[3]));
 }
 
-/// "stage 'self-weight' finds no equilibrium: 2 of 10 blocks are falling: 'a', 0.02 m towards [0, 0, -1]; 'b', ..."
+/// "stage 'self-weight' finds no equilibrium: 2 of 10 blocks are falling: 'a', 0.02 m towards [0, 0, -1]; 'b',
+/// ..."
 std::string mechanism(const Subject& subject)
 {
     const std::size_t count = subject.diagnosis.blocks.size();
-    std::string words = fmt::format("{} finds no equilibrium: {} of {} blocks {} falling: ", subject.stage(), count,
-                                    subject.model.blocks.size(), count == 1 ? "is" : "are");
+    std::string words = fmt::format("{} finds no equilibrium: {} of {} blocks {} falling: ", subject.stage(),
+                                    count, subject.model.blocks.size(), count == 1 ? "is" : "are");
     for (std::size_t i = 0; i < std::min(most_named, count); ++i)
         words += (i > 0 ? "; " : "") + moving_block(subject, i);
     const std::string them = count == 1 ? "it" : "them";
@@ -117,13 +119,13 @@ std::string joints_in_words(const RunReport& report, const Model& model, const s
     for (const JointPeaks& joint : report.joints)
         if ((joint.*time).has_value()) joints.push_back(&joint);
     if (joints.empty()) return "";
-    std::stable_sort(joints.begin(), joints.end(), [&](const JointPeaks* one, const JointPeaks* other) {
-        return one->*size > other->*size;
-    });
+    std::stable_sort(joints.begin(), joints.end(),
+                     [&](const JointPeaks* one, const JointPeaks* other) { return one->*size > other->*size; });
     std::string words = "; joints " + what + ": ";
     for (std::size_t i = 0; i < std::min(most_named, joints.size()); ++i)
-        words += fmt::format("{}'{}' on '{}' by {:.3g} m", i > 0 ? ", " : "", model.blocks[joints[i]->block_a].name,
-                             model.blocks[joints[i]->block_b].name, joints[i]->*size);
+        words +=
+            fmt::format("{}'{}' on '{}' by {:.3g} m", i > 0 ? ", " : "", model.blocks[joints[i]->block_a].name,
+                        model.blocks[joints[i]->block_b].name, joints[i]->*size);
     return joints.size() > most_named ? words + fmt::format(", ... ({} in all)", joints.size()) : words;
 }
 

@@ -30,10 +30,10 @@ Vector3d turned(const Vector3d& from, const Vector3d& to, double share)
 Vector3d mean_gravity(const GravityRamp& ramp, const Vector3d& gravity, double start, double end)
 {
     if (ramp.duration <= 0 || start >= ramp.duration) return gravity;
-    const double share = end > start ? (integral_of_share(ramp.duration, end) -
-                                        integral_of_share(ramp.duration, start)) /
-                                           (end - start)
-                                     : std::clamp(start / ramp.duration, 0.0, 1.0);
+    const double share =
+        end > start
+            ? (integral_of_share(ramp.duration, end) - integral_of_share(ramp.duration, start)) / (end - start)
+            : std::clamp(start / ramp.duration, 0.0, 1.0);
     return ramp.turns ? turned(ramp.from, gravity, share) : Vector3d(ramp.from + share * (gravity - ramp.from));
 }
 

@@ -19,17 +19,17 @@ constexpr double inexactness = 0.1;   // share of the unbalanced force of the st
 constexpr double loosening = 1000;    // times the force_tolerance, at most
 constexpr double longest_step = 0.2;  // of a stone's size, that a corner of it may go in one step
 // Motion of a corner since the stage began, as shares of its stone's size.
-constexpr double settled = 0.1;    // what settles goes no farther; what does, and goes on, falls
-constexpr double creeping = 0.01;  // the same for stones that gather speed all the way, in many steps
-constexpr int long_steady = 20;    // as many
+constexpr double settled = 0.1;     // what settles goes no farther; what does, and goes on, falls
+constexpr double creeping = 0.01;   // the same for stones that gather speed all the way, in many steps
+constexpr int long_steady = 20;     // as many
 constexpr double overturned = 0.5;  // what has gone so far has fallen, though it lies still by now
 constexpr int enough_steady = 3;    // steps on one way that show that stones do go on
 // Of two steps running that lead on one way:
-constexpr double same_way = 0.7;    // cosine between them, at least
-constexpr double no_slower = 0.7;   // of the acceleration, at least
-constexpr double let_go = 1e-4;      // of a stone's size, since the stage began: more than what settles by elasticity
-constexpr double motionless = 1e-6;  // of a stone's size in a step
-constexpr int enough_idle = 5;       // negligible steps, after which contacts that still take turns do not matter
+constexpr double same_way = 0.7;   // cosine between them, at least
+constexpr double no_slower = 0.7;  // of the acceleration, at least
+constexpr double let_go = 1e-4;  // of a stone's size, since the stage began: more than what settles by elasticity
+constexpr double motionless = 1e-6;   // of a stone's size in a step
+constexpr int enough_idle = 5;        // negligible steps, after which contacts that still take turns do not matter
 constexpr double longest_time = 1e4;  // times the nominal time step: of steps of stones on one way
 
 bool is_at_rest(const RunPosition& at)
@@ -66,12 +66,11 @@ void note_step(const Stage& stage, const StepReport& step, RunProgress& progress
     if (!course.before.empty()) {
         const auto previous = shifts_between(model, course.before, progress.before.coordinates);
         const double scale = std::sqrt(squared * product_of(model, previous, previous));
-        goes_on = product_of(model, last, previous) > same_way * scale &&
-                  acceleration > no_slower * course.acceleration;
+        goes_on =
+            product_of(model, last, previous) > same_way * scale && acceleration > no_slower * course.acceleration;
     }
     course.steady = goes_on ? course.steady + 1 : 0;
-    const bool idle =
-        step.inertia_ratio <= stage.unbalanced_tolerance && largest_share(model, last) <= motionless;
+    const bool idle = step.inertia_ratio <= stage.unbalanced_tolerance && largest_share(model, last) <= motionless;
     course.idle = idle ? course.idle + 1 : 0;
     course.acceleration = acceleration;
     course.before = progress.before.coordinates;
@@ -88,8 +87,8 @@ double next_step(const StepReport& step, double share, const StaticCourse& cours
     return std::min(step.time_step * std::min(growth, jump), most);
 }
 
-/// Whether stones that have gone on one way are to keep their velocity. Held at rest at the start of each step they
-/// would go a gravity h^2 / 2 at a time, and joints that slide and open do not let h grow.
+/// Whether stones that have gone on one way are to keep their velocity. Held at rest at the start of each step
+/// they would go a gravity h^2 / 2 at a time, and joints that slide and open do not let h grow.
 bool may_let_go(const StaticCourse& course, double share)
 {
     return course.steady >= enough_steady && share > let_go;
@@ -103,6 +102,18 @@ void stop_stones(RunProgress& progress)
     energy.damping_static += energy.kinetic;
     energy.kinetic = 0;
     progress.position.course.kinetic = 0;
+}
+
+/// What contacts gave or took when they were found anew, and what the residual of a loose solution did, goes with
+/// what the stage takes, as in its other steps.
+void book_as_static(RunProgress& progress)
+{
+    EnergyLedger& energy = progress.report.energy;
+    const EnergyLedger& before = progress.energy_before;
+    energy.damping_static += energy.redetection - before.redetection + energy.residual() - before.residual();
+    energy.redetection = before.redetection;
+    energy.peak_taken = before.peak_taken;
+    energy.peak_given = before.peak_given;
 }
 
 /// The stage as stones that are let go see it: time does not pass, but they keep what the step gave them.
@@ -122,8 +133,8 @@ void note_free_step(RunProgress& progress)
     const auto last = shifts_between(model, progress.before.coordinates, progress.state.coordinates);
     const auto previous = shifts_between(model, course.before, progress.before.coordinates);
     const double scale = std::sqrt(product_of(model, last, last) * product_of(model, previous, previous));
-    const bool goes_on = product_of(model, last, previous) > same_way * scale &&
-                         progress.report.energy.kinetic >= course.kinetic;
+    const bool goes_on =
+        product_of(model, last, previous) > same_way * scale && progress.report.energy.kinetic >= course.kinetic;
     course.before = progress.before.coordinates;
     course.kinetic = progress.report.energy.kinetic;
     course.steady = goes_on ? course.steady + 1 : 0;
@@ -186,6 +197,7 @@ bool make_step(Stage& loaded, bool is_free, RunProgress& progress, StepReport& s
     const double h = state.next_time_step > 0 ? state.next_time_step : loaded.control.time_step;
     if (!try_short_step(is_free ? let_go_in(loaded) : loaded, h, progress, step, share)) return false;
     state.time = time;
+    if (is_free) book_as_static(progress);
     return keep_step(loaded, progress, step);
 }
 

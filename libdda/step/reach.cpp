@@ -48,7 +48,8 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
     constexpr int n = K::unknowns, dimension = K::dimension;
     double dashpot = 0;
     for (const JointMaterial& joint : model.joints) dashpot = std::max(dashpot, joint.relaxation_time);
-    const double gravity = std::max(stage.gravity.norm(), stage.gravity_ramp.duration > 0 ? stage.gravity_ramp.from.norm() : 0);
+    const double gravity =
+        std::max(stage.gravity.norm(), stage.gravity_ramp.duration > 0 ? stage.gravity_ramp.from.norm() : 0);
     reach.resize(model.blocks.size());
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const double* v = state.velocities.data() + b * n;
