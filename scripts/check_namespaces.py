@@ -17,6 +17,7 @@ NAMESPACES = {
     "libdda/text/": "voussoir::text",
     "libdda/run/": "voussoir::driver",
     "libdda/run/run.": "voussoir",
+    "libdda/run/static_course.": "voussoir",
     "libdda/contact/": "voussoir::contact",
     "libdda/contact/initial_contacts.": "voussoir",
     "libdda/solve/": "voussoir::solve",

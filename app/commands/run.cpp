@@ -178,13 +178,23 @@ void print_files(const std::filesystem::path& folder, const std::vector<std::fil
     for (const std::filesystem::path& picture : pictures) fmt::print("  {}\n", picture.string());
 }
 
-/// The results stand whatever becomes of the pictures, so their failure is told and is no fault of the input.
-bool draw(const Case& the_case, const std::filesystem::path& results, const std::filesystem::path& folder,
-          std::vector<std::filesystem::path>& pictures)
+/// What is to be drawn of a run: what was asked for; unasked, where this build can draw, a mechanism.
+std::optional<SnapshotOptions> pictures_of(const Case& the_case, const RunReport& report)
 {
-    if (!the_case.output.snapshots) return true;
+    const bool mechanism = report.diagnosis && report.diagnosis->kind == DiagnosisKind::mechanism;
+    if (the_case.output.snapshots || !mechanism || !render::has_renderer()) return the_case.output.snapshots;
+    SnapshotOptions last;
+    last.count = 1;
+    return last;
+}
+
+/// The results stand whatever becomes of the pictures, so their failure is told and is no fault of the input.
+bool draw(const std::optional<SnapshotOptions>& options, const std::filesystem::path& results,
+          const std::filesystem::path& folder, std::vector<std::filesystem::path>& pictures)
+{
+    if (!options) return true;
     try {
-        pictures = render::render_snapshots(results, folder / "snapshots", *the_case.output.snapshots);
+        pictures = render::render_snapshots(results, folder / "snapshots", *options);
     } catch (const InputError& error) {
         fmt::print(stderr, "the results are complete, but there are no pictures: {}\n", error.what());
         return false;
@@ -226,7 +236,7 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
 
     std::vector<std::filesystem::path> pictures;
     const bool goes_on = report.outcome == Outcome::interrupted;
-    const bool drawn = goes_on || draw(the_case, writer->results_file(), folder, pictures);
+    const bool drawn = goes_on || draw(pictures_of(the_case, report), writer->results_file(), folder, pictures);
     if (!goes_on) writer->end(report);
     if (!quiet) {
         print_report(the_case, ended, saver.times().wall);

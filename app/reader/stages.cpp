@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/reader/plane.h"
+#include "app/reader/gravity.h"
 #include "app/reader/step_control.h"
 #include "app/words/nearest_word.h"
 
@@ -75,7 +75,7 @@ void read_static(YamlCursor& map, Stage& stage)
     stage.gravity_increments = map.integer_or("gravity_increments", 1, 1'000'000, stage.gravity_increments);
 }
 
-StageEntry read_stage(YamlCursor& map, const Eigen::Vector3d& gravity, std::size_t index)
+StageEntry read_stage(YamlCursor& map, const Eigen::Vector3d& gravity, Kinematics kinematics, std::size_t index)
 {
     StageEntry entry{{}, map, {}, {}, {}, false};
     Stage& stage = entry.stage;
@@ -87,6 +87,7 @@ StageEntry read_stage(YamlCursor& map, const Eigen::Vector3d& gravity, std::size
         "type", {{"static", StageType::static_equilibrium}, {"dynamic", StageType::dynamic}});
     if (!type) map.require("type", "static or dynamic");
     stage.type = type.value_or(StageType::dynamic);
+    read_stage_gravity(map, kinematics, stage);
     stage.control = read_step_control(map, stage.type);
     if (is_dynamic(stage))
         read_dynamic(map, entry);
@@ -178,14 +179,14 @@ void refuse_published_iteration_of(const std::vector<JointMaterial>& joints, Sta
                 "use newton, or joints with friction only");
 }
 
-std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d& gravity)
+std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d& gravity, Kinematics kinematics)
 {
     std::vector<StageEntry> stages;
     std::vector<YamlCursor> items = section.items("a list of stages");
     if (items.empty() && section.is_list()) section.fault("no stage", "give at least one");
     for (std::size_t i = 0; i < items.size(); ++i) {
         if (!items[i].expect_map("a stage {name, type: static or dynamic}")) continue;
-        StageEntry entry = read_stage(items[i], gravity, i);
+        StageEntry entry = read_stage(items[i], gravity, kinematics, i);
         const bool known = std::any_of(stages.begin(), stages.end(), [&](const StageEntry& other) {
             return other.stage.name == entry.stage.name;
         });
@@ -197,28 +198,6 @@ std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d&
 
 }  // namespace
 
-Eigen::Vector3d read_gravity(YamlCursor& top, Kinematics kinematics)
-{
-    Eigen::Vector3d otherwise = Stage{}.gravity;
-    std::optional<YamlCursor> map = top.find("gravity");
-    if (!map) {
-        top.took_default("gravity", fmt::format("{:g} m/s2 along -z", otherwise.norm()));
-        return otherwise;
-    }
-    if (!map->expect_map("gravity {magnitude: 9.80665 m/s2, direction: [0, 0, -1]}")) return otherwise;
-    const double magnitude = map->quantity_or("magnitude", words::dimension::acceleration,
-                                              words::Range::non_negative(), otherwise.norm());
-    Eigen::Vector3d direction = otherwise.normalized();
-    if (const std::optional<YamlCursor> value = map->find("direction")) {
-        direction = read_direction(*value, kinematics);
-        if (direction.norm() == 0) value->fault("a direction of length 0", "give one such as [0, 0, -1]");
-    } else {
-        map->took_default("direction", "[0, 0, -1]");
-    }
-    map->reject_unknown_keys();
-    return magnitude * direction.normalized();
-}
-
 std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<FoundationEntry>& foundations,
                                MotionContext& context)
 {
@@ -226,7 +205,7 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
     std::vector<Stage> stages;
     std::optional<YamlCursor> section = top.require("stages", "the stages, [{name: self-weight, type: static}]");
     if (!section) return stages;
-    std::vector<StageEntry> entries = read_entries(*section, gravity);
+    std::vector<StageEntry> entries = read_entries(*section, gravity, model.kinematics);
     for (FoundationEntry& foundation : foundations) {
         if (!foundation.motion) continue;
         StageEntry* entry = stage_of_motion(foundation, entries);

@@ -1,4 +1,4 @@
-// The part of a case that says what happens, one thing after another: `stages`, with `gravity`.
+// The part of a case that says what happens, one thing after another: `stages`.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,6 @@
 
 namespace voussoir::app::reader
 {
-
-/// `gravity: {magnitude: 9.80665 m/s2, direction: [0, 0, -1]}` as a vector [m/s2]; none along y in a planar scene.
-Eigen::Vector3d read_gravity(YamlCursor& top, Kinematics kinematics);
 
 /// Reads the stages and all motions: those of the foundations, of the stages and of free blocks. A dynamic stage
 /// without duration lasts as long as its longest motion.

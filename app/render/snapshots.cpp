@@ -47,6 +47,11 @@ void remove_other_snapshots(const fs::path& folder, const std::vector<fs::path>&
 
 }  // namespace
 
+bool has_renderer()
+{
+    return fs::exists(importers::process::helper_folder() / "voussoir-render");
+}
+
 std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::path& asked_folder,
                                        const SnapshotOptions& options)
 {

@@ -10,6 +10,9 @@
 namespace voussoir::app::render
 {
 
+/// Whether this build can draw.
+bool has_renderer();
+
 /// Starts `voussoir-render` (beside the running program) on a results file and returns the pictures it made.
 /// @throws InputError when the helper is missing, fails, or the results cannot be read
 std::vector<std::filesystem::path> render_snapshots(const std::filesystem::path& results_file,

@@ -36,11 +36,19 @@ bool is_sound(const TrustStart& trust)
            is_count(trust.modes.loose);
 }
 
+bool are_finite(const std::vector<double>& numbers)
+{
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
 bool is_sound(const RunPosition& at)
 {
-    const std::array<std::int64_t, 7> counts{at.parts,           at.frames,       at.multiples,  at.divisions,
-                                             at.load_increments, at.static_steps, at.quiet_steps};
-    return is_sound(at.report) && std::all_of(counts.begin(), counts.end(), is_count);
+    const std::array<std::int64_t, 9> counts{at.parts,       at.frames,          at.multiples,
+                                             at.divisions,   at.load_increments, at.static_steps,
+                                             at.quiet_steps, at.course.steady,   at.course.idle};
+    return is_sound(at.report) && are_finite(at.course.start) && are_finite(at.course.before) &&
+           std::isfinite(at.course.acceleration) && std::isfinite(at.course.kinetic) &&
+           std::all_of(counts.begin(), counts.end(), is_count);
 }
 
 /// The clock of the stage is where its grid is, and the counters of a static stage are within its own.
@@ -48,6 +56,10 @@ bool fits(const State& state, const RunPosition& at, const Stage& stage)
 {
     constexpr double rounding = 1e-9;
     const double step = stage.control.time_step;
+    const auto is_place = [&](const std::vector<double>& place) {
+        return place.empty() || place.size() == state.coordinates.size();
+    };
+    if (!is_place(at.course.start) || !is_place(at.course.before)) return false;
     if (stage.type == StageType::static_equilibrium)
         return at.load_increments <= stage.gravity_increments && at.static_steps <= stage.max_static_steps;
     return state.stage_time >= 0 && state.stage_time <= stage.duration * (1 + rounding) &&

@@ -73,10 +73,14 @@ template <typename Archive, typename Position>
 void position_fields(Archive& archive, Position& position)
 {
     auto& [report, frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
-           step_unbalanced] = position;
+           step_unbalanced, course] = position;
     report_fields(archive, report);
     archive.fields(frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
                    step_unbalanced);
+    auto& [start, before, acceleration, steady, kinetic, idle] = course;
+    archive.list(start);
+    archive.list(before);
+    archive.fields(acceleration, steady, kinetic, idle);
 }
 
 template <typename Archive, typename Start>

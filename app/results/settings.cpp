@@ -81,6 +81,10 @@ Json to_json(const Stage& stage, Kinematics kinematics)
                  {"damping_factor_per_step", stage.damping.factor_per_step}};
     if (stage.type == StageType::dynamic) {
         json["duration_s"] = stage.duration;
+        if (stage.gravity_ramp.duration > 0)
+            json["gravity_ramp"] = {{"duration_s", stage.gravity_ramp.duration},
+                                    {"from_m_s2", stored_vector(stage.gravity_ramp.from, kinematics)},
+                                    {"turns", stage.gravity_ramp.turns}};
     } else {
         json["unbalanced_tolerance"] = stage.unbalanced_tolerance;
         json["max_static_steps"] = stage.max_static_steps;

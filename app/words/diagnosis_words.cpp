@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace voussoir::app::words
 {
@@ -85,27 +86,55 @@ std::string too_many_cuts(const Subject& subject)
         words, subject.block(0));
 }
 
-/// "stage 'self-weight' finds no equilibrium: 2 of 10 blocks are falling under their own weight: 'a', 'b'"
+constexpr std::size_t most_named = 5;  // stones, or joints
+
+/// "'a', 0.02 m towards [0, 0, -1]"
+std::string moving_block(const Subject& subject, std::size_t i)
+{
+    const double* values = subject.diagnosis.values.data() + 4 * i;                   // moved_m and the direction
+    const auto short_one = [](double x) { return std::round(100 * x) / 100 + 0.0; };  // no negative nought
+    return fmt::format("{}, {:.3g} m towards [{:g}, {:g}, {:g}]", subject.block(i), values[0],
+                       short_one(values[1]), short_one(values[2]), short_one(values[3]));
+}
+
+/// "stage 'self-weight' finds no equilibrium: 2 of 10 blocks are falling: 'a', 0.02 m towards [0, 0, -1]; 'b',
+/// ..."
 std::string mechanism(const Subject& subject)
 {
-    constexpr std::size_t most = 5;
-    const Diagnosis& diagnosis = subject.diagnosis;
-    const std::size_t count = diagnosis.blocks.size();
-    std::string words =
-        fmt::format("{} finds no equilibrium: {} of {} blocks {} falling under {} own weight: ", subject.stage(),
-                    count, subject.model.blocks.size(), count == 1 ? "is" : "are", count == 1 ? "its" : "their");
-    for (std::size_t i = 0; i < std::min(most, count); ++i) words += (i > 0 ? ", " : "") + subject.block(i);
+    const std::size_t count = subject.diagnosis.blocks.size();
+    std::string words = fmt::format("{} finds no equilibrium: {} of {} blocks {} falling: ", subject.stage(),
+                                    count, subject.model.blocks.size(), count == 1 ? "is" : "are");
+    for (std::size_t i = 0; i < std::min(most_named, count); ++i)
+        words += (i > 0 ? "; " : "") + moving_block(subject, i);
     const std::string them = count == 1 ? "it" : "them";
-    return words + (count > most ? ", ...; " : "; ") +
+    return words + (count > most_named ? "; ...; " : "; ") +
            fmt::format("look at what should carry {}, or add {} to the foundation", them, them);
+}
+
+/// "; joints opened: 'a' on 'b' by 0.01 m, ... (7 in all)": the widest first; empty where there are none.
+std::string joints_in_words(const RunReport& report, const Model& model, const std::string& what,
+                            double JointPeaks::*size, std::optional<double> JointPeaks::*time)
+{
+    std::vector<const JointPeaks*> joints;
+    for (const JointPeaks& joint : report.joints)
+        if ((joint.*time).has_value()) joints.push_back(&joint);
+    if (joints.empty()) return "";
+    std::stable_sort(joints.begin(), joints.end(),
+                     [&](const JointPeaks* one, const JointPeaks* other) { return one->*size > other->*size; });
+    std::string words = "; joints " + what + ": ";
+    for (std::size_t i = 0; i < std::min(most_named, joints.size()); ++i)
+        words +=
+            fmt::format("{}'{}' on '{}' by {:.3g} m", i > 0 ? ", " : "", model.blocks[joints[i]->block_a].name,
+                        model.blocks[joints[i]->block_b].name, joints[i]->*size);
+    return joints.size() > most_named ? words + fmt::format(", ... ({} in all)", joints.size()) : words;
 }
 
 std::string no_equilibrium(const Subject& subject)
 {
     return fmt::format(
-        "{} found no equilibrium in {:.0f} steps: the unbalanced force is still {:g} of a block's load; the "
-        "structure may be a mechanism under its own weight, or it needs a larger time_step in this stage to come "
-        "to rest",
+        "{} found no equilibrium in {:.0f} steps: the unbalanced force is still {:g} of a block's load, though no "
+        "block falls; try gravity_increments, a larger unbalanced_tolerance or max_static_steps, or a "
+        "contact_stiffness nearer to that of the stones",
         subject.stage(), subject.value("steps"), subject.value("unbalanced"));
 }
 
@@ -268,7 +297,11 @@ std::string in_words(const Diagnosis& diagnosis, const Model& model, const std::
 
 std::string message_of(const RunReport& report, const Model& model, const std::vector<Stage>& stages)
 {
-    return report.diagnosis ? in_words(*report.diagnosis, model, stages) : "";
+    if (!report.diagnosis) return "";
+    const std::string words = in_words(*report.diagnosis, model, stages);
+    if (report.diagnosis->kind != DiagnosisKind::mechanism) return words;
+    return words + joints_in_words(report, model, "opened", &JointPeaks::opening, &JointPeaks::opened) +
+           joints_in_words(report, model, "slid", &JointPeaks::slip, &JointPeaks::slid);
 }
 
 std::vector<std::string> warnings_of(const RunReport& report, const Model& model, const std::vector<Stage>& stages)

@@ -11,9 +11,7 @@ namespace
 
 using Eigen::Vector3d;
 
-constexpr double domain = 3;      // times the scene's extent
-constexpr double noticed = 0.01;  // of gravity: more than what is settling accelerates by, in the mean
-constexpr double settled = 0.1;   // of a block's size: stones that are drawn badly come to rest within it
+constexpr double domain = 3;  // times the scene's extent
 
 bool is_held(const Model& model, int block)
 {
@@ -104,29 +102,6 @@ bool all_have_left(const Model& model, const RunReport& report)
     for (const FallenBlock& fallen : report.fallen) gone += fallen.left;
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) gone += is_held(model, b);
     return !report.fallen.empty() && gone == model.blocks.size();
-}
-
-std::optional<Diagnosis> falling_blocks(const Model& model, const CollapseWatch& watch, const Vector3d& gravity,
-                                        const State& before, const State& now)
-{
-    const double h = now.stage_time - before.stage_time;
-    std::vector<std::pair<double, int>> falling;  // m moved
-    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-        const Vector3d place = centroid(model, now, b);
-        const double acceleration = 2 * (place - centroid(model, before, b)).norm() / (h * h);
-        const double moved = (place - watch.start[b]).norm();
-        if (is_held(model, b) || acceleration < noticed * gravity.norm() || moved < settled * size_of(model, b))
-            continue;
-        falling.emplace_back(-moved, b);
-    }
-    if (falling.empty() || gravity.norm() == 0) return std::nullopt;
-    std::sort(falling.begin(), falling.end());
-    Diagnosis diagnosis{DiagnosisKind::mechanism, now.stage, {}, {}};
-    for (const auto& [moved, block] : falling) {
-        diagnosis.blocks.push_back(block);
-        diagnosis.values.push_back(-moved);
-    }
-    return diagnosis;
 }
 
 std::optional<Diagnosis> diagnosis_of_fallen(const RunReport& report)

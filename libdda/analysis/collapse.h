@@ -36,11 +36,4 @@ bool all_have_left(const Model& model, const RunReport& report);
 /// Which blocks have fallen and when, if any have: why a run has ended, or a warning.
 std::optional<Diagnosis> diagnosis_of_fallen(const RunReport& report);
 
-/// Which blocks are falling in a static stage that finds no equilibrium, the farthest first: those that in its
-/// last step were accelerated by more than a hundredth of gravity [m/s2], from rest, and have moved by more than a
-/// tenth of their size since the start. None: something else keeps it from coming to rest.
-/// @param before, now state at the ends of the last step of a static stage
-std::optional<Diagnosis> falling_blocks(const Model& model, const CollapseWatch& watch,
-                                        const Eigen::Vector3d& gravity, const State& before, const State& now);
-
 }  // namespace voussoir

@@ -39,7 +39,7 @@ DiagnosisForm make_form(DiagnosisKind kind)
         case DiagnosisKind::no_equilibrium:
             return {"no_equilibrium", true, 0, 0, {"steps", "unbalanced"}};
         case DiagnosisKind::mechanism:
-            return {"mechanism", true, 1, 0, {"moved_m"}};
+            return {"mechanism", true, 1, 0, {"moved_m", "direction_x", "direction_y", "direction_z"}};
         case DiagnosisKind::deep_overlap:
             return {"deep_overlap",
                     true,
@@ -103,7 +103,7 @@ bool is_whole(const Diagnosis& diagnosis)
     if (diagnosis.stage < -1 || (diagnosis.stage >= 0) != form.has_stage) return false;
     if (diagnosis.blocks.size() < form.fewest_blocks) return false;
     if (diagnosis.kind == DiagnosisKind::fallen || diagnosis.kind == DiagnosisKind::mechanism)
-        return diagnosis.values.size() == diagnosis.blocks.size();
+        return diagnosis.values.size() == diagnosis.blocks.size() * form.values.size();
     return diagnosis.blocks.size() <= form.blocks && diagnosis.values.size() == form.values.size();
 }
 

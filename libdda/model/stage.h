@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "libdda/model/gravity_ramp.h"
 #include "libdda/model/ground_motion.h"
 #include "libdda/model/standard_gravity.h"
 #include "libdda/model/step_control.h"
@@ -45,6 +46,7 @@ struct Stage {
     StageType type = StageType::dynamic;               // static or dynamic
     double duration = 0;                               // s; dynamic only
     Eigen::Vector3d gravity{0, 0, -standard_gravity};  // m/s2
+    GravityRamp gravity_ramp;                          // dynamic only: how gravity comes to its value
     std::vector<FoundationMotion> motions;             // components without one stay
     std::vector<BodyAcceleration> body_accelerations;  // beside gravity
     Damping damping;                                   // none by default

@@ -31,8 +31,7 @@ bool is_sound(RunProgress& progress)
     note_overlap(progress.model, progress.overlaps, progress.state, progress.report);
     auto wrong = diagnose(progress.model, progress.state, progress.report);
     if (!wrong) return true;
-    progress.state = progress.before;
-    progress.report.energy = progress.energy_before;
+    take_back(progress);
     return give_up(std::move(*wrong), progress);
 }
 
@@ -41,7 +40,9 @@ void note_damage(const Stage& stage, double elapsed, RunProgress& progress)
 {
     if (stage.type != StageType::dynamic) return;  // on the way to rest nothing moves in time
     if (progress.judges_crushing) note_crushing(progress.model, progress.state, elapsed, progress.report);
-    note_fallen(progress.model, progress.watch, stage.gravity, progress.state, progress.report);
+    const double now = progress.state.stage_time;
+    note_fallen(progress.model, progress.watch, mean_gravity(stage.gravity_ramp, stage.gravity, now, now),
+                progress.state, progress.report);
     note_joints(progress.model, progress.joints, progress.state, progress.report);
 }
 
@@ -61,7 +62,7 @@ bool give_up(Diagnosis diagnosis, RunProgress& progress)
     return false;
 }
 
-bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step)
+bool try_step(const Stage& stage, double h, RunProgress& progress, StepReport& step)
 {
     progress.before = progress.state;
     progress.energy_before = progress.report.energy;
@@ -71,12 +72,28 @@ bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& 
         ++progress.report.unconverged_steps;
         return give_up(explain(stage, progress.state, step), progress);
     }
+    return true;
+}
+
+void take_back(RunProgress& progress)
+{
+    progress.state = progress.before;
+    progress.report.energy = progress.energy_before;
+}
+
+bool keep_step(const Stage& stage, RunProgress& progress, const StepReport& step)
+{
     if (!is_sound(progress)) return false;
     add_step(step, progress.report);
     if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
     note_damage(stage, step.time_step, progress);
     progress.shown = false;
     return true;
+}
+
+bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step)
+{
+    return try_step(stage, h, progress, step) && keep_step(stage, progress, step);
 }
 
 void save(RunProgress& progress)

@@ -38,7 +38,16 @@ struct RunProgress {
 /// Ends the run. @returns false
 bool give_up(Diagnosis diagnosis, RunProgress& progress);
 
-/// One step of at most h [s], judged and counted; false when it gave up.
+/// Makes a step of at most h [s], which may be taken back; false when it gave up.
+bool try_step(const Stage& stage, double h, RunProgress& progress, StepReport& step);
+
+/// Undoes the last step that was made.
+void take_back(RunProgress& progress);
+
+/// Judges and counts the step that was made; false, and the step undone, when to go on would be nonsense.
+bool keep_step(const Stage& stage, RunProgress& progress, const StepReport& step);
+
+/// Both: one step of at most h [s], judged and counted; false when it gave up.
 bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step);
 
 /// Lets the caller keep the state as a place to go on from. What that takes is output.

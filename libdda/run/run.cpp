@@ -87,18 +87,32 @@ void enter_stage(int stage, const std::vector<Stage>& stages, driver::RunProgres
     progress.position = std::move(fresh);
 }
 
+/// A structure of which stones have fallen has collapsed, whatever came afterwards. Where the numerics failed in
+/// the ruins, that is told beside it.
+void settle_outcome(RunReport& report)
+{
+    const bool open = report.outcome == Outcome::completed || report.outcome == Outcome::gave_up;
+    if (!open || report.fallen.empty()) return;
+    if (report.diagnosis) report.warnings.push_back(std::move(*report.diagnosis));
+    report.outcome = Outcome::collapsed;
+    report.diagnosis = diagnosis_of_fallen(report);
+}
+
 /// Runs a stage to its end; false when the run ends in it.
 bool run_stage(const Stage& stage, driver::RunProgress& progress)
 {
     const bool done =
         is_static(stage) ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
     progress.position.stage_done = done;
+    if (is_static(stage)) note_joints(progress.model, progress.joints, progress.state, progress.report);
     if (done && is_static(stage)) {
-        note_joints(progress.model, progress.joints, progress.state, progress.report);
         if (progress.judges_crushing) note_crushing(progress.model, progress.state, 0, progress.report);
         driver::show(progress);
     }
-    if (!done) driver::show_end(progress);
+    if (!done) {
+        settle_outcome(progress.report);
+        driver::show_end(progress);
+    }
     return done;
 }
 
@@ -133,6 +147,10 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
         if (s == state.stage && progress.position.stage_done) continue;
         if (s != state.stage || state.stage_time == 0) enter_stage(s, stages, progress);
         if (!run_stage(stages[s], progress)) break;
+    }
+    if (progress.report.outcome == Outcome::completed && !progress.report.fallen.empty()) {
+        settle_outcome(progress.report);
+        driver::show_end(progress);
     }
     add_last_warnings(progress.report);
     return std::move(progress.report);

@@ -8,6 +8,7 @@
 #include "libdda/model/report.h"
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
+#include "libdda/run/static_course.h"
 
 namespace voussoir
 {
@@ -25,6 +26,7 @@ struct RunPosition {
     int static_steps = 0;        // static: of the load increment under way
     int quiet_steps = 0;         // static: the last of these, in which nothing moved any more
     double step_unbalanced = 1;  // static: after the last of these
+    StaticCourse course;         // static
 };
 
 /// What the caller may do between steps. Observers do not steer, but they may ask to stop.

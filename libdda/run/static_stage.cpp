@@ -1,7 +1,11 @@
 #include "libdda/run/static_stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "libdda/analysis/block_shifts.h"
+#include "libdda/analysis/mechanism.h"
 
 namespace voussoir::driver
 {
@@ -9,46 +13,235 @@ namespace voussoir::driver
 namespace
 {
 
-constexpr double inexactness = 1e-2;  // residual a static step may keep, as a share of its unbalanced force
+// Residual that a static step may keep. Its contact forces obey friction whatever it is, so all that it costs is
+// that the way to rest bends a little.
+constexpr double inexactness = 0.1;   // share of the unbalanced force of the step before
+constexpr double loosening = 1000;    // times the force_tolerance, at most
+constexpr double longest_step = 0.2;  // of a stone's size, that a corner of it may go in one step
+// Motion of a corner since the stage began, as shares of its stone's size.
+constexpr double settled = 0.1;     // what settles goes no farther; what does, and goes on, falls
+constexpr double creeping = 0.01;   // the same for stones that gather speed all the way, in many steps
+constexpr int long_steady = 20;     // as many
+constexpr double overturned = 0.5;  // what has gone so far has fallen, though it lies still by now
+constexpr int enough_steady = 3;    // steps on one way that show that stones do go on
+// Of two steps running that lead on one way:
+constexpr double same_way = 0.7;   // cosine between them, at least
+constexpr double no_slower = 0.7;  // of the acceleration, at least
+constexpr double let_go = 1e-4;  // of a stone's size, since the stage began: more than what settles by elasticity
+constexpr double motionless = 1e-6;   // of a stone's size in a step
+constexpr int enough_idle = 5;        // negligible steps, after which contacts that still take turns do not matter
+constexpr double longest_time = 1e4;  // times the nominal time step: of steps of stones on one way
 
-/// Where stones are falling there is no equilibrium to be found, and that is a result.
-bool give_up_resting(const Stage& stage, RunProgress& progress)
+bool is_at_rest(const RunPosition& at)
 {
-    auto falling = falling_blocks(progress.model, progress.watch, stage.gravity, progress.before, progress.state);
-    if (falling) {
-        progress.report.outcome = Outcome::collapsed;
-        progress.report.diagnosis = std::move(falling);
-        return false;
-    }
-    ++progress.report.unconverged_steps;
-    return give_up({DiagnosisKind::no_equilibrium,
-                    progress.state.stage,
-                    {},
-                    {static_cast<double>(progress.position.static_steps), progress.report.static_unbalanced}},
-                   progress);
+    return at.quiet_steps >= 2 || at.course.idle >= enough_idle;
 }
 
-/// One step at rest under `loaded`; false when the run ends here.
+/// Ends the run with the stones that fall, where some do. What else there was to say of its end becomes a warning.
+void collapse(RunProgress& progress, const std::vector<BlockShift>& gone)
+{
+    RunReport& report = progress.report;
+    const auto last = shifts_between(progress.model, progress.position.course.before, progress.state.coordinates);
+    if (report.diagnosis) report.warnings.push_back(std::move(*report.diagnosis));
+    report.outcome = Outcome::collapsed;
+    report.diagnosis = mechanism_of(progress.model, progress.state.stage, gone, last);
+}
+
+std::vector<BlockShift> gone_in_stage(const RunProgress& progress)
+{
+    return shifts_between(progress.model, progress.position.course.start, progress.state.coordinates);
+}
+
+/// What a step adds to the course.
+void note_step(const Stage& stage, const StepReport& step, RunProgress& progress)
+{
+    StaticCourse& course = progress.position.course;
+    const Model& model = progress.model;
+    const auto last = shifts_between(model, progress.before.coordinates, progress.state.coordinates);
+    double mass = 0;
+    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) mass += model.mass(b);
+    const double squared = product_of(model, last, last);
+    const double acceleration = 2 * std::sqrt(squared / mass) / (step.time_step * step.time_step);
+    bool goes_on = false;
+    if (!course.before.empty()) {
+        const auto previous = shifts_between(model, course.before, progress.before.coordinates);
+        const double scale = std::sqrt(squared * product_of(model, previous, previous));
+        goes_on =
+            product_of(model, last, previous) > same_way * scale && acceleration > no_slower * course.acceleration;
+    }
+    course.steady = goes_on ? course.steady + 1 : 0;
+    const bool idle = step.inertia_ratio <= stage.unbalanced_tolerance && largest_share(model, last) <= motionless;
+    course.idle = idle ? course.idle + 1 : 0;
+    course.acceleration = acceleration;
+    course.before = progress.before.coordinates;
+}
+
+/// Length of the step after this one [s]: what was hard to solve is not made longer, and stones do not jump.
+double next_step(const StepReport& step, double share, const StaticCourse& course, double nominal)
+{
+    const double growth = step.cuts > 0 || step.open_close_iterations > 25 ? 1.2
+                          : step.open_close_iterations > 12                ? 1.6
+                                                                           : 3.0;
+    const double most = course.steady >= enough_steady ? longest_time * nominal : nominal;
+    const double jump = share > 0 ? 0.9 * std::sqrt(longest_step / share) : growth;
+    return std::min(step.time_step * std::min(growth, jump), most);
+}
+
+/// Whether stones that have gone on one way are to keep their velocity. Held at rest at the start of each step
+/// they would go a gravity h^2 / 2 at a time, and joints that slide and open do not let h grow.
+bool may_let_go(const StaticCourse& course, double share)
+{
+    return course.steady >= enough_steady && share > let_go;
+}
+
+/// Takes the velocities of all stones.
+void stop_stones(RunProgress& progress)
+{
+    EnergyLedger& energy = progress.report.energy;
+    std::fill(progress.state.velocities.begin(), progress.state.velocities.end(), 0);
+    energy.damping_static += energy.kinetic;
+    energy.kinetic = 0;
+    progress.position.course.kinetic = 0;
+}
+
+/// What contacts gave or took when they were found anew, and what the residual of a loose solution did, goes with
+/// what the stage takes, as in its other steps.
+void book_as_static(RunProgress& progress)
+{
+    EnergyLedger& energy = progress.report.energy;
+    const EnergyLedger& before = progress.energy_before;
+    energy.damping_static += energy.redetection - before.redetection + energy.residual() - before.residual();
+    energy.redetection = before.redetection;
+    energy.peak_taken = before.peak_taken;
+    energy.peak_given = before.peak_given;
+}
+
+/// The stage as stones that are let go see it: time does not pass, but they keep what the step gave them.
+Stage let_go_in(const Stage& loaded)
+{
+    Stage free = loaded;
+    free.type = StageType::dynamic;
+    free.control.integrator = Integrator::newmark;
+    return free;
+}
+
+/// After a step of stones that were let go: once they slow down, or turn, they are stopped.
+void note_free_step(RunProgress& progress)
+{
+    StaticCourse& course = progress.position.course;
+    const Model& model = progress.model;
+    const auto last = shifts_between(model, progress.before.coordinates, progress.state.coordinates);
+    const auto previous = shifts_between(model, course.before, progress.before.coordinates);
+    const double scale = std::sqrt(product_of(model, last, last) * product_of(model, previous, previous));
+    const bool goes_on =
+        product_of(model, last, previous) > same_way * scale && progress.report.energy.kinetic >= course.kinetic;
+    course.before = progress.before.coordinates;
+    course.kinetic = progress.report.energy.kinetic;
+    course.steady = goes_on ? course.steady + 1 : 0;
+    if (!goes_on) stop_stones(progress);
+}
+
+/// Makes a step in which no stone jumps; false when the run ends here.
+bool try_short_step(const Stage& loaded, double h, RunProgress& progress, StepReport& step, double& share)
+{
+    int cuts = 0;
+    while (true) {
+        if (!try_step(loaded, h, progress, step)) return false;
+        share = largest_share(progress.model, shifts_between(progress.model, progress.before.coordinates,
+                                                             progress.state.coordinates));
+        if (share <= longest_step || step.time_step <= loaded.control.min_time_step) break;
+        h = step.time_step * std::clamp(0.9 * std::sqrt(longest_step / share), 0.01, 0.9);
+        h = std::max(h, loaded.control.min_time_step);
+        take_back(progress);
+        cuts += step.cuts + 1;
+    }
+    step.cuts += cuts;
+    return true;
+}
+
+/// Whether stones fall, as far as can be seen by now. @param gone since the stage began
+bool is_falling(const RunProgress& progress, const std::vector<BlockShift>& gone)
+{
+    const StaticCourse& course = progress.position.course;
+    const double share = largest_share(progress.model, gone);
+    return (course.steady >= enough_steady && share > settled) ||
+           (course.steady >= long_steady && course.kinetic > 0 && share > creeping);
+}
+
+/// After the last step that the stage allows, or one that could not be made. @returns false
+bool end_unbalanced(RunProgress& progress)
+{
+    const auto gone = gone_in_stage(progress);
+    const double share = largest_share(progress.model, gone);
+    if (share > overturned || (share > settled && progress.position.course.steady > 0)) collapse(progress, gone);
+    return false;
+}
+
+bool give_up_resting(RunProgress& progress)
+{
+    give_up({DiagnosisKind::no_equilibrium,
+             progress.state.stage,
+             {},
+             {static_cast<double>(progress.position.static_steps), progress.report.static_unbalanced}},
+            progress);
+    end_unbalanced(progress);
+    progress.report.unconverged_steps += progress.report.outcome == Outcome::gave_up;
+    return false;
+}
+
+/// Makes one step under `loaded` and counts it; false when it gave up. @param share gone in it, of a stone's size
+bool make_step(Stage& loaded, bool is_free, RunProgress& progress, StepReport& step, double& share)
+{
+    State& state = progress.state;
+    const double time = state.time;
+    const double h = state.next_time_step > 0 ? state.next_time_step : loaded.control.time_step;
+    if (!try_short_step(is_free ? let_go_in(loaded) : loaded, h, progress, step, share)) return false;
+    state.time = time;
+    if (is_free) book_as_static(progress);
+    return keep_step(loaded, progress, step);
+}
+
+/// What the step says of how far the stage has come.
+void note_balance(const Stage& stage, bool is_free, RunProgress& progress, StepReport& step)
+{
+    RunPosition& at = progress.position;
+    if (is_free) {
+        note_free_step(progress);
+        step.inertia_ratio = at.step_unbalanced;
+    } else {
+        note_step(stage, step, progress);
+    }
+    progress.report.static_unbalanced = at.step_unbalanced = step.inertia_ratio;
+    const bool balanced =
+        !is_free && step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
+    at.quiet_steps = balanced ? at.quiet_steps + 1 : 0;
+    ++at.static_steps;
+}
+
+/// One step under `loaded`; false when the run ends here.
 bool step_at_rest(const Stage& stage, Stage& loaded, RunProgress& progress)
 {
     RunPosition& at = progress.position;
-    State& state = progress.state;
+    if (at.course.start.empty()) at.course.start = progress.state.coordinates;
     // A step need only be solved as well as its own unbalanced force deserves: far from equilibrium the
     // last digits are friction points taking turns; near it the tolerance must not hide what is left.
+    const bool is_free =
+        at.course.kinetic > 0 || may_let_go(at.course, largest_share(progress.model, gone_in_stage(progress)));
     loaded.control.force_tolerance =
-        std::min(stage.control.force_tolerance,
+        std::min(loosening * stage.control.force_tolerance,
                  std::max(inexactness * at.step_unbalanced, 0.1 * stage.unbalanced_tolerance));
     StepReport step;
-    const double grown = state.next_time_step;
-    const double h = grown > 0 ? std::min(grown, stage.control.time_step) : stage.control.time_step;
-    if (!step_once(loaded, h, progress, step)) return false;
-    state.next_time_step = regrowth * step.time_step;
-    progress.report.static_unbalanced = at.step_unbalanced = step.inertia_ratio;
-    const bool balanced = step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
-    at.quiet_steps = balanced ? at.quiet_steps + 1 : 0;
-    ++at.static_steps;
-    if (progress.observer.step) progress.observer.step(state, step, progress.report);
-    if (at.quiet_steps < 2 && at.static_steps == stage.max_static_steps) return give_up_resting(loaded, progress);
+    double share = 0;
+    if (!make_step(loaded, is_free, progress, step, share)) return end_unbalanced(progress);
+    note_balance(stage, is_free, progress, step);
+    progress.state.next_time_step = next_step(step, share, at.course, stage.control.time_step);
+    if (progress.observer.step) progress.observer.step(progress.state, step, progress.report);
+    const auto gone = gone_in_stage(progress);
+    if (is_falling(progress, gone) || (is_at_rest(at) && largest_share(progress.model, gone) > overturned)) {
+        collapse(progress, gone);
+        return false;
+    }
+    if (!is_at_rest(at) && at.static_steps == stage.max_static_steps) return give_up_resting(progress);
     save(progress);
     return goes_on(progress);
 }
@@ -61,10 +254,10 @@ bool run_static(const Stage& stage, RunProgress& progress)
     Stage loaded = stage;
     for (; at.load_increments < stage.gravity_increments; ++at.load_increments) {
         loaded.gravity = stage.gravity * (at.load_increments + 1) / stage.gravity_increments;
-        while (at.quiet_steps < 2) {
+        while (!is_at_rest(at)) {
             if (!step_at_rest(stage, loaded, progress)) return false;
         }
-        at.static_steps = at.quiet_steps = 0;
+        at.static_steps = at.quiet_steps = at.course.idle = 0;
         at.step_unbalanced = 1;
     }
     return true;

@@ -72,6 +72,8 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
     book_redetection(stage, state, contact::spring_energy(model, work.contacts) - energy.contact, energy);
     update_blocks(system, state);
     book_step(state, system, work.contacts, energy);
+    // A static step is solved no better than it deserves: what its residual did goes with what the stage takes.
+    if (stage.type == StageType::static_equilibrium) energy.damping_static -= system.residual.dot(system.d);
     update_contacts(model, stage, system, work.contacts, state, report);
     advance_clocks(stage, system.h, state);
     damp_velocities(model, stage, system, state, energy);

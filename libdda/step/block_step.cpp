@@ -236,7 +236,8 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
     find_flow(step);
 
     const double blend = end_share(stage);
-    step.gravity = step.mass * from_space<dimension>(stage.gravity);
+    step.gravity =
+        step.mass * from_space<dimension>(mean_gravity(stage.gravity_ramp, stage.gravity, end_time - h, end_time));
     step.body_force = step.gravity;
     step.steady.setZero();
     step.steady.template head<dimension>() = step.body_force;

@@ -48,13 +48,15 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
     constexpr int n = K::unknowns, dimension = K::dimension;
     double dashpot = 0;
     for (const JointMaterial& joint : model.joints) dashpot = std::max(dashpot, joint.relaxation_time);
+    const double gravity =
+        std::max(stage.gravity.norm(), stage.gravity_ramp.duration > 0 ? stage.gravity_ramp.from.norm() : 0);
     reach.resize(model.blocks.size());
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const double* v = state.velocities.data() + b * n;
         double turning = 0;
         for (int k = dimension; k < n; ++k) turning += v[k] * v[k];
         const double speed = typename K::Vector(v).norm() + std::sqrt(turning) * radii[b];
-        reach[b] = (h + dashpot) * speed + h * h * stage.gravity.norm() * (stage.type == StageType::dynamic) +
+        reach[b] = (h + dashpot) * speed + h * h * gravity * (stage.type == StageType::dynamic) +
                    contact::contact_distance * size_of(model, static_cast<int>(b));
     }
     add_fit<dimension>(model, state, reach);

@@ -333,6 +333,26 @@ TEST(Program, RunsAndKeepsItsFigures)
     EXPECT_NE(ended.output.find("results.h5"), std::string::npos);
 }
 
+// A block that leans beyond its base: named, with its joint, its direction and a picture; and nothing is shaken.
+TEST(Program, AMechanismIsNamedAndDrawnAndNotShaken)
+{
+    const TemporaryFolder folder;
+    const Ended ended = voussoir(
+        folder, {"run", folder.write("case.yaml", two_boxes).string(), "-o", (folder / "results").string(),
+                 "--set", "gravity.direction=[0.9, 0, -0.1]", "--set", "joints.dry.friction=80 deg"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+    const auto summary = nlohmann::json::parse(contents(folder / "results" / "summary.json"));
+    EXPECT_EQ(summary["outcome"].get<std::string>(), "collapsed");
+    EXPECT_EQ(summary["simulated_time_s"].get<double>(), 0);
+    const auto message = summary["message"].get<std::string>();
+    for (const char* part :
+         {"finds no equilibrium: 1 of 2 blocks is falling: '", " m towards [", "joints opened: '"})
+        EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+    if (!std::filesystem::exists(std::filesystem::path(VOUSSOIR_PROGRAM).parent_path() / "voussoir-render"))
+        return;
+    EXPECT_FALSE(std::filesystem::is_empty(folder / "results" / "snapshots")) << ended.output;
+}
+
 TEST(Program, AnInterruptEndsTheStepAndKeepsTheResults)
 {
     const TemporaryFolder folder;

@@ -66,8 +66,9 @@ const Sentence sentences[] = {
      "last of 1.25e-07 s"},
     {{DiagnosisKind::no_equilibrium, 0, {}, {1234567, 0.0123456789}},
      "stage 'motion' found no equilibrium in 1234567 steps: the unbalanced force is still 0.0123457 of a block's "
-     "load; the structure may be a mechanism under its own weight, or it needs a larger time_step in this stage "
-     "to come to rest"},
+     "load, though no block falls; try gravity_increments, a larger unbalanced_tolerance or max_static_steps, or "
+     "a "
+     "contact_stiffness nearer to that of the stones"},
     {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0.12345678, 0.02, 0.123456789, 0, 3, 0.009}},
      "stage 'motion' stopped at t = 0.123457 s: blocks 'drum' and 'base' overlap by 0.02 m, 12.3457 % of the "
      "thinner one's width, at t = 3 s: the contact is too soft for its load or its impact; give the joint a "
@@ -78,13 +79,17 @@ const Sentence sentences[] = {
      "width, at t = 0 s: 0.02 m of it is drawn, beyond the fit_tolerance of 0 m; trim or move one of them by "
      "this, "
      "or give a larger fit_tolerance if it is an error of the survey"},
-    {{DiagnosisKind::mechanism, 0, {2}, {0.12345678}},
-     "stage 'motion' finds no equilibrium: 1 of 6 blocks is falling under its own weight: 'cap'; look at "
+    {{DiagnosisKind::mechanism, 0, {2}, {0.12345678, 0.6, -1e-9, -0.8}},
+     "stage 'motion' finds no equilibrium: 1 of 6 blocks is falling: 'cap', 0.123 m towards [0.6, 0, -0.8]; look "
+     "at "
      "what should carry it, or add it to the foundation"},
-    {{DiagnosisKind::mechanism, 0, {5, 4, 3, 2, 1, 0}, {6, 5, 4, 3, 2, 1}},
-     "stage 'motion' finds no equilibrium: 6 of 6 blocks are falling under their own weight: 'c', 'b', "
-     "'a', 'cap', 'drum', ...; look at what should carry them, or add them to the "
-     "foundation"},
+    {{DiagnosisKind::mechanism, 0, {5, 4, 3, 2, 1, 0}, {6, 0, 0, -1, 5, 0, 0, -1, 4, 0, 0, -1,
+                                                        3, 0, 0, -1, 2, 0, 0, -1, 1, 0, 0, -1}},
+     "stage 'motion' finds no equilibrium: 6 of 6 blocks are falling: 'c', 6 m towards [0, 0, -1]; 'b', 5 m "
+     "towards "
+     "[0, 0, -1]; 'a', 4 m towards [0, 0, -1]; 'cap', 3 m towards [0, 0, -1]; 'drum', 2 m towards [0, 0, -1]; "
+     "...; "
+     "look at what should carry them, or add them to the foundation"},
     {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0.12345678, 0.02, 0.123456789, 0.015, 3, 0}},
      "stage 'motion' stopped at t = 0.123457 s: blocks 'drum' and 'base' overlap by 0.02 m, 12.3457 % of the "
      "thinner one's width, at t = 3 s: 0.015 m of it is free of stress, because their contact was detected late "

@@ -42,7 +42,8 @@ TEST_P(Collapse, IsToldWithTimeAndOrder)
 {
     Ruin ruin(GetParam());
     const RunReport report = run_quietly(ruin.model, {dynamic_stage(0.6, 1e-3)}, ruin.state);
-    EXPECT_EQ(report.outcome, Outcome::completed);
+    EXPECT_EQ(report.outcome, Outcome::collapsed) << "for good, though the stage goes on to its end";
+    EXPECT_EQ(ruin.state.time, 0.6);
     ASSERT_EQ(report.fallen.size(), 2);
     EXPECT_EQ(report.fallen[0].block, ruin.high);  // the smaller one
     EXPECT_EQ(report.fallen[1].block, ruin.low);
@@ -51,10 +52,27 @@ TEST_P(Collapse, IsToldWithTimeAndOrder)
         EXPECT_NEAR(fallen.time, exact, 2e-3);
         EXPECT_FALSE(fallen.left);
     }
+    EXPECT_TRUE(report.warnings.empty()) << report.warnings[0];
+    ASSERT_TRUE(report.diagnosis);
+    EXPECT_EQ(report.diagnosis->kind, DiagnosisKind::fallen) << *report.diagnosis;
+    EXPECT_EQ(report.diagnosis->blocks, (std::vector{ruin.high, ruin.low}));
+    EXPECT_EQ(report.diagnosis->values, (std::vector{report.fallen[0].time, report.fallen[1].time}));
+}
+
+// Where the numerics fail in the ruins, that is told beside the collapse, and the run is no failure.
+TEST_P(Collapse, IsNotUndoneByNumericsThatFailAfterwards)
+{
+    Ruin ruin(GetParam());
+    Stage impossible = dynamic_stage(1, 1e-3, {gravity, 0, -gravity});  // what rests has to slide
+    impossible.control.max_open_close = 0;
+    impossible.control.min_time_step = 1e-3;
+    const RunReport report = run_quietly(ruin.model, {dynamic_stage(0.6, 1e-3), impossible}, ruin.state);
+    EXPECT_EQ(report.outcome, Outcome::collapsed);
+    ASSERT_TRUE(report.diagnosis);
+    EXPECT_EQ(report.diagnosis->kind, DiagnosisKind::fallen) << *report.diagnosis;
     ASSERT_EQ(report.warnings.size(), 1);
-    EXPECT_EQ(report.warnings[0].kind, DiagnosisKind::fallen) << report.warnings[0];
-    EXPECT_EQ(report.warnings[0].blocks, (std::vector{ruin.high, ruin.low}));
-    EXPECT_EQ(report.warnings[0].values, (std::vector{report.fallen[0].time, report.fallen[1].time}));
+    EXPECT_EQ(report.warnings[0].kind, DiagnosisKind::chatter) << report.warnings[0];
+    EXPECT_NEAR(ruin.state.time, 0.6, 1e-12);
 }
 
 TEST_P(Collapse, EndsTheRunWhenTheStageSaysSo)

@@ -91,26 +91,25 @@ TEST_P(GivingUp, DoesNotHappenWhileTheStepCanBeCut)
     EXPECT_EQ(report.unconverged_steps, 0);
 }
 
-// A structure that cannot stand is no equilibrium: the static stage says so instead of going on for ever. What is
-// only settling is not falling: the block has gone 4 mm.
+// A stage that may not make the steps that it needs says so; that its stones fall it does not say without seeing
+// it.
 TEST_P(GivingUp, StaticStageThatIsNotAtRest)
 {
     const Model model = block_on_plane(GetParam(), 20);
     State state = initial_state(model);
     Stage stage = static_stage(0.01, inclined_gravity(45));
-    stage.max_static_steps = 20;
+    stage.max_static_steps = 2;
     const RunReport report = run_quietly(model, {stage}, state);
     EXPECT_EQ(report.outcome, Outcome::gave_up);
     ASSERT_TRUE(report.diagnosis);
     EXPECT_EQ(report.diagnosis->kind, DiagnosisKind::no_equilibrium) << *report.diagnosis;
-    EXPECT_EQ(value_of(*report.diagnosis, "steps"), 20);
+    EXPECT_EQ(value_of(*report.diagnosis, "steps"), 2);
     EXPECT_EQ(value_of(*report.diagnosis, "unbalanced"), report.static_unbalanced);
     EXPECT_EQ(report.unconverged_steps, 1);
     EXPECT_GT(report.static_unbalanced, 0.1);
 }
 
-// One that goes on falling has collapsed, and the blocks that fall are named: the farthest first, and not those
-// that stand.
+// One in which stones fall has collapsed, and those that fall are named, not those that stand.
 TEST_P(GivingUp, IsNotWhatAStaticStageOfAMechanismDoes)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
@@ -120,14 +119,13 @@ TEST_P(GivingUp, IsNotWhatAStaticStageOfAMechanismDoes)
     add_box(model, "sound", {2, -0.5, 0}, {2.5, 0.5, 1});
     add_box(model, "loose", {2.6, -0.5, 4}, {3.1, 0.5, 4.5});
     State state = initial_state(model);
-    Stage stage = static_stage(0.02);
-    stage.max_static_steps = 120;
-    const RunReport report = run_quietly(model, {stage, dynamic_stage(1, 0.01)}, state);
+    const RunReport report = run_quietly(model, {static_stage(0.02), dynamic_stage(1, 0.01)}, state);
     EXPECT_EQ(report.outcome, Outcome::collapsed);
     ASSERT_TRUE(report.diagnosis);
     EXPECT_EQ(report.diagnosis->kind, DiagnosisKind::mechanism) << *report.diagnosis;
-    EXPECT_EQ(report.diagnosis->blocks, (std::vector{4, 2})) << *report.diagnosis;
-    EXPECT_NEAR(report.diagnosis->values[0], 120 * gravity * 0.02 * 0.02 / 2, 1e-3);
+    std::vector<int> falling = report.diagnosis->blocks;
+    std::sort(falling.begin(), falling.end());
+    EXPECT_EQ(falling, (std::vector{2, 4})) << *report.diagnosis;
     EXPECT_EQ(report.unconverged_steps, 0);
     EXPECT_EQ(report.simulated_time, 0) << "no stage follows";
     EXPECT_TRUE(is_whole(*report.diagnosis));
