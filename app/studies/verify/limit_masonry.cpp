@@ -144,10 +144,10 @@ void add_arch(Model& model, const patterns::BarrelVault& vault)
     }
 }
 
-LimitMasonry random_masonry(std::uint64_t seed, int n)
+LimitMasonry random_masonry(std::uint64_t seed, int n, bool in_plane)
 {
     Draw draw(seed, n);
-    const Kinematics kinematics = n % 5 == 4 ? Kinematics::spatial_rigid : Kinematics::planar_rigid;
+    const Kinematics kinematics = n % 5 == 4 && !in_plane ? Kinematics::spatial_rigid : Kinematics::planar_rigid;
     LimitMasonry masonry = n % 3 == 2 ? random_arch(draw, kinematics) : random_wall(draw, kinematics, n % 9 < 3);
     masonry.description += is_planar(kinematics) ? "" : ", spatial";
     return masonry;

@@ -35,7 +35,8 @@ constexpr std::uint64_t limit_masonry_seed = 1;  // of the 200 of the tests
 /// The n-th of a row of random walls (running bond, every third with a window) and circular arches, two walls to
 /// an arch: every fifth is spatial, the others planar, all rigid. Aspect, stones, thickness, embrace and friction
 /// (0.3 to 0.8) are drawn; the same seed draws the same on every machine.
-LimitMasonry random_masonry(std::uint64_t seed, int n);
+/// @param in_plane the spatial ones as planar scenes: all of them are prisms, pushed in their plane
+LimitMasonry random_masonry(std::uint64_t seed, int n, bool in_plane = false);
 
 /// The blocks and contact points of a model at its start as limit analysis takes them: their weight stays, so much
 /// of it along +x is the live load. Cohesion is left out.

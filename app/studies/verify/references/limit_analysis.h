@@ -58,6 +58,6 @@ LimitState associated_limit(const LimitProblem& problem);
 /// may be several such factors, for statics does not determine the normal forces of joints that rub on all sides;
 /// this is the lowest of those that the iteration finds from the normal forces of the associated limit and from
 /// `starts` random states of equilibrium under four fifths of it.
-LimitState non_associated_limit(const LimitProblem& problem, int starts = 12);
+LimitState non_associated_limit(const LimitProblem& problem, int starts = 20);
 
 }  // namespace voussoir::app::studies::verify::references

@@ -18,6 +18,18 @@ TEST(LimitMasonry, TheSameSeedDrawsTheSame)
     EXPECT_NE(random_masonry(7, 3).description, random_masonry(8, 3).description);
 }
 
+// The limit of a prism in space, its pyramids of friction exact in its plane, is that of its section.
+TEST(LimitMasonry, PrismsHaveTheLimitsOfTheirSections)
+{
+    for (int n = 4; n < 35; n += 5) {
+        const double section =
+            references::associated_limit(limit_problem(random_masonry(limit_masonry_seed, n, true).model)).factor;
+        const LimitMasonry masonry = random_masonry(limit_masonry_seed, n);
+        EXPECT_NEAR(references::associated_limit(limit_problem(masonry.model)).factor, section, 1e-6 * section)
+            << masonry.description;
+    }
+}
+
 // Stones are in one piece and touch: limit analysis needs contacts at every stone.
 TEST(LimitMasonry, EveryStoneHasContacts)
 {

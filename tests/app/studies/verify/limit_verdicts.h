@@ -23,7 +23,8 @@ inline void judge_verdicts(std::uint64_t seed, int n, LimitCounts& counts)
 {
     constexpr double margin = 3e-3;
     const LimitMasonry masonry = random_masonry(seed, n);
-    const references::LimitProblem problem = limit_problem(masonry.model);
+    // What balances a prism in its plane does so in space; there are more states in space to search through.
+    const references::LimitProblem problem = limit_problem(random_masonry(seed, n, true).model);
     const references::LimitState most = references::associated_limit(problem);
     const references::LimitState least = references::non_associated_limit(problem);
     ASSERT_TRUE(most.found && least.found) << n << ": " << masonry.description;
