@@ -182,6 +182,8 @@ void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const 
     p.speed = slip.norm();
     if (p.speed < least_sliding * braking) p.speed = 0;
     if (p.speed > 0) p.heading = slip / p.speed;
+    // A spring that unloads while the normal force falls moves against its own force: that is no sliding.
+    if (p.speed > 0 && p.heading.dot(p.slip_start) <= 0) p.speed = 0;
 }
 
 /// What friction takes from the speed of two stones in the step, as if nothing else held them [m/s].
