@@ -34,16 +34,39 @@ JointMaterial dry_joint_at_angle(double friction_angle, const ContactStiffness& 
     return joint;
 }
 
-double default_stiffness(Kinematics kinematics, double compliance)
+namespace
 {
-    return 2 * (is_deformable(kinematics) ? 10 : 1) / compliance;
+
+constexpr double default_rule = 300;  // times E/L, by docs/method.md
+
+/// Times E/L.
+double rule_of(const SceneSetting& setting)
+{
+    if (!setting.papers_joints) return default_rule;
+    return is_deformable(setting.kinematics) ? 10 : 1;
+}
+
+}  // namespace
+
+double default_stiffness(const SceneSetting& setting, double compliance)
+{
+    return 2 * rule_of(setting) / compliance;
+}
+
+JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
+{
+    if (!setting.papers_joints) return joint;
+    joint.restitution.reset();
+    if (joint.stiffness.kind == ContactStiffness::Kind::from_modulus)
+        joint.stiffness.factor *= rule_of(setting) / default_rule;
+    return joint;
 }
 
 ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance)
 {
     if (!setting.stiffness_factor) return {};
     return {ContactStiffness::Kind::per_area,
-            *setting.stiffness_factor * default_stiffness(setting.kinematics, compliance)};
+            *setting.stiffness_factor * default_stiffness(setting, compliance)};
 }
 
 }  // namespace voussoir::app::studies::scenes

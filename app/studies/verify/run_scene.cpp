@@ -32,7 +32,9 @@ double lean_of(const Model& model, const State& state, int block)
 
 double own_damping(const scenes::SceneSetting& setting, double omega)
 {
-    const double share = setting.integrator == Integrator::newmark ? 1 : StepControl{}.dissipation;
+    StepControl control;
+    control.time_step = setting.time_step;
+    const double share = setting.integrator == Integrator::newmark ? 1 : control.dissipation_used();
     return share * omega * setting.time_step / 4;
 }
 
