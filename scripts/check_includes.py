@@ -27,7 +27,7 @@ FOLDER_RULES = {
     "libdda/contact/": ENGINE_MODEL,
     "libdda/solve/": ENGINE_MODEL,
     "libdda/step/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/"),
-    "libdda/analysis/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/"),
+    "libdda/analysis/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/", "libdda/step/"),
     "libdda/run/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/", "libdda/analysis/"),
 
     "records/": READS + ("libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "records/formats/",

@@ -30,8 +30,17 @@ struct SnapshotOptions {
     std::optional<double> deformation_scale;  // displacements drawn times this; 1 if absent
 };
 
+/// Whether a run seeks the structure's natural modes to say how much it is to be trusted.
+enum class TrustFigures {
+    automatic,  // where that costs little beside the run
+    always,
+    never,  // nothing is judged
+};
+
 struct OutputOptions {
     double every = 0;  // s between frames in results.h5
+    TrustFigures trust = TrustFigures::automatic;
+    bool error_estimate = false;  // the run is repeated with half the time step and with twice the stiffness
     std::vector<HistoryPoint> histories;
     std::optional<SnapshotOptions> snapshots;  // absent: no renderer is started
 };

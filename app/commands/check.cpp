@@ -7,8 +7,10 @@
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
 #include "app/commands/outputs.h"
+#include "app/commands/trust_watch.h"
 #include "app/reader/case_file.h"
 #include "app/results/scene_vectors.h"
+#include "app/words/trust_words.h"
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/errors.h"
 
@@ -16,6 +18,9 @@ namespace voussoir::app::commands
 {
 namespace
 {
+
+// Floating-point operations: a second or two, and then modes are not sought (output: {trust: always} insists).
+constexpr double worth_waiting_for = 1e9;
 
 /// All contact patches of one pair of blocks.
 struct PairContact {
@@ -120,6 +125,24 @@ void print_stages(const std::vector<Stage>& stages)
     }
 }
 
+/// What can be said before the run of how much it is to be trusted, as it is drawn: every joint closed.
+void print_trust(const Case& the_case)
+{
+    if (the_case.output.trust == TrustFigures::never) return;
+    const State state = initial_state(the_case.model);
+    ModesSearch search;
+    search.most_work = std::max(most_work_of_modes(the_case), worth_waiting_for);
+    const Trust trust = trust_in({false, natural_modes(the_case.model, state, search), {}}, the_case.stages, {});
+    fmt::print("as drawn, all joints closed: {}\n", words::vibrations_in_words(trust));
+    for (const NaturalMode& mode : trust.start.modes.modes) {
+        const Eigen::Vector3d share = 100 * mode.mass_share;
+        fmt::print("  {:>8.4g} Hz, {:3.0f}, {:3.0f}, {:3.0f} % of the mass along x, y, z\n", mode.frequency,
+                   share.x(), share.y(), share.z());
+    }
+    for (const std::string& warning : words::warnings_of(trust, the_case.stages))
+        fmt::print("warning: {}\n", warning);
+}
+
 void print_all(const Case& the_case)
 {
     print_case(the_case);
@@ -128,6 +151,7 @@ void print_all(const Case& the_case)
     print_foundations(the_case.model);
     print_contacts(the_case.model);
     print_stages(the_case.stages);
+    print_trust(the_case);
 }
 
 /// How the stones stand together. Of a case whose stones could not all be read, those of its meshes that could.

@@ -78,9 +78,10 @@ void print_materials(const Model& model)
     for (const JointMaterial& joint : model.joints) {
         fmt::print(
             "joint {}: friction {:g} deg, cohesion {:g} Pa, tensile strength {:g} Pa, contact stiffness {}, "
-            "shear to normal {:g}, relaxation time {:g} s\n",
+            "shear to normal {:g}, relaxation time {:g} s, restitution {}\n",
             joint.name, joint.friction_angle * 180 / std::numbers::pi, joint.cohesion, joint.tensile_strength,
-            in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.relaxation_time);
+            in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.relaxation_time,
+            joint.has_landing_law() ? fmt::format("{:g}", *joint.restitution) : "none");
         for (const FrictionAtSpeed& point : joint.friction_at_speed)
             fmt::print("  friction {:g} deg when it slips at {:g} m/s\n", point.angle * 180 / std::numbers::pi,
                        point.speed);

@@ -13,10 +13,12 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
+#include "app/commands/error_estimate.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
 #include "app/commands/resume.h"
 #include "app/commands/stopwatch.h"
+#include "app/commands/trust_watch.h"
 #include "app/reader/case_file.h"
 #include "app/render/snapshots.h"
 #include "app/results/results_writer.h"
@@ -38,6 +40,15 @@ struct Start {
     State state;
     RunPosition position;
     results::CommandTimes times;  // of the commands before this one
+    std::optional<TrustStart> trust;
+    bool is_resumed = false;
+};
+
+/// What a run gave beside its files.
+struct Ended {
+    RunReport report;
+    std::optional<TrustStart> trust;
+    std::optional<results::ErrorEstimate> estimate;
 };
 
 /// The state of a run is saved with every frame, at its end, and now and then in a static stage.
@@ -71,23 +82,35 @@ class Saver
 };
 
 /// Runs to the end, or as far as it goes, and closes the files. @param start its state becomes the last one
-RunReport run_and_write(const Case& the_case, Start& start, results::ResultsWriter& writer, Saver& saver,
-                        bool quiet)
+Ended run_and_write(const Case& the_case, Start& start, results::ResultsWriter& writer, Saver& saver, bool quiet)
 {
     Progress progress(the_case.stages, quiet);
+    TrustWatch trust(the_case, start.trust);
+    std::optional<HistoryRecorder> recorder;
+    if (the_case.output.error_estimate) recorder.emplace(the_case);
     RunObserver observer;
     observer.every = the_case.output.every;
-    observer.frame = [&](const State& now, const RunReport& report) { writer.frame(now, report); };
+    observer.frame = [&](const State& now, const RunReport& report) {
+        writer.frame(now, report);
+        if (const TrustStart* noted = trust.frame(now, report)) writer.note(*noted);
+    };
     observer.save = std::ref(saver);
     observer.step = [&](const State& now, const StepReport& step, const RunReport& report) {
         writer.history(now, step, report);
         progress.step(now, step, report);
+        if (recorder) recorder->step(now);
     };
     observer.stop = interrupted;
-    RunReport report = run(the_case.model, the_case.stages, start.state, observer, start.position);
+    Ended ended;
+    ended.report = run(the_case.model, the_case.stages, start.state, observer, start.position);
+    ended.trust = trust.start();
     progress.done();
-    writer.finish(start.state, report, saver.times());
-    return report;
+    if (recorder)
+        ended.estimate =
+            error_of(the_case, {std::move(*recorder), start.state, ended.report}, !start.is_resumed, quiet);
+    if (ended.estimate) writer.note(*ended.estimate);
+    writer.finish(start.state, ended.report, saver.times());
+    return ended;
 }
 
 /// Neither the input's fault nor that of the numerics: the disk is full, or the memory.
@@ -95,8 +118,7 @@ struct RunBroken : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-RunReport run_unbroken(const Case& the_case, Start& start, results::ResultsWriter& writer, Saver& saver,
-                       bool quiet)
+Ended run_unbroken(const Case& the_case, Start& start, results::ResultsWriter& writer, Saver& saver, bool quiet)
 {
     try {
         return run_and_write(the_case, start, writer, saver, quiet);
@@ -123,8 +145,9 @@ void print_joints(const std::vector<JointPeaks>& joints)
         joints.size(), opened, slid, 1e3 * noteworthy_opening, 1e3 * opening, 1e3 * slip);
 }
 
-void print_report(const Case& the_case, const RunReport& report, double wall_time)
+void print_report(const Case& the_case, const Ended& ended, double wall_time)
 {
+    const RunReport& report = ended.report;
     fmt::print("{}: {} steps for {:g} s of motion in {:.1f} s of wall time\n", name_of(report.outcome),
                report.steps, report.simulated_time, wall_time);
     fmt::print("  {} steps cut, {} not converged, {} open-close iterations, {} factorisations\n", report.step_cuts,
@@ -135,13 +158,16 @@ void print_report(const Case& the_case, const RunReport& report, double wall_tim
         report.max_penetration, e.relative_residual());
     fmt::print(
         "  energy: {:.4g} kJ put in; {:.4g} stored, {:.4g} removed in static stages, {:.4g} friction, {:.4g} "
-        "damping, {:.4g} loss of the integrator\n",
-        e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3,
+        "impacts, {:.4g} damping, {:.4g} loss of the integrator\n",
+        e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3, e.impact / 1e3,
         (e.damping_kinetic + e.damping_contact + e.fracture) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3);
     print_joints(report.joints);
+    const std::vector<std::string> doubts = print_trust(the_case, ended.trust, report.energy);
     for (const std::string& warning : words::warnings_of(report, the_case.model, the_case.stages))
         fmt::print("  warning: {}\n", warning);
+    for (const std::string& warning : doubts) fmt::print("  warning: {}\n", warning);
+    if (ended.estimate) print_estimate(*ended.estimate);
 }
 
 void print_files(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& pictures)
@@ -185,7 +211,7 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
 {
     Start start;
     if (restart) {
-        start = {restart->state, restart->position, {restart->wall_time, restart->cpu_time}};
+        start = {restart->state, restart->position, {restart->wall_time, restart->cpu_time}, restart->trust, true};
         if (!quiet) fmt::print("continues from {}\n", place_of(the_case, *restart));
     } else {
         start.state = initial_state(the_case.model);
@@ -195,14 +221,15 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
         restart ? std::make_unique<results::ResultsWriter>(the_case, folder, *restart)
                 : std::make_unique<results::ResultsWriter>(the_case, folder);
     Saver saver(*writer, start, stopwatch);
-    const RunReport report = run_unbroken(the_case, start, *writer, saver, quiet);
+    const Ended ended = run_unbroken(the_case, start, *writer, saver, quiet);
+    const RunReport& report = ended.report;
 
     std::vector<std::filesystem::path> pictures;
     const bool goes_on = report.outcome == Outcome::interrupted;
     const bool drawn = goes_on || draw(the_case, writer->results_file(), folder, pictures);
     if (!goes_on) writer->end(report);
     if (!quiet) {
-        print_report(the_case, report, saver.times().wall);
+        print_report(the_case, ended, saver.times().wall);
         print_files(folder, pictures);
     }
     if (report.diagnosis)

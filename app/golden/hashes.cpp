@@ -40,7 +40,7 @@ void add(const EnergyLedger& energy, Hash& hash)
     for (const double joules :
          {energy.kinetic, energy.strain, energy.contact, energy.gravity_work, energy.foundation_work,
           energy.boundary_work, energy.load_work, energy.friction, energy.damping_kinetic, energy.damping_static,
-          energy.damping_contact, energy.fracture, energy.algorithmic, energy.algorithmic_rotation,
+          energy.damping_contact, energy.fracture, energy.impact, energy.algorithmic, energy.algorithmic_rotation,
           energy.redetection, energy.peak_stored, energy.peak_given})
         hash.add(joules);
 }

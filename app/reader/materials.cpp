@@ -74,6 +74,18 @@ std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
     return points;
 }
 
+/// What stones keep of their approach speed. A relaxation time is another answer to the same question.
+std::optional<double> read_restitution(YamlCursor& map, bool has_dashpot)
+{
+    const std::optional<YamlCursor> given = map.find("restitution");
+    if (!given) return has_dashpot ? std::nullopt : JointMaterial{}.restitution;
+    if (given->found() == "none") return std::nullopt;
+    const double restitution = given->as_quantity(words::dimension::number, {0, 1, true, true});
+    if (has_dashpot)
+        given->fault("restitution beside a relaxation_time", "a joint has one or the other; or write restitution: none");
+    return restitution;
+}
+
 JointMaterial read_joint(const std::string& name, YamlCursor& map)
 {
     JointMaterial joint;
@@ -91,6 +103,7 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
                                                       words::Range::positive(), joint.shear_to_normal_stiffness);
     joint.relaxation_time = map.quantity_or("relaxation_time", words::dimension::time,
                                             words::Range::non_negative(), joint.relaxation_time);
+    joint.restitution = read_restitution(map, joint.relaxation_time > 0);
     map.reject_unknown_keys();
     return joint;
 }

@@ -119,6 +119,11 @@ OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector
         if (stage.type == StageType::dynamic && stage.duration / output.every > max_intervals)
             map->fault(fmt::format("{:.3g} intervals in {}", stage.duration / output.every, stage.name),
                        "give a longer interval");
+    output.trust = map->choice_or<TrustFigures>(
+        "trust",
+        {{"automatic", TrustFigures::automatic}, {"always", TrustFigures::always}, {"never", TrustFigures::never}},
+        output.trust);
+    output.error_estimate = map->boolean_or("error_estimate", output.error_estimate);
     const std::vector<std::string> blocks = sorted_block_names(model);
     if (std::optional<YamlCursor> histories = map->find("histories"))
         for (auto& [name, history] : histories->named_entries("histories by name, {crown: {block: voussoir_47}}"))

@@ -18,8 +18,7 @@ void read_integrator(YamlCursor& stage, StepControl& control)
         "integrator", {{"newmark", Integrator::newmark}, {"energy_decaying", Integrator::energy_decaying}},
         control.integrator);
     if (control.integrator == Integrator::energy_decaying)
-        control.dissipation =
-            stage.quantity_or("dissipation", words::dimension::number, {0, 1, true, true}, control.dissipation);
+        control.dissipation = stage.find_quantity("dissipation", words::dimension::number, {0, 1, true, true});
     else
         stage.forbid("dissipation", "it belongs to integrator: energy_decaying");
 }

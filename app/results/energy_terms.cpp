@@ -17,6 +17,7 @@ std::vector<std::pair<std::string, double>> energy_terms(const EnergyLedger& ene
             {"damping_static_J", energy.damping_static},
             {"damping_contact_J", energy.damping_contact},
             {"fracture_J", energy.fracture},
+            {"impact_J", energy.impact},
             {"algorithmic_J", energy.algorithmic},
             {"algorithmic_rotation_J", energy.algorithmic_rotation},
             {"redetection_J", energy.redetection},

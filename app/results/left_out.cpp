@@ -40,6 +40,8 @@ std::vector<std::string> left_out(const Case& the_case)
               "cohesion and tensile strength (all joints are dry)");
     leave_out(!any_joint(the_case, [](const JointMaterial& j) { return j.relaxation_time > 0; }),
               "contact damping (no joint has a relaxation time)");
+    leave_out(!any_joint(the_case, [](const JointMaterial& j) { return j.has_landing_law(); }),
+              "impulses of landing stones (no joint has a restitution)");
     leave_out(
         !any_stage(the_case, [](const Stage& s) { return s.damping.rate != 0 || s.damping.factor_per_step != 1; }),
         "kinetic damping (no stage has any)");

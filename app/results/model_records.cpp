@@ -83,7 +83,7 @@ void write_friction_at_speed(const Model& model, Hdf5File& file)
 void write_joints(const Model& model, Hdf5File& file)
 {
     std::vector<std::string> names, kinds;
-    std::vector<double> friction, cohesion, tension, stiffness, factor, shear, dashpot;
+    std::vector<double> friction, cohesion, tension, stiffness, factor, shear, dashpot, restitution;
     for (const JointMaterial& joint : model.joints) {
         names.push_back(joint.name);
         friction.push_back(joint.friction_angle);
@@ -94,6 +94,7 @@ void write_joints(const Model& model, Hdf5File& file)
         factor.push_back(joint.stiffness.factor);
         shear.push_back(joint.shear_to_normal_stiffness);
         dashpot.push_back(joint.relaxation_time);
+        restitution.push_back(joint.has_landing_law() ? *joint.restitution : std::nan(""));
     }
     file.make_group("/model/joint_materials");
     file.write_texts("/model/joint_materials/name", names);
@@ -105,6 +106,7 @@ void write_joints(const Model& model, Hdf5File& file)
     file.write("/model/joint_materials/stiffness_factor", factor);
     file.write("/model/joint_materials/shear_to_normal_stiffness", shear);
     file.write("/model/joint_materials/dashpot", dashpot);
+    file.write("/model/joint_materials/restitution", restitution);  // NaN: impacts are left to springs and dashpots
     write_friction_at_speed(model, file);
     std::vector<std::int32_t> of_groups(model.joint_of_groups.begin(), model.joint_of_groups.end());
     file.write("/model/joint_of_groups", of_groups, {model.groups.size(), model.groups.size()});

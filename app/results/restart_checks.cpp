@@ -30,6 +30,12 @@ bool is_sound(const RunReport& report)
            std::all_of(report.warnings.begin(), report.warnings.end(), is_whole);
 }
 
+bool is_sound(const TrustStart& trust)
+{
+    return trust.modes.outcome >= ModesOutcome::found && trust.modes.outcome <= ModesOutcome::failed &&
+           is_count(trust.modes.loose);
+}
+
 bool is_sound(const RunPosition& at)
 {
     const std::array<std::int64_t, 7> counts{at.parts,           at.frames,       at.multiples,  at.divisions,
@@ -95,7 +101,8 @@ bool fits(const RunReport& report, const Model& model)
 bool is_sound(const Restart& restart)
 {
     return is_sound(restart.state) && is_sound(restart.position) && is_count(restart.history_rows) &&
-           std::isfinite(restart.wall_time) && std::isfinite(restart.cpu_time);
+           (!restart.trust || is_sound(*restart.trust)) && std::isfinite(restart.wall_time) &&
+           std::isfinite(restart.cpu_time);
 }
 
 bool fits(const Restart& restart, const Case& the_case)

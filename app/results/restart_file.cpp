@@ -11,7 +11,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 11\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 12\n";  // its number rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -19,10 +19,10 @@ template <typename Archive, typename Ledger>
 void ledger_fields(Archive& archive, Ledger& ledger)
 {
     auto& [kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
-           damping_static, damping_contact, fracture, algorithmic, algorithmic_rotation, redetection,
+           damping_static, damping_contact, fracture, impact, algorithmic, algorithmic_rotation, redetection,
            start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given] = ledger;
     archive.fields(kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
-                   damping_static, damping_contact, fracture, algorithmic, algorithmic_rotation, redetection,
+                   damping_static, damping_contact, fracture, impact, algorithmic, algorithmic_rotation, redetection,
                    start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given);
 }
 
@@ -77,6 +77,20 @@ void position_fields(Archive& archive, Position& position)
                    step_unbalanced);
 }
 
+template <typename Archive, typename Start>
+void trust_fields(Archive& archive, Start& start)
+{
+    auto& [at_rest, modes, energy] = start;
+    archive.fields(at_rest, modes.outcome, modes.loose);
+    archive.list(modes.modes, [](auto& to, auto& mode) {
+        auto& [frequency, mass_share, joint_share, lowered_by_joints, raised_by_stones, dashpot_time] = mode;
+        to.field(frequency);
+        to.field(mass_share);
+        to.fields(joint_share, lowered_by_joints, raised_by_stones, dashpot_time);
+    });
+    ledger_fields(archive, energy);
+}
+
 template <typename Archive, typename SomeRestart>
 void restart_fields(Archive& archive, SomeRestart& restart)
 {
@@ -86,6 +100,7 @@ void restart_fields(Archive& archive, SomeRestart& restart)
     archive.fields(from.text, from.overrides, from.blocks, from.motions);
     archive.list(restart.remarks);
     archive.fields(restart.ended, restart.history_rows, restart.wall_time, restart.cpu_time);
+    archive.maybe(restart.trust, [](auto& to, auto& start) { trust_fields(to, start); });
     position_fields(archive, restart.position);
     state_fields(archive, restart.state);
 }

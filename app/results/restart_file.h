@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/results/fingerprint.h"
+#include "libdda/analysis/trust.h"
 #include "libdda/run/run.h"
 
 namespace voussoir::app::results
@@ -20,6 +22,7 @@ struct Restart {
     RunPosition position;                // position.frames: frames of results.h5 that belong to the run
     std::int64_t history_rows = 0;       // lines of histories.csv that do
     double wall_time = 0, cpu_time = 0;  // s, of all commands that took part
+    std::optional<TrustStart> trust;     // as it was when the motion began, if it has
 };
 
 /// Where a folder of results has it.

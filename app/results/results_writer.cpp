@@ -115,6 +115,7 @@ struct ResultsWriter::Implementation {
     {
         restart.history_rows = from.history_rows;
         restart.remarks = from.remarks;
+        restart.trust = from.trust;
         contact_rows = contact_rows_in(results(), from.position.frames);
         if (!histories.columns.empty())
             lines = Hdf5File::open(results()).read_rows<double>("/histories/values", 0,
@@ -139,6 +140,7 @@ struct ResultsWriter::Implementation {
     std::optional<TwinFiles> twins;
     std::int64_t contact_rows = 0;  // in the tables of contacts
     Restart restart;                // as it was saved last
+    std::optional<ErrorEstimate> estimate;
 };
 
 ResultsWriter::ResultsWriter(const Case& the_case, const fs::path& folder)
@@ -178,6 +180,16 @@ void ResultsWriter::save(const State& state, const RunPosition& position, const 
     save_restart(the.restart, restart_file_in(the.folder));
 }
 
+void ResultsWriter::note(const TrustStart& trust)
+{
+    implementation_->restart.trust = trust;
+}
+
+void ResultsWriter::note(const ErrorEstimate& estimate)
+{
+    implementation_->estimate = estimate;
+}
+
 void ResultsWriter::finish(const State& state, const RunReport& report, const CommandTimes& times)
 {
     Implementation& the = *implementation_;
@@ -185,7 +197,11 @@ void ResultsWriter::finish(const State& state, const RunReport& report, const Co
     RunReport last = report;  // a run that stops on the way to rest has not noted its last state
     if (last.joints.size() != the.joints.size()) last.joints = no_peaks(the.joints);
     note_joints(the.the_case.model, the.joints, state, last);
-    const std::string summary = summary_json(the.the_case, the.joints, state, last, times, files_in(the.folder));
+    RunQuality quality;
+    if (the.restart.trust) quality.trust = trust_in(*the.restart.trust, the.the_case.stages, last.energy);
+    quality.estimate = the.estimate;
+    const std::string summary =
+        summary_json(the.the_case, the.joints, state, last, quality, times, files_in(the.folder));
     the.twins->finish(summary, last.joints);
     write_xdmf(results_file(), the.folder / "results.xdmf");
     write_atomically(the.folder / "summary.json", summary);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/results/error_estimate.h"
 #include "app/results/restart_file.h"
 #include "app/results/summary.h"
 
@@ -32,6 +33,10 @@ class ResultsWriter
     void history(const State& state, const StepReport& step, const RunReport& report);  // a line of histories.csv
     /// Writes the file that a later run can go on from. @param times of all commands so far
     void save(const State& state, const RunPosition& position, const CommandTimes& times);
+    /// What the summary is to say of how far the run can be trusted; kept in the restart file from now on.
+    void note(const TrustStart& trust);
+    /// What the summary is to say of runs beside this one.
+    void note(const ErrorEstimate& estimate);
     /// Closes everything, writes results.xdmf and summary.json. @param times of all commands
     void finish(const State& state, const RunReport& report, const CommandTimes& times);
     /// Nothing is left to go on with: the restart file says so from now on.

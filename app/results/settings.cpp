@@ -63,7 +63,7 @@ Json to_json(const StepControl& control)
     return {{"time_step_s", control.time_step},
             {"min_time_step_s", control.min_time_step},
             {"integrator", name_of(control.integrator)},
-            {"dissipation", control.dissipation},
+            {"dissipation", control.dissipation_used()},
             {"divide_up_to_blocks", control.divide_up_to_blocks},
             {"open_close", name_of(control.open_close)},
             {"max_open_close", control.max_open_close},

@@ -7,8 +7,10 @@
 #include "app/results/joint_summary.h"
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
+#include "app/results/trust_json.h"
 #include "app/version/version.h"
 #include "app/words/diagnosis_words.h"
+#include "app/words/trust_words.h"
 #include "libdda/analysis/crushing.h"
 
 namespace voussoir::app::results
@@ -90,7 +92,7 @@ Json integrators(const std::vector<Stage>& stages)
                       {"integrator", name_of(stage.control.integrator)},
                       {"time_step_s", stage.control.time_step}};
         if (stage.control.integrator == Integrator::energy_decaying) {
-            entry["dissipation"] = stage.control.dissipation;
+            entry["dissipation"] = stage.control.dissipation_used();
         }
         json.push_back(entry);
     }
@@ -117,12 +119,16 @@ std::string with_list(std::string text, const std::string& lines)
 }  // namespace
 
 std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& joints, const State& state,
-                         const RunReport& report, const CommandTimes& times, const std::vector<std::string>& files)
+                         const RunReport& report, const RunQuality& quality, const CommandTimes& times,
+                         const std::vector<std::string>& files)
 {
     const Model& model = the_case.model;
     std::vector<std::string> warnings = the_case.warnings;
     for (std::string& warning : words::warnings_of(report, model, the_case.stages))
         warnings.push_back(std::move(warning));
+    if (quality.trust)
+        for (std::string& warning : words::warnings_of(*quality.trust, the_case.stages))
+            warnings.push_back(std::move(warning));
     Json json;
     json["case"] = the_case.file.string();
     json["title"] = the_case.title;
@@ -154,6 +160,8 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
     json["deepest_overlap"] = deepest_overlap(model, report.deepest);
     json["static_unbalanced"] = report.static_unbalanced;
     json["energy"] = energy(report.energy);
+    if (quality.trust) json["trust"] = Json::parse(trust_json(*quality.trust, the_case.stages));
+    if (quality.estimate) json["error_estimate"] = Json::parse(estimate_json(*quality.estimate));
     json["fallen_blocks"] = fallen_blocks(model, report.fallen);
     if (has_compressive_strength(model)) json["crushed_joints"] = crushed_joints(model, report.crushed);
     const std::vector<JointNow> now = joints_now(model, joints, state, joint_resultants(model, state));

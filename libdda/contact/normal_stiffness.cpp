@@ -10,10 +10,6 @@ namespace voussoir::contact
 namespace
 {
 
-// Joints of stones that are k E / L stiff add 1/k to their compliance and take 1/(2k) from the frequencies of the
-// structure: 0.17 % here. In a rigid scene the same stiffness leaves next to nothing of it.
-constexpr double stiffness_of_a_stone = 300;
-
 /// Extent along the normal of the block that the part belongs to [m].
 template <int D>
 double depth_along(const Model& model, const PlacedPartIn<D>& part, const VectorIn<D>& normal)
@@ -38,7 +34,7 @@ double stiffness_from_modulus(const Model& model, const std::vector<bool>& fully
         const Block& block = model.blocks[part->block];
         compliance += depth_along(model, *part, normal) / model.materials[block.material].young;
     }
-    return 2 * stiffness_of_a_stone / compliance;
+    return 2 * default_stiffness_factor(model.kinematics) / compliance;
 }
 
 double face_measure(const PlacedPart& part, int face)

@@ -90,6 +90,14 @@ template <class K>
 void begin_block(const Model& model, const Stage& stage, const State& state, int block, double h, double end_time,
                  const Jump<K>* jump, BlockStep<K>& step);
 
+/// The same for a block that does not land.
+template <class K>
+void begin_block(const Model& model, const Stage& stage, const State& state, int block, double h, double end_time,
+                 BlockStep<K>& step)
+{
+    begin_block<K>(model, stage, state, block, h, end_time, nullptr, step);
+}
+
 /// Adds the body accelerations of the stage to the blocks, which are prepared; each once, however many blocks.
 template <class K>
 void add_body_accelerations(const Stage& stage, double h, double end_time, std::vector<BlockStep<K>>& blocks);

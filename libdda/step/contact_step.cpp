@@ -14,6 +14,8 @@ using Eigen::VectorXd;
 namespace
 {
 
+constexpr double least_sliding = 0.1;  // of the speed that friction takes in a step
+
 template <class Vector>
 Vector tangential(const Vector& v, const Vector& normal)
 {
@@ -165,9 +167,10 @@ void sum_forces(const std::vector<PointStep<K::dimension>>& points, PatchStep<K>
     }
 }
 
-/// How a point slides at the start of the step.
+/// How a point slides at the start of the step. One that hardly does sticks at once: of joints that tremble the
+/// reversals decide nothing, and would keep the iteration busy.
 template <class K>
-void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const BlockStep<K>& b,
+void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const BlockStep<K>& b, double braking,
                  PointStep<K::dimension>& p)
 {
     const auto velocity = [](const BlockStep<K>& block, const typename K::Vector& lever) {
@@ -177,6 +180,7 @@ void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const 
     const typename K::Vector slip = tangential(
         typename K::Vector(velocity(a, p.lever_a) - velocity(b, p.lever_b)), normal);
     p.speed = slip.norm();
+    if (p.speed < least_sliding * braking) p.speed = 0;
     if (p.speed > 0) p.heading = slip / p.speed;
 }
 
@@ -261,7 +265,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
             p.turns_round = false;
             p.speed = 0;
             if (looks_for_turning && point.gap < 0 && point.status == ContactStatus::sliding)
-                set_heading(patch.normal, a, b, p);
+                set_heading(patch.normal, a, b, patch.braking, p);
             p.status = point.gap > 0 && !found.intact
                            ? ContactStatus::open
                            : (point.status == ContactStatus::open ? ContactStatus::locked : point.status);

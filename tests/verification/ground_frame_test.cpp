@@ -114,7 +114,7 @@ TEST_P(GroundFrame, BodyAccelerationMovesAStoneAsMovingGroundDoes)
 {
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
         const bool newmark = integrator == Integrator::newmark;
-        const double early = newmark ? 0.5 : 0.5 * StepControl{}.dissipation;  // of a step
+        const double early = newmark ? 0.5 : 0;  // of a step
         Comparison coarse;
         for (const int steps : {1, 2, 4, 8}) {
             const double h = spacing / steps;

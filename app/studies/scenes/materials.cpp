@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "libdda/contact/normal_stiffness.h"
+
 namespace voussoir::app::studies::scenes
 {
 
@@ -37,12 +39,10 @@ JointMaterial dry_joint_at_angle(double friction_angle, const ContactStiffness& 
 namespace
 {
 
-constexpr double default_rule = 300;  // times E/L, by docs/method.md
-
 /// Times E/L.
 double rule_of(const SceneSetting& setting)
 {
-    if (!setting.papers_joints) return default_rule;
+    if (!setting.papers_joints) return contact::default_stiffness_factor(setting.kinematics);
     return is_deformable(setting.kinematics) ? 10 : 1;
 }
 
@@ -58,7 +58,7 @@ JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
     if (!setting.papers_joints) return joint;
     joint.restitution.reset();
     if (joint.stiffness.kind == ContactStiffness::Kind::from_modulus)
-        joint.stiffness.factor *= rule_of(setting) / default_rule;
+        joint.stiffness.factor *= rule_of(setting) / contact::default_stiffness_factor(setting.kinematics);
     return joint;
 }
 

@@ -309,9 +309,11 @@ TEST(Program, EveryShippedCaseCanBeRun)
         if (entry.path().extension() != ".yaml") continue;
         const Ended ended = voussoir(folder, {"check", entry.path().string()});
         EXPECT_EQ(ended.exit_code, 0) << ended.errors;
-        // Only the survey has joints to be fitted.
+        // Only the survey has joints to be fitted. What is said of a run's trust is another matter.
         const bool surveyed = entry.path().stem() == "surveyed_dome";
-        EXPECT_EQ(ended.output.find("warning") != std::string::npos, surveyed) << ended.output;
+        EXPECT_EQ(ended.output.find("\nwarnings:") != std::string::npos, surveyed) << ended.output;
+        EXPECT_NE(ended.output.find("as drawn, all joints closed: first modes"), std::string::npos)
+            << ended.output;
         ++cases;
     }
     EXPECT_GE(cases, 5);

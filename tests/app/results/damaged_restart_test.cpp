@@ -15,6 +15,7 @@
 #include "app/results/results_writer.h"
 #include "app/results/state_file.h"
 #include "app/words/diagnosis_words.h"
+#include "app/words/trust_words.h"
 #include "libdda/errors.h"
 #include "libdda/run/run.h"
 #include "tests/app/results/synthetic.h"
@@ -55,6 +56,7 @@ Restart sound_restart(const Case& the_case)
     restart.position.report.crushed = {{0, 1, 1e6, 0.1, 0.2, 2e6}};
     restart.position.report.joints = {{0, 1, 2e-3, 1e-5, 0.3, {}}};
     restart.position.report.warnings = {{DiagnosisKind::dry_joints, -1, {0, 1}, {1, 1e-3}}};
+    restart.trust = TrustStart{true, {ModesOutcome::found, {{4.5, {0.8, 0, 0}, 0.1, 0.002, 0.1, 1e-4}}, 6}, {}};
     restart.history_rows = 2;
     return restart;
 }
@@ -95,6 +97,9 @@ class DamagedRestart : public testing::TestWithParam<Kinematics>
             check_fits(restart, the_case_, file_);
             words::message_of(restart.position.report, the_case_.model, the_case_.stages);
             words::warnings_of(restart.position.report, the_case_.model, the_case_.stages);
+            if (restart.trust)
+                words::warnings_of(trust_in(*restart.trust, the_case_.stages, restart.position.report.energy),
+                                   the_case_.stages);
             if (!restart.ended) go_on(restart);
         } catch (const InputError& error) {
             EXPECT_EQ(error.faults.size(), 1U);
@@ -264,6 +269,8 @@ TEST_P(DamagedRestart, WhatWouldLeadOutsideArraysOrCountsIsRefused)
     const auto state = [&](auto change) { return refused([&](Restart& r) { change(r.state); }); };
     EXPECT_TRUE(report([](RunReport& r) { r.outcome = static_cast<Outcome>(17); }));
     EXPECT_TRUE(report([](RunReport& r) { r.outcome = static_cast<Outcome>(-1); }));
+    EXPECT_TRUE(refused([](Restart& r) { r.trust->modes.outcome = static_cast<ModesOutcome>(17); }));
+    EXPECT_TRUE(refused([](Restart& r) { r.trust->modes.loose = -1; }));
     EXPECT_TRUE(report([](RunReport& r) { r.steps = huge; }));
     EXPECT_TRUE(report([](RunReport& r) { r.fallen[0].block = 2; }));
     EXPECT_TRUE(report([](RunReport& r) { r.fallen[0].block = -1; }));

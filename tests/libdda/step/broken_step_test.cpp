@@ -46,7 +46,7 @@ EnergyLedger run_with(const Mistake<K>& mistake)
     for (int step = 0; step < 300; ++step) {
         contact::find_contacts(scene.model, state, reach, 1, parts, contacts,
                                step > 0 ? contact::NewOverlap::forgiven : contact::NewOverlap::presses);
-        step::assemble_blocks(scene.model, stage, state, contacts, h, system);
+        step::assemble_blocks<K>(scene.model, stage, state, contacts, h, {}, system);
         mistake.in_equations(system);
         EXPECT_TRUE(step::iterate_newton(scene.model, stage, contacts, system, report)) << "step " << step;
         energy.redetection += energy.contact - contact::spring_energy(scene.model, contacts);

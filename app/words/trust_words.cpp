@@ -1,0 +1,176 @@
+#include "app/words/trust_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir::app::words
+{
+
+namespace
+{
+
+constexpr std::size_t most_modes_named = 4;
+constexpr double worth_naming = 1e-4;  // of the energy put in
+
+/// "4.7 %", "0.0012 %".
+std::string percent(double share)
+{
+    return fmt::format("{:.2g} %", 100 * share);
+}
+
+/// A figure of at most one digit that is no larger.
+double rounded_down(double value)
+{
+    const double unit = std::pow(10, std::floor(std::log10(value)));
+    return unit * std::floor(value / unit + 1e-9);
+}
+
+/// The smallest whole number of one or two digits and zeros that is no smaller.
+double rounded_up(double value)
+{
+    const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(value)) - 1));
+    return unit * std::ceil(value / unit - 1e-9);
+}
+
+std::string step_for(const Stage& stage, double factor)
+{
+    return fmt::format("a time_step of {:g} ms", 1e3 * rounded_down(stage.control.time_step * factor));
+}
+
+/// And may be something else: the published iteration knows no other.
+bool is_newmark(const Stage& stage)
+{
+    return stage.control.open_close == OpenClose::newton && stage.control.integrator == Integrator::newmark;
+}
+
+/// "give integrator: energy_decaying, or a time_step of 0.1 ms".
+std::string remedy_of_damping(const TrustFinding& finding, const Stage& stage)
+{
+    const std::string step = step_for(stage, 1 / finding.worst);
+    if (is_newmark(stage)) return "give integrator: energy_decaying, or " + step;
+    return "give " + step;
+}
+
+/// How many times as stiff joints must be for the lowering to be the limit.
+double stiffer_by(const TrustFinding& finding)
+{
+    const auto softness = [](double lowered) {
+        const double stiff = std::pow(1 - std::min(lowered, 0.999), 2);
+        return (1 - stiff) / stiff;
+    };
+    return rounded_up(softness(finding.worst * finding.limit) / softness(finding.limit));
+}
+
+std::string in_words(const TrustFinding& finding, const Trust& trust, const std::vector<Stage>& stages)
+{
+    using Kind = TrustFinding::Kind;
+    const std::string limit = fmt::format("(limit {})", percent(finding.limit));
+    const std::string vibration =
+        fmt::format("{} of {:.3g} Hz", trust.of_modes ? "the vibration" : "vibrations", finding.frequency);
+    switch (finding.kind) {
+        case Kind::algorithmic_damping:
+            return fmt::format("the integrator damps {} by {} of critical {}: {}", vibration,
+                               percent(finding.value), limit, remedy_of_damping(finding, stages[trust.stage]));
+        case Kind::dashpots:
+            return fmt::format(
+                "the dashpots of joints (relaxation_time) damp {} by {} of critical {}: give a relaxation_time "
+                "{:.2g} times as long",
+                vibration, percent(finding.value), limit, rounded_down(1 / finding.worst));
+        case Kind::period:
+            return fmt::format("the computed period of {} is {} too long {}: give {}", vibration,
+                               percent(finding.value), limit,
+                               step_for(stages[trust.stage], std::sqrt(1 / finding.worst)));
+        case Kind::soft_joints:
+            return fmt::format(
+                "joints lower the frequency of {:.3g} Hz by {} against that of the stones {}: their stiffness is "
+                "a "
+                "rule, no measurement; give the measured contact_stiffness in Pa/m, or a "
+                "contact_stiffness_factor {:g} times as large",
+                finding.frequency, percent(finding.value), limit, stiffer_by(finding));
+        case Kind::stiff_stones:
+            return fmt::format(
+                "stones of uniform strain do not bend: if these did, the vibration of {:.3g} Hz would have some "
+                "{:.2g} "
+                "Hz; divide them over their thickness, or take no frequency from this run",
+                finding.frequency, finding.frequency / (1 + finding.value));
+        case Kind::integrator_energy:
+            break;
+    }
+    return fmt::format(
+        "the integrator took {} of the energy put in {}: what vibrates or impacts loses too much; give {}",
+        percent(finding.value), limit,
+        is_newmark(stages[trust.stage]) ? "integrator: energy_decaying, or a smaller time_step"
+                                        : "a smaller time_step");
+}
+
+std::string frequencies_in_words(const Trust& trust)
+{
+    const std::vector<NaturalMode>& modes = trust.start.modes.modes;
+    std::string words;
+    for (std::size_t i = 0; i < std::min(most_modes_named, modes.size()); ++i)
+        words += fmt::format("{}{:.3g}", i > 0 ? ", " : "", modes[i].frequency);
+    return words + (modes.size() > most_modes_named ? ", ..." : "") + " Hz";
+}
+
+std::string modes_in_words(const Trust& trust)
+{
+    switch (trust.start.modes.outcome) {
+        case ModesOutcome::found:
+            return "first modes " + frequencies_in_words(trust);
+        case ModesOutcome::nothing_closed:
+            return "no joint is closed, so there are no natural modes";
+        case ModesOutcome::too_costly:
+            return "natural modes were not sought, for their cost (output: {trust: always})";
+        case ModesOutcome::failed:
+            break;
+    }
+    return "natural modes were not found";
+}
+
+/// Of the vibration that is damped most among those that are judged.
+std::string damping_in_words(const Trust& trust)
+{
+    const DampingAt* worst = nullptr;
+    for (const DampingAt& at : trust.damping)
+        if (at.matters && (!worst || at.algorithmic > worst->algorithmic)) worst = &at;
+    if (!worst) return "";
+    const std::string which = trust.of_modes ? "them by at most" : fmt::format("{:g} Hz by", worst->frequency);
+    return fmt::format("; the integrator damps {} {} of critical", which, percent(worst->algorithmic));
+}
+
+}  // namespace
+
+std::string vibrations_in_words(const Trust& trust)
+{
+    std::string words = modes_in_words(trust) + damping_in_words(trust);
+    double lowered = 0;
+    for (const NaturalMode& mode : trust.start.modes.modes) lowered = std::max(lowered, mode.lowered_by_joints);
+    if (lowered > 0) words += fmt::format("; joints lower them by at most {}", percent(lowered));
+    return words;
+}
+
+std::string shares_in_words(const EnergyShares& shares)
+{
+    if (!(shares.put_in > 0)) return "";
+    std::string words = fmt::format("of {:.4g} kJ put in by the motion:", shares.put_in / 1e3);
+    const std::pair<const char*, double> terms[] = {
+        {"integrator", shares.integrator}, {"friction", shares.friction},
+        {"damping", shares.damping},       {"dashpots", shares.dashpots},
+        {"fracture", shares.fracture},     {"contacts found anew", shares.contacts}};
+    for (const auto& [name, share] : terms)
+        if (share >= worth_naming || name == terms[0].first)
+            words += fmt::format(" {} {},", name, share >= worth_naming ? percent(share) : "< 0.01 %");
+    words.pop_back();
+    return words;
+}
+
+std::vector<std::string> warnings_of(const Trust& trust, const std::vector<Stage>& stages)
+{
+    std::vector<std::string> warnings;
+    for (const TrustFinding& finding : trust.findings) warnings.push_back(in_words(finding, trust, stages));
+    return warnings;
+}
+
+}  // namespace voussoir::app::words

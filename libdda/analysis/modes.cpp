@@ -1,0 +1,170 @@
+#include "libdda/analysis/modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "libdda/analysis/vibration.h"
+#include "libdda/solve/lowest_modes.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+// The search solves for some fifty right-hand sides, each with two operations per entry of the factor and
+// triangle.
+constexpr double solves_of_a_search = 50;
+// Springs at the corners of a rectangle resist its rotation three times as much as springs all over it.
+constexpr double corners_to_face = 3;
+constexpr double work_of_ordering = 50;  // the unknowns, for each entry of the matrix
+
+/// Twice the strain energies of a mode [J].
+struct ModeEnergies {
+    double measured = 0, ruled = 0;  // in joints whose stiffness was measured, or follows from a rule
+    double dashpots = 0;             // in joints, times their relaxation time
+    double stones = 0;               // in the half stones beside the joints, were they strained as the joints are
+};
+
+template <class K>
+typename K::Vector displacement_at(const Eigen::VectorXd& shape, int row, const typename K::Vector& lever)
+{
+    if (row < 0) return K::Vector::Zero();
+    return K::displacement(shape.segment<K::unknowns>(K::unknowns * row), lever);
+}
+
+/// Adds one point. @returns its opening [m]
+template <class K>
+double add_point(const VibratingPoint<K>& p, const Eigen::VectorXd& shape, ModeEnergies& sum)
+{
+    const typename K::Vector moved =
+        displacement_at<K>(shape, p.row_a, p.lever_a) - displacement_at<K>(shape, p.row_b, p.lever_b);
+    const double opening = p.normal.dot(moved);
+    const double normal = p.normal_stiffness * opening * opening;
+    const double shear = p.shear_stiffness * (moved - opening * p.normal).squaredNorm();
+    (p.measured ? sum.measured : sum.ruled) += normal + shear;
+    sum.dashpots += p.relaxation_time * (normal + shear);
+    sum.stones += p.stone_shear * shear;
+    return opening;
+}
+
+template <class K>
+ModeEnergies energies_of(const Eigen::VectorXd& shape, const Vibration<K>& vibration)
+{
+    ModeEnergies sum;
+    const std::vector<VibratingPoint<K>>& points = vibration.points;
+    for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
+        double stiffness = 0, force = 0, twice = 0;
+        for (end = first; end < points.size() && points[end].patch == points[first].patch; ++end) {
+            const double opening = add_point(points[end], shape, sum);
+            stiffness += points[end].normal_stiffness;
+            force += points[end].normal_stiffness * opening;
+            twice += points[end].normal_stiffness * opening * opening;
+        }
+        const double uniform = force * force / stiffness;
+        sum.stones += points[first].stone_normal * (uniform + corners_to_face * (twice - uniform));
+    }
+    return sum;
+}
+
+template <class K>
+Eigen::Vector3d mass_share_of(const Eigen::VectorXd& shape, const Vibration<K>& vibration)
+{
+    constexpr int D = K::dimension;
+    VectorIn<D> moved = VectorIn<D>::Zero(), whole = VectorIn<D>::Zero();
+    for (int row = 0; row < vibration.stiffness.rows(); ++row)
+        for (int k = 0; k < D; ++k) {
+            const double mass = vibration.translating_mass[row * D + k];
+            moved[k] += mass * shape[K::unknowns * row + k];
+            whole[k] += mass;
+        }
+    VectorIn<D> share = VectorIn<D>::Zero();
+    for (int k = 0; k < D; ++k)
+        if (whole[k] > 0) share[k] = moved[k] * moved[k] / whole[k];
+    return to_space(share);
+}
+
+/// How much too stiff stones of uniform strain are in a mode, against stones that are strained as their joints
+/// are.
+double raised_by(double stored_in_stones, double would_be_stored, double joints)
+{
+    const double softer = joints + std::max(stored_in_stones, would_be_stored);
+    return std::sqrt(softer / (joints + stored_in_stones)) - 1;
+}
+
+/// @param eigenvalue omega^2 of a shape with unit modal mass
+template <class K>
+NaturalMode mode_of(double eigenvalue, const Eigen::VectorXd& shape, const Vibration<K>& vibration)
+{
+    NaturalMode mode;
+    mode.frequency = std::sqrt(eigenvalue) / (2 * std::numbers::pi);
+    mode.mass_share = mass_share_of(shape, vibration);
+    const ModeEnergies twice = energies_of(shape, vibration);
+    const double joints = twice.measured + twice.ruled;
+    mode.joint_share = std::min(1.0, joints / eigenvalue);
+    // Stones bend less than a continuum does, and rigid ones not at all: their joints tell what they would store.
+    const double stored = std::max(0.0, eigenvalue - joints), stones = std::max(stored, twice.stones);
+    const double share = joints + stones > 0 ? twice.ruled / (joints + stones) : 0;
+    mode.lowered_by_joints = 1 - std::sqrt(1 - share);
+    if (K::deformable) mode.raised_by_stones = raised_by(stored, twice.stones, joints);
+    mode.dashpot_time = twice.dashpots / eigenvalue;
+    return mode;
+}
+
+/// Whether the work of a search is more than allowed. The factor is analysed only if that itself is not.
+bool is_too_costly(const solve::BlockMatrix& stiffness, double most_work, solve::CholmodFactor& factor)
+{
+    const double ordering = work_of_ordering * static_cast<double>(stiffness.values.size());
+    if (ordering > most_work) return true;
+    const solve::FactorCost cost = factor.analyse(stiffness);
+    return ordering + cost.flops + 4 * solves_of_a_search * cost.entries > most_work;
+}
+
+template <class K>
+NaturalModes modes_about(const Model& model, const State& state, const ModesSearch& search)
+{
+    NaturalModes found;
+    const Vibration<K> vibration = vibration_about<K>(model, state);
+    if (vibration.stiffness.rows() == 0) return found;
+    solve::CholmodFactor factor;
+    if (is_too_costly(vibration.stiffness, search.most_work, factor)) {
+        found.outcome = ModesOutcome::too_costly;
+        return found;
+    }
+    solve::LowestModes lowest;
+    // Loose stones come first, with frequency 0; what vibrates comes after them.
+    for (int wanted = search.count; wanted <= 4 * search.count; wanted += search.count + found.loose) {
+        lowest = solve::lowest_modes(vibration.stiffness, vibration.mass, wanted, factor);
+        found.loose = static_cast<int>((lowest.eigenvalues.array() == 0).count());
+        if (!lowest.converged || wanted - found.loose >= search.count || lowest.eigenvalues.size() < wanted) break;
+    }
+    if (!lowest.converged) {
+        found.outcome = ModesOutcome::failed;
+        return found;
+    }
+    for (auto i = 0; i < lowest.eigenvalues.size() && static_cast<int>(found.modes.size()) < search.count; ++i)
+        if (lowest.eigenvalues[i] > 0)
+            found.modes.push_back(mode_of<K>(lowest.eigenvalues[i], lowest.shapes.col(i), vibration));
+    if (!found.modes.empty()) found.outcome = ModesOutcome::found;
+    return found;
+}
+
+}  // namespace
+
+NaturalModes natural_modes(const Model& model, const State& state, const ModesSearch& search)
+{
+    switch (model.kinematics) {
+        case Kinematics::spatial_rigid:
+            return modes_about<step::SpatialRigid>(model, state, search);
+        case Kinematics::planar_deformable:
+            return modes_about<step::PlanarDeformable>(model, state, search);
+        case Kinematics::planar_rigid:
+            return modes_about<step::PlanarRigid>(model, state, search);
+        case Kinematics::spatial_deformable:
+            break;
+    }
+    return modes_about<step::SpatialDeformable>(model, state, search);
+}
+
+}  // namespace voussoir

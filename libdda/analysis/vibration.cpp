@@ -1,0 +1,232 @@
+#include "libdda/analysis/vibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "libdda/contact/initial_contacts.h"
+#include "libdda/contact/placed_part.h"
+#include "libdda/step/block_step.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+constexpr double drawn_closed = 1e-4;  // of the smaller block's size: as for bonds
+
+/// The blocks as they are at the start of a step from rest that nothing drives.
+template <class K>
+std::vector<step::BlockStep<K>> blocks_at_rest(const Model& model, const State& state)
+{
+    Stage stage;
+    stage.type = StageType::static_equilibrium;
+    stage.gravity.setZero();
+    State rest = state;
+    std::fill(rest.velocities.begin(), rest.velocities.end(), 0.0);
+    begin_stage(model, 0, rest);
+    std::vector<step::BlockStep<K>> blocks(model.blocks.size());
+    for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
+        step::begin_block(model, stage, rest, b, 1.0, 1.0, blocks[b]);
+        blocks[b].row = -1;
+    }
+    return blocks;
+}
+
+template <class K>
+bool all_held(const step::BlockStep<K>& block)
+{
+    return std::all_of(block.held.begin(), block.held.end(), [](bool held) { return held; });
+}
+
+/// Extent of a block along a direction [m].
+template <int D>
+double depth_along(const Block& block, const MatrixIn<D>& map, const VectorIn<D>& direction)
+{
+    const VectorIn<D> turned = map.transpose() * direction;
+    double low = INFINITY, high = -INFINITY;
+    for (const auto& part : contact::ShapeIn<D>::of(block))
+        for (const VectorIn<D>& x : part.vertices) {
+            low = std::min(low, turned.dot(x));
+            high = std::max(high, turned.dot(x));
+        }
+    return high - low;
+}
+
+/// The points of closed joints, in the order of the contacts.
+template <class K>
+class ClosedJoints
+{
+    static constexpr int D = K::dimension;
+
+ public:
+    ClosedJoints(const Model& model, const State& state, std::vector<step::BlockStep<K>>& blocks)
+        : model_(model), blocks_(blocks), has_stepped_(state.step > 0)
+    {
+        const ContactSetIn<D>& contacts = contacts_in<D>(state);
+        for (const ContactPatchIn<D>& patch : contacts.patches) {
+            for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
+                if (is_closed(patch, contacts.points[i])) add(patch, contacts.points[i]);
+            ++patch_;
+        }
+    }
+
+    std::vector<VibratingPoint<K>> points;
+    std::vector<std::pair<int, int>> blocks_of_points;
+
+ private:
+    bool is_closed(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point) const
+    {
+        if (patch.intact) return true;
+        if (has_stepped_) return point.normal_force > 0;
+        return point.gap <= drawn_closed * std::min(blocks_[patch.block_a].size, blocks_[patch.block_b].size);
+    }
+
+    void add(const ContactPatchIn<D>& patch, const ContactPointIn<D>& found)
+    {
+        const JointMaterial& joint = model_.joint_between(patch.block_a, patch.block_b);
+        VibratingPoint<K> point;
+        point.patch = patch_;
+        point.lever_a = found.position - blocks_[patch.block_a].start.centroid;
+        point.lever_b = found.position - blocks_[patch.block_b].start.centroid;
+        point.normal = patch.normal;
+        point.normal_stiffness = patch.stiffness * found.area;
+        point.shear_stiffness = joint.shear_to_normal_stiffness * point.normal_stiffness;
+        point.relaxation_time = joint.relaxation_time;
+        point.measured = joint.stiffness.kind == ContactStiffness::Kind::per_area;
+        for (const int b : {patch.block_a, patch.block_b}) add_half_stone(b, patch, joint, point);
+        points.push_back(point);
+        blocks_of_points.emplace_back(patch.block_a, patch.block_b);
+    }
+
+    void add_half_stone(int block, const ContactPatchIn<D>& patch, const JointMaterial& joint,
+                        VibratingPoint<K>& point) const
+    {
+        if (all_held(blocks_[block])) return;
+        const BlockMaterial& material = model_.materials[model_.blocks[block].material];
+        const double half = 0.5 * depth_along<D>(model_.blocks[block], blocks_[block].start.map, patch.normal);
+        point.stone_normal += patch.stiffness * half / material.young;
+        point.stone_shear +=
+            joint.shear_to_normal_stiffness * patch.stiffness * half * 2 * (1 + material.poisson) / material.young;
+    }
+
+    const Model& model_;
+    const std::vector<step::BlockStep<K>>& blocks_;
+    bool has_stepped_ = false;
+    int patch_ = 0;
+};
+
+/// Gives rows to the blocks that move and that a closed joint holds, and puts them into the points.
+template <class K>
+int number_rows(ClosedJoints<K>& joints, std::vector<step::BlockStep<K>>& blocks)
+{
+    std::vector<bool> touched(blocks.size(), false);
+    for (const auto& [a, b] : joints.blocks_of_points) touched[a] = touched[b] = true;
+    int rows = 0;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        if (touched[b] && !all_held(blocks[b])) blocks[b].row = rows++;
+    for (std::size_t i = 0; i < joints.points.size(); ++i) {
+        joints.points[i].row_a = blocks[joints.blocks_of_points[i].first].row;
+        joints.points[i].row_b = blocks[joints.blocks_of_points[i].second].row;
+    }
+    return rows;
+}
+
+template <class K>
+using BlockView = Eigen::Map<typename K::Square>;
+
+template <class K>
+void set_pattern(int rows, Vibration<K>& vibration)
+{
+    std::vector<std::pair<int, int>> pairs;
+    for (const VibratingPoint<K>& p : vibration.points)
+        if (p.row_a >= 0 && p.row_b >= 0)
+            pairs.emplace_back(std::max(p.row_a, p.row_b), std::min(p.row_a, p.row_b));
+    solve::set_pattern(vibration.stiffness, K::unknowns, rows, pairs);
+}
+
+template <class K>
+void add_block(const step::BlockStep<K>& block, Vibration<K>& vibration)
+{
+    constexpr int n = K::unknowns, D = K::dimension;
+    using Square = typename K::Square;
+    BlockView<K>(vibration.stiffness.block(vibration.stiffness.diagonal(block.row))) += block.base - block.inertia;
+    Square mass = K::mass_matrix(block.mass, block.spread);
+    for (int k = 0; k < n; ++k)
+        if (block.held[k]) {
+            mass.row(k).setZero();
+            mass.col(k).setZero();
+        }
+    BlockView<K>(vibration.mass.data() + block.row * n * n) = mass;
+    for (int k = 0; k < D; ++k) vibration.translating_mass[block.row * D + k] = block.held[k] ? 0 : block.mass;
+}
+
+template <class K>
+void add_joint(const VibratingPoint<K>& p, solve::BlockMatrix& stiffness)
+{
+    using Matrix = typename K::Matrix;
+    const Matrix across = p.normal * p.normal.transpose(), along = Matrix::Identity() - across;
+    const Matrix c = p.normal_stiffness * across + p.shear_stiffness * along;
+    const auto add = [&](int row, int column, const auto& y_row, const auto& y_column, const Matrix& with) {
+        const int at = row == column ? stiffness.diagonal(row) : stiffness.position(row, column);
+        typename K::Square block = K::Square::Zero();
+        K::add_stiffness(block, y_row, y_column, with);
+        BlockView<K>(stiffness.block(at)) += block;
+    };
+    if (p.row_a >= 0) add(p.row_a, p.row_a, p.lever_a, p.lever_a, c);
+    if (p.row_b >= 0) add(p.row_b, p.row_b, p.lever_b, p.lever_b, c);
+    if (p.row_a < 0 || p.row_b < 0) return;
+    if (p.row_a > p.row_b)
+        add(p.row_a, p.row_b, p.lever_a, p.lever_b, Matrix(-c));
+    else
+        add(p.row_b, p.row_a, p.lever_b, p.lever_a, Matrix(-c));
+}
+
+/// Held components: their rows and columns become those of the identity.
+template <class K>
+void hold(const std::vector<step::BlockStep<K>>& blocks, solve::BlockMatrix& stiffness)
+{
+    std::vector<const step::BlockStep<K>*> of_row(stiffness.rows());
+    for (const step::BlockStep<K>& block : blocks)
+        if (block.row >= 0) of_row[block.row] = &block;
+    for (int row = 0; row < stiffness.rows(); ++row)
+        for (int p = stiffness.row_start[row]; p < stiffness.row_start[row + 1]; ++p) {
+            const int column = stiffness.columns[p];
+            BlockView<K> block(stiffness.block(p));
+            for (int k = 0; k < K::unknowns; ++k) {
+                if (of_row[row]->held[k]) block.row(k).setZero();
+                if (of_row[column]->held[k]) block.col(k).setZero();
+                if (row == column && of_row[row]->held[k]) block(k, k) = 1;
+            }
+        }
+}
+
+}  // namespace
+
+template <class K>
+Vibration<K> vibration_about(const Model& model, const State& state)
+{
+    constexpr int n = K::unknowns;
+    State with_contacts = state;
+    if (state.step == 0) find_initial_contacts(model, with_contacts);
+    std::vector<step::BlockStep<K>> blocks = blocks_at_rest<K>(model, with_contacts);
+    ClosedJoints<K> joints(model, with_contacts, blocks);
+    const int rows = number_rows(joints, blocks);
+    Vibration<K> vibration;
+    vibration.points = std::move(joints.points);
+    vibration.mass.assign(static_cast<std::size_t>(rows) * n * n, 0.0);
+    vibration.translating_mass.assign(static_cast<std::size_t>(rows) * K::dimension, 0.0);
+    set_pattern(rows, vibration);
+    for (const step::BlockStep<K>& block : blocks)
+        if (block.row >= 0) add_block(block, vibration);
+    for (const VibratingPoint<K>& point : vibration.points) add_joint(point, vibration.stiffness);
+    hold(blocks, vibration.stiffness);
+    return vibration;
+}
+
+#define VOUSSOIR_INSTANTIATE(K) template Vibration<step::K> vibration_about(const Model&, const State&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir

@@ -1,0 +1,41 @@
+// Stiffness, mass and joints of a structure that vibrates about a state.
+#pragma once
+
+#include <vector>
+
+#include "libdda/model/model.h"
+#include "libdda/model/state.h"
+#include "libdda/solve/block_matrix.h"
+#include "libdda/step/kinematics_traits.h"
+
+namespace voussoir
+{
+
+/// A point of a closed joint.
+template <class K>
+struct VibratingPoint {
+    int patch = 0;                             // its contact patch, ascending
+    int row_a = -1, row_b = -1;                // of the unknowns of its blocks; -1: held
+    typename K::Vector lever_a, lever_b;       // m
+    typename K::Vector normal;                 // unit
+    double normal_stiffness = 0;               // N/m
+    double shear_stiffness = 0;                // N/m
+    double stone_normal = 0, stone_shear = 0;  // the two half stones beside it / the joint, of compliance
+    double relaxation_time = 0;                // s, of its dashpots
+    bool measured = false;                     // its stiffness is an input in Pa/m
+};
+
+/// What vibrates: the blocks with unknowns that a closed joint holds.
+template <class K>
+struct Vibration {
+    solve::BlockMatrix stiffness;
+    std::vector<double> mass;              // (rows x unknowns x unknowns)
+    std::vector<double> translating_mass;  // (rows x dimension) kg; 0 where it is held
+    std::vector<VibratingPoint<K>> points;
+};
+
+/// @param state at rest; its velocities do not count
+template <class K>
+Vibration<K> vibration_about(const Model& model, const State& state);
+
+}  // namespace voussoir
