@@ -65,8 +65,7 @@ JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
 ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance)
 {
     if (!setting.stiffness_factor) return {};
-    return {ContactStiffness::Kind::per_area,
-            *setting.stiffness_factor * default_stiffness(setting, compliance)};
+    return {ContactStiffness::Kind::per_area, *setting.stiffness_factor * default_stiffness(setting, compliance)};
 }
 
 }  // namespace voussoir::app::studies::scenes

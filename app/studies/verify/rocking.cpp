@@ -37,15 +37,15 @@ references::RockingBlock rigid_block(double amplitude)
 double contact_frequency(const scenes::SceneSetting& setting, const Choices& choices)
 {
     const double depth = 2 * half_height;
-    const double stiffness = setting.stiffness_factor.value_or(1) *
-                             scenes::default_stiffness(setting, depth / choices.young);
+    const double stiffness =
+        setting.stiffness_factor.value_or(1) * scenes::default_stiffness(setting, depth / choices.young);
     return std::sqrt(stiffness / (choices.density * depth));  // per area of the base, both
 }
 
 /// eta = 2 max(0, xi - own damping of the integrator) / omega, by the documented rule (docs/method.md): omega is
 /// that of the edge that lands. It has half of the springs and, the block turning about the other edge, the mass
-/// (4/3 m R^2) / (2 b)^2: sqrt(3/2) b / R of the frequency of the block on all its springs. The joints of the papers
-/// need it; by default landing is a law of its own.
+/// (4/3 m R^2) / (2 b)^2: sqrt(3/2) b / R of the frequency of the block on all its springs. The joints of the
+/// papers need it; by default landing is a law of its own.
 double dashpot_by_rule(const scenes::SceneSetting& setting, const Choices& choices)
 {
     if (!setting.papers_joints) return 0;
@@ -121,8 +121,8 @@ VerifyResult run_before_impact(const scenes::SceneSetting& setting)
     Choices soft;
     soft.young = 1e10;
     const double compliant = before_impact(setting, soft, result);
-    result.note = fmt::format("first impact at {:.4f} s; a block of 1e10 Pa, no longer rigid: {:.1e}", impact,
-                              compliant);
+    result.note =
+        fmt::format("first impact at {:.4f} s; a block of 1e10 Pa, no longer rigid: {:.1e}", impact, compliant);
     return result;
 }
 

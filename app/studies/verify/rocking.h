@@ -30,8 +30,7 @@ struct LeanRecord {
 
 /// Runs the scene and adds its cost to `result`. @param stop after which step to end the run; empty: at its end
 LeanRecord watch_rocking(const scenes::SceneSetting& setting, const RockingCase& rocking, double duration,
-                         VerifyResult& result,
-                         const std::function<bool(double time, double lean)>& stop = {});
+                         VerifyResult& result, const std::function<bool(double time, double lean)>& stop = {});
 
 /// Largest difference up to `end` [s] over the largest angle up to there.
 double lean_difference(const LeanRecord& record, const std::vector<double>& exact, double end);

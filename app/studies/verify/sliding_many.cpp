@@ -1,4 +1,5 @@
-// The block on a shaking foundation, once and many times: what one costs and errs by does not depend on the others.
+// The block on a shaking foundation, once and many times: what one costs and errs by does not depend on the
+// others.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -90,9 +91,9 @@ double error_of(const Histories& histories, VerifyResult& result)
         reference.push_back(there);
     }
     if (result.picture.curves.empty())
-        result.picture = linear_diagram("time [s]", "displacement [m]",
-                                        {curve_of("reference", histories.times, reference, true),
-                                         curve_of("engine", histories.times, first)});
+        result.picture = linear_diagram(
+            "time [s]", "displacement [m]",
+            {curve_of("reference", histories.times, reference, true), curve_of("engine", histories.times, first)});
     return worst / largest;
 }
 
@@ -132,7 +133,8 @@ std::vector<Benchmark> many_blocks_benchmarks()
     benchmark.title = "1, 20 and 200 blocks on the foundation of foundation-1d, at defaults";
     benchmark.source = "yagoda-biran-hatzor, section 3.4.2, equation 8, figure 13";
     benchmark.quantity =
-        "largest distance of a block from equation 8 (integrated to 1e-8) / largest displacement of the block, the "
+        "largest distance of a block from equation 8 (integrated to 1e-8) / largest displacement of the block, "
+        "the "
         "worst of three scenes, whose errors must be alike";
     benchmark.choices =
         "The block of foundation-1d, 1 m apart, across the motion or, planar, along it. CPU times are those per "

@@ -1,5 +1,5 @@
-// Bonded stones that vibrate, as the program does it when it is told nothing: the frequency of a rod, the amplitude
-// of a layer at resonance.
+// Bonded stones that vibrate, as the program does it when it is told nothing: the frequency of a rod, the
+// amplitude of a layer at resonance.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ namespace
 
 using std::numbers::pi;
 
-// A rod of 20 m: what its joints and its steps take away does not depend on the length but on the frequency, 10 Hz.
+// A rod of 20 m: what its joints and its steps take away does not depend on the length but on the frequency, 10
+// Hz.
 constexpr double rod_height = 20, rod_speed = 800, rod_width = 1;  // m, m/s, m
 constexpr double rod_strain = 1e-5;                                // -, largest
 constexpr int rod_cycles = 20;
@@ -54,7 +55,8 @@ double rod_frequency_of(const scenes::SceneSetting& setting, int stones, VerifyR
         times.push_back(now.stage_time);
         heights.push_back(pose_of(scene.model.kinematics, now, stones).centroid.z() - start);
     };
-    run_moving(scene, [&](State& state) { set_mode(scene.model, rod_height / stones, state); }, observer, result);
+    run_moving(
+        scene, [&](State& state) { set_mode(scene.model, rod_height / stones, state); }, observer, result);
     result.picture = linear_diagram("time [s]", "top [m]", {curve_of("engine", times, heights)});
     return frequency_of(times, heights);
 }
@@ -68,7 +70,8 @@ VerifyResult run_rod(const scenes::SceneSetting& setting)
         const double ratio = rod_frequency_of(setting, stones, result) / exact;
         result.answer.push_back(ratio);
         result.error = std::max(result.error, std::abs(ratio - 1));
-        result.note += fmt::format(" {:.5f} ({} x {:.1f} m, {:.2f} Hz),", ratio, stones, rod_height / stones, exact);
+        result.note +=
+            fmt::format(" {:.5f} ({} x {:.1f} m, {:.2f} Hz),", ratio, stones, rod_height / stones, exact);
     }
     result.note.pop_back();
     return result;
@@ -90,8 +93,8 @@ double layer_amplitude_of(const scenes::SceneSetting& setting, const Layered& la
     const double omega = 2 * pi * layer.frequency, period = 1 / layer.frequency;
     const double speed = 4 * layer_height * layer.frequency;
     const Column column{{{layer_height, speed, layer_stones}}, 2000, 0, 100 * layer_height};
-    const GroundMotion shaking = GroundMotion::sine_acceleration(base_amplitude * omega * omega, layer.frequency,
-                                                                 pi / 2, 1e6);
+    const GroundMotion shaking =
+        GroundMotion::sine_acceleration(base_amplitude * omega * omega, layer.frequency, pi / 2, 1e6);
     const double settled = std::ceil(-std::log(died) / (layer.damping * omega) / period) * period;
     scenes::StagedScene scene = column_scene(setting, column, shaking, settled + 4 * period);
     scene.stages[0].damping.rate = 2 * layer.damping * omega;
@@ -117,8 +120,8 @@ VerifyResult run_layer(const scenes::SceneSetting& setting)
     result.note = "amplitude / that of the closed form:";
     for (const Layered& layer : {Layered{2.5, 0.02}, Layered{2.5, 0.05}, Layered{5, 0.02}, Layered{5, 0.05}}) {
         const double rate = 4 * pi * layer.frequency * layer.damping;
-        const double exact = references::layer_amplitude(4 * layer_height * layer.frequency, layer_height, rate,
-                                                         layer.frequency);
+        const double exact =
+            references::layer_amplitude(4 * layer_height * layer.frequency, layer_height, rate, layer.frequency);
         const double ratio = layer_amplitude_of(setting, layer, result) / exact;
         result.answer.push_back(ratio);
         result.error = std::max(result.error, std::abs(ratio - 1));
@@ -143,7 +146,8 @@ std::vector<Benchmark> vibration_benchmarks()
     row.source = "closed form of the chain of elements; not from a paper";
     row.quantity = "largest |frequency / that of as many elements without joints - 1|";
     row.choices =
-        "20 m high on a held base, 10 Hz as a rod of many stones. One stone of constant strain is 10 % too stiff, eight "
+        "20 m high on a held base, 10 Hz as a rod of many stones. One stone of constant strain is 10 % too stiff, "
+        "eight "
         "are 0.2 %: that error is the reference's too.";
     row.tolerance = 0.01;
     row.run = run_rod;
@@ -154,8 +158,10 @@ std::vector<Benchmark> vibration_benchmarks()
     row.source = "closed form of the layer on a rigid base; not from a paper";
     row.quantity = "largest |amplitude of the surface / that of the closed form - 1|";
     row.choices =
-        "20 m in 20 bonded stones, 2.5 and 5 Hz, shaken by its base at the frequency of the layer without joints until "
-        "0.1 % of the free vibration is left. The damping is the program's, by the velocity relative to the ground: "
+        "20 m in 20 bonded stones, 2.5 and 5 Hz, shaken by its base at the frequency of the layer without joints "
+        "until "
+        "0.1 % of the free vibration is left. The damping is the program's, by the velocity relative to the "
+        "ground: "
         "rate = 2 x ratio x omega.";
     row.tolerance = 0.03;
     row.run = run_layer;

@@ -116,12 +116,13 @@ Swing swing_of(const scenes::SceneSetting& setting, double duration, VerifyResul
         swing.tops.push_back(pose_of(scene.model.kinematics, now, courses).centroid.x() - rest);
         swing.kinetic.push_back(so_far.energy.kinetic);
     };
-    report = run_moving(scene,
-                        [&](State& state) {
-                            rest = pose_of(scene.model.kinematics, state, courses).centroid.x();
-                            bend(scene.model, state);
-                        },
-                        observer, result);
+    report = run_moving(
+        scene,
+        [&](State& state) {
+            rest = pose_of(scene.model.kinematics, state, courses).centroid.x();
+            bend(scene.model, state);
+        },
+        observer, result);
     return swing;
 }
 
@@ -138,12 +139,14 @@ VerifyResult run_tower_vibration(const scenes::SceneSetting& setting)
         return result;
     }
     result.picture = linear_diagram("time [s]", "top [m]", {curve_of("engine", swing.times, swing.tops)});
-    const double before = largest(swing, 0, period), after = largest(swing, (cycles - 1) * period, cycles * period);
+    const double before = largest(swing, 0, period),
+                 after = largest(swing, (cycles - 1) * period, cycles * period);
     const double omega = 2 * std::numbers::pi * frequency;
     const double expected = std::exp(-2 * own_damping(setting, omega) * omega * (cycles - 1) * period);
     result.error = std::abs(after / before - expected);
-    result.note = fmt::format("{:.2f} Hz; after {} cycles {:.4f} of the energy, by the integrator's damping {:.4f}",
-                              frequency, cycles, after / before, expected);
+    result.note =
+        fmt::format("{:.2f} Hz; after {} cycles {:.4f} of the energy, by the integrator's damping {:.4f}",
+                    frequency, cycles, after / before, expected);
     return result;
 }
 
@@ -157,7 +160,8 @@ std::vector<Benchmark> tower_vibration_rows()
     row.source = "conservation of energy; not from a paper";
     row.quantity = "|kinetic energy of the last of 20 cycles / first - what the integrator's damping leaves|";
     row.choices =
-        "30 stones of 1 m, 2 GPa, pushed as a cantilever by 1 mm/s at the top: no joint opens, so that none lands and "
+        "30 stones of 1 m, 2 GPa, pushed as a cantilever by 1 mm/s at the top: no joint opens, so that none lands "
+        "and "
         "the impact term stays zero.";
     row.tolerance = 0.01;
     row.setting.kinematics = Kinematics::spatial_rigid;

@@ -15,12 +15,12 @@ namespace voussoir::app::studies::verify
 namespace
 {
 
-// One cycle of 10 Hz climbs 26 stones to the joint and as many beyond, 40 of them to its length: what the surface and
-// the base send back comes to the joint after all has been measured.
+// One cycle of 10 Hz climbs 26 stones to the joint and as many beyond, 40 of them to its length: what the surface
+// and the base send back comes to the joint after all has been measured.
 constexpr double frequency = 10, speed = 400, density = 2000;  // Hz, m/s, kg/m3
-constexpr double wave_length = speed / frequency;             // m
+constexpr double wave_length = speed / frequency;              // m
 constexpr int stones_in_wave = 40, below = 26, above = 26;
-constexpr double measured = 1.85 / frequency;  // s, of the motion
+constexpr double measured = 1.85 / frequency;           // s, of the motion
 constexpr double depth = wave_length / stones_in_wave;  // m, of a stone
 constexpr double friction = 0.05;                       // of the joint: small, so that strains are
 constexpr double strength = friction * density * scenes::papers_gravity * above * depth;  // Pa
@@ -57,8 +57,8 @@ scenes::StagedScene slipping_scene(const scenes::SceneSetting& setting, double p
     return scene;
 }
 
-/// The two waves of a stone: upwards (v - s / rho c) / 2 and downwards (v + s / rho c) / 2, with its velocity v and
-/// its shear stress s.
+/// The two waves of a stone: upwards (v - s / rho c) / 2 and downwards (v + s / rho c) / 2, with its velocity v
+/// and its shear stress s.
 struct Gate {
     int stone;
     double up = 0, down = 0;  // m2/s, their squares over time
@@ -107,8 +107,9 @@ VerifyResult run_slip(const scenes::SceneSetting& setting)
         result.answer.insert(result.answer.end(), {ours.transmitted, ours.reflected});
         result.error = std::max({result.error, std::abs(ours.transmitted / exact.transmitted - 1),
                                  std::abs(ours.reflected / exact.reflected - 1)});
-        result.note += fmt::format(" {:.4f} ({:.4f}), {:.4f} ({:.4f}) at {:g} times the strength;",
-                                   ours.transmitted, exact.transmitted, ours.reflected, exact.reflected, amplitude);
+        result.note +=
+            fmt::format(" {:.4f} ({:.4f}), {:.4f} ({:.4f}) at {:g} times the strength;", ours.transmitted,
+                        exact.transmitted, ours.reflected, exact.reflected, amplitude);
     }
     result.note.pop_back();
     return result;
@@ -124,7 +125,8 @@ std::vector<Benchmark> slip_rows()
     row.source = "[Miller1978]; not from a paper on this method";
     row.quantity = "largest |coefficient / that of the closed form - 1|, of transmission and reflection";
     row.choices =
-        "One cycle of 10 Hz, 40 stones to a wave, in a column so long that nothing returns from its ends. The joint has "
+        "One cycle of 10 Hz, 40 stones to a wave, in a column so long that nothing returns from its ends. The "
+        "joint has "
         "friction under the weight above it. "
         "Coefficients are roots of the energies of the waves that climb and descend three stones from it.";
     row.setting.kinematics = Kinematics::spatial_deformable;

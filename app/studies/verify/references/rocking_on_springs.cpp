@@ -50,10 +50,9 @@ struct System {
     /// In the frame of the base; z is the height of the centre.
     VectorXd rates(double t, const VectorXd& y) const
     {
-        const double inertia = springs.mass / 3 *
-                               (block.half_width * block.half_width + block.half_height * block.half_height);
-        const double ground =
-            block.amplitude * std::sin(2 * std::numbers::pi * block.frequency * t);
+        const double inertia =
+            springs.mass / 3 * (block.half_width * block.half_width + block.half_height * block.half_height);
+        const double ground = block.amplitude * std::sin(2 * std::numbers::pi * block.frequency * t);
         VectorXd rate = VectorXd::Zero(unknowns);
         rate.head<3>() = y.segment<3>(speed_x);
         rate[speed_x] = -ground;

@@ -24,8 +24,8 @@ TEST(RodReference, OneElementIsAThirdOfItsMassOnItsSpringAndManyAreTheRod)
     for (int n = 1; n < 8; ++n) EXPECT_GT(rod_frequency(n, 800, 20), rod_frequency(n + 1, 800, 20));
 }
 
-// The sum over the modes of a column on a base that moves by d sin(w t): participation 4 / (pi (2 n + 1)), the shape
-// at the top +-1, mass-proportional damping the same rate for all.
+// The sum over the modes of a column on a base that moves by d sin(w t): participation 4 / (pi (2 n + 1)), the
+// shape at the top +-1, mass-proportional damping the same rate for all.
 TEST(LayerReference, IsTheSumOfItsModes)
 {
     const double speed = 200, height = 20;

@@ -148,7 +148,8 @@ TEST(Benchmarks, RunAtDefaultsUnlessAPapersMethodIsTheReference)
 {
     for (const Benchmark& benchmark : all_benchmarks(1)) {
         const scenes::SceneSetting& setting = benchmark.setting;
-        const bool papers = is_of_a_papers_method(benchmark.name), keeps = benchmark.name == "rebound-energy-keeping";
+        const bool papers = is_of_a_papers_method(benchmark.name),
+                   keeps = benchmark.name == "rebound-energy-keeping";
         EXPECT_EQ(setting.papers_joints, papers) << benchmark.name;
         EXPECT_EQ(setting.integrator, papers && !keeps ? Integrator::newmark : StepControl{}.integrator)
             << benchmark.name;
