@@ -12,7 +12,7 @@ namespace voussoir::contact
 /// of it leaves next to nothing of the joints' own compliance, and costs less.
 inline double default_stiffness_factor(Kinematics kinematics)
 {
-    return is_deformable(kinematics) ? 10 : 1;
+    return is_deformable(kinematics) ? 300 : 100;
 }
 
 /// What turns a measure of a contact into an area [m]: lengths of a planar scene count times its thickness.

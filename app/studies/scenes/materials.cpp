@@ -36,16 +36,36 @@ JointMaterial dry_joint_at_angle(double friction_angle, const ContactStiffness& 
     return joint;
 }
 
-double default_stiffness(Kinematics kinematics, double compliance)
+namespace
 {
-    return 2 * contact::default_stiffness_factor(kinematics) / compliance;
+
+/// Times E/L.
+double rule_of(const SceneSetting& setting)
+{
+    if (!setting.papers_joints) return contact::default_stiffness_factor(setting.kinematics);
+    return is_deformable(setting.kinematics) ? 10 : 1;
+}
+
+}  // namespace
+
+double default_stiffness(const SceneSetting& setting, double compliance)
+{
+    return 2 * rule_of(setting) / compliance;
+}
+
+JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
+{
+    if (!setting.papers_joints) return joint;
+    joint.restitution.reset();
+    if (joint.stiffness.kind == ContactStiffness::Kind::from_modulus)
+        joint.stiffness.factor *= rule_of(setting) / contact::default_stiffness_factor(setting.kinematics);
+    return joint;
 }
 
 ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance)
 {
     if (!setting.stiffness_factor) return {};
-    return {ContactStiffness::Kind::per_area,
-            *setting.stiffness_factor * default_stiffness(setting.kinematics, compliance)};
+    return {ContactStiffness::Kind::per_area, *setting.stiffness_factor * default_stiffness(setting, compliance)};
 }
 
 }  // namespace voussoir::app::studies::scenes

@@ -1,5 +1,6 @@
 #include "app/studies/scenes/scene_blocks.h"
 
+#include "app/studies/scenes/materials.h"
 #include "libdda/contact/initial_contacts.h"
 
 namespace voussoir::app::studies::scenes
@@ -20,7 +21,7 @@ StartContact first_of(const ContactSetIn<D>& contacts)
 Model make_scene_model(const SceneSetting& setting, const BlockMaterial& material, const JointMaterial& joint,
                        double thickness)
 {
-    Model model = make_model(setting.kinematics, material, joint);
+    Model model = make_model(setting.kinematics, material, joint_in(setting, joint));
     model.thickness = thickness;
     model.plane = PlaneCondition::stress;
     return model;

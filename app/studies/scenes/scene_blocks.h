@@ -11,7 +11,7 @@ namespace voussoir::app::studies::scenes
 {
 
 /// make_model for a scene that may be planar: a slice of `thickness` [m] that nothing pushes sideways (plane
-/// stress), which is what a single row of blocks is.
+/// stress), which is what a single row of blocks is. The joint becomes the setting's: joint_in.
 Model make_scene_model(const SceneSetting& setting, const BlockMaterial& material, const JointMaterial& joint,
                        double thickness);
 

@@ -12,10 +12,13 @@ namespace voussoir::app::studies::scenes
 /// What studies vary of a scene.
 struct SceneSetting {
     Kinematics kinematics = Kinematics::spatial_rigid;
-    Integrator integrator = Integrator::newmark;
+    Integrator integrator = StepControl{}.integrator;
     OpenClose open_close = OpenClose::newton;
-    double time_step = 1e-3;                 // s
-    std::optional<double> stiffness_factor;  // times the documented default contact stiffness
+    double time_step = 1e-3;                      // s
+    std::optional<double> stiffness_factor = {};  // times the contact stiffness that the scene has without it
+    // Joints as in the papers, not the program's defaults: impacts are left to springs, and where a paper gives no
+    // stiffness these have E/L in rigid scenes and 10 E/L in deformable ones.
+    bool papers_joints = false;
 };
 
 }  // namespace voussoir::app::studies::scenes

@@ -45,7 +45,8 @@ SlidingScene wedge_in_trough(const SceneSetting& setting, double left, double ri
 {
     constexpr double depth = 1, reach = 30, thickness = 1;  // m
     SlidingScene scene;
-    scene.model = make_model(setting.kinematics, {"stone", 2500, 1e10, 0.2}, dry_joint_at_angle(friction, {}));
+    const JointMaterial joint = joint_in(setting, dry_joint_at_angle(friction, {}));
+    scene.model = make_model(setting.kinematics, {"stone", 2500, 1e10, 0.2}, joint);
     const Eigen::Vector2d down_left(-std::cos(left), std::sin(left)), down_right(std::cos(right), std::sin(right));
     const Eigen::Vector2d under_left(-std::sin(left), -std::cos(left));
     const Eigen::Vector2d under_right(std::sin(right), -std::cos(right));

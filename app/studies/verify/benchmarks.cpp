@@ -16,14 +16,19 @@ std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
     add(two_direction_benchmarks());
     add(wedge_benchmarks());
     add(foundation_benchmarks());
+    add(many_blocks_benchmarks());
     // In the plane in the papers: planar here, the spatial scene beside it.
     add(made_planar(three_sines_benchmarks()));
     add(made_planar(shaking_table_benchmarks(), false));
     add(other_incline_benchmarks());
-    add(made_planar(two_blocks_benchmarks()));
+    std::vector<Benchmark> two_blocks = made_planar(two_blocks_benchmarks());
+    two_blocks.back().also = {Kinematics::spatial_rigid};
+    add(std::move(two_blocks));
     add(mode_chart_benchmarks(seed));
     add(made_planar(rocking_benchmarks(), false));
+    add(rocking_default_benchmarks());
     add(made_planar(wave_benchmarks(), false));
+    add(vibration_benchmarks());
     add(with_planar(kinetic_damping_benchmarks()));
     add(impact_benchmarks());
     add(made_planar(tower_benchmarks(), false));

@@ -11,6 +11,7 @@
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/run_scene.h"
+#include "app/studies/verify/settings.h"
 #include "importers/patterns/arch_bridge.h"
 
 namespace voussoir::app::studies::verify
@@ -193,8 +194,7 @@ std::vector<Benchmark> bridge_benchmarks()
         "of gravity no thrust can develop: a compression wave takes 33 ms for the span. Curves of figures 6 and "
         "7, and which blocks are numbered: figure not available.";
     row.paper_error = "5 MPa and 10 kPa printed; figures not available";
-    row.setting.kinematics = Kinematics::spatial_deformable;
-    row.setting.time_step = 2e-3;
+    row.setting = as_in_papers({.kinematics = Kinematics::spatial_deformable, .time_step = 2e-3});
     row.tolerance = 0.15;
     row.sweep = sweep_of(row.setting, {4e-3, 2e-3, 1e-3, 5e-4});
     row.run = run_bridge;

@@ -14,6 +14,7 @@ std::vector<Benchmark> incline_benchmarks();        // gravity, start velocity, 
 std::vector<Benchmark> two_direction_benchmarks();  // dip and strike at once
 std::vector<Benchmark> wedge_benchmarks();          // on two planes at once
 std::vector<Benchmark> foundation_benchmarks();     // on a base that moves in one, two, three directions
+std::vector<Benchmark> many_blocks_benchmarks();    // the same with up to 200 blocks
 std::vector<Benchmark> three_sines_benchmarks();    // [Tsesarsky2002]
 std::vector<Benchmark> shaking_table_benchmarks();  // [Wartman1999] in [Tsesarsky2002]
 std::vector<Benchmark> two_blocks_benchmarks();     // [Ma1996]
@@ -26,12 +27,18 @@ std::vector<Benchmark> impact_benchmarks();
 /// Source: [YagodaBiranHatzor2017], 3.3.
 std::vector<Benchmark> rocking_benchmarks();
 
+/// Order in the time step before the first impact, and Housner's impacts, at the program's defaults.
+std::vector<Benchmark> rocking_default_benchmarks();
+
 /// First motion of a block on an incline. Source: [YagodaBiranHatzor2017], 3.2.
 /// @param seed of the points of the chart
 std::vector<Benchmark> mode_chart_benchmarks(std::uint64_t seed);
 
 /// Shear waves through stacked layers and the response of 15 layers. Source: [YagodaBiranHatzor2017], 3.5.
 std::vector<Benchmark> wave_benchmarks();
+
+/// Bonded rods, layers at resonance and a tower that vibrates, at the program's defaults.
+std::vector<Benchmark> vibration_benchmarks();
 
 /// A slender tower of 100 courses. Source: [Ma1996].
 std::vector<Benchmark> tower_benchmarks();

@@ -98,8 +98,7 @@ std::vector<Benchmark> impact_benchmarks()
     settled.source = "li, block open-close iteration model";
     settled.quantity = "settled penetration against weight / sum of the contact springs";
     settled.paper_error = "about 0.01 % of the side, and inversely proportional to the spring";
-    settled.setting.kinematics = Kinematics::spatial_deformable;
-    settled.setting.time_step = 1e-3;
+    settled.setting = as_in_papers({.kinematics = Kinematics::spatial_deformable, .time_step = 1e-3});
     settled.tolerance = 1e-4;
     settled.sweep = sweep_of(settled.setting, {4e-3, 2e-3, 1e-3, 5e-4});
     settled.run = run_open_close;

@@ -6,6 +6,7 @@
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/references/kinetic_damping.h"
 #include "app/studies/verify/run_scene.h"
+#include "app/studies/verify/settings.h"
 
 namespace voussoir::app::studies::verify
 {
@@ -84,6 +85,7 @@ std::vector<Benchmark> kinetic_damping_benchmarks()
     row.tolerance = 1e-9;
     row.run = run_factor;
     rows.push_back(row);
+    rows.back().setting = as_in_papers(row.setting);  // the sum is that of end-of-step forces
 
     row.name = "kinetic-damping-rate";
     row.title = "Constant force, damping as a rate, at 0.1 to 0.0001 s";

@@ -17,6 +17,7 @@ std::string method_name(const scenes::SceneSetting& setting)
 {
     std::string name(name_of(setting.kinematics));
     name += setting.integrator == Integrator::newmark ? ", Newmark" : ", energy decaying";
+    if (setting.papers_joints) name += ", joints as in the papers";
     if (setting.open_close == OpenClose::published) name += ", published iteration";
     return name;
 }
@@ -24,12 +25,12 @@ std::string method_name(const scenes::SceneSetting& setting)
 std::vector<scenes::SceneSetting> standard_sweep(const std::vector<double>& time_steps,
                                                  const std::vector<double>& stiffness_factors)
 {
-    scenes::SceneSetting rigid, deformable, decaying, published;
+    const scenes::SceneSetting rigid, newmark = as_in_papers({});
+    scenes::SceneSetting deformable, published = newmark;
     deformable.kinematics = Kinematics::spatial_deformable;
-    decaying.integrator = Integrator::energy_decaying;
     published.open_close = OpenClose::published;
     std::vector<scenes::SceneSetting> sweep;
-    for (const scenes::SceneSetting& method : {rigid, deformable, decaying, published})
+    for (const scenes::SceneSetting& method : {rigid, deformable, newmark, published})
         for (const double step : time_steps) {
             sweep.push_back(method);
             sweep.back().time_step = step;
@@ -39,6 +40,13 @@ std::vector<scenes::SceneSetting> standard_sweep(const std::vector<double>& time
         sweep.back().stiffness_factor = factor;
     }
     return sweep;
+}
+
+scenes::SceneSetting as_in_papers(scenes::SceneSetting setting)
+{
+    setting.integrator = Integrator::newmark;
+    setting.papers_joints = true;
+    return setting;
 }
 
 void add_planar(Benchmark& benchmark)

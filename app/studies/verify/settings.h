@@ -12,7 +12,11 @@ namespace voussoir::app::studies::verify
 /// "spatial rigid, Newmark", with ", published iteration" where it is Shi's.
 std::string method_name(const scenes::SceneSetting& setting);
 
-/// Time steps x methods (rigid and deformable, both integrators, the published iteration), then the contact
+/// The setting of a row that is held against values which a paper computed: Newmark (1/2, 1), impacts left to
+/// springs, and these as stiff as the papers choose them where they print nothing.
+scenes::SceneSetting as_in_papers(scenes::SceneSetting setting);
+
+/// Time steps x methods (rigid and deformable, that of the papers, their open-close iteration), then the contact
 /// stiffnesses at the default time step.
 /// @param time_steps [s]; @param stiffness_factors times the documented default
 std::vector<scenes::SceneSetting> standard_sweep(const std::vector<double>& time_steps,

@@ -9,6 +9,7 @@
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/run_scene.h"
+#include "app/studies/verify/settings.h"
 
 namespace voussoir::app::studies::verify
 {
@@ -171,8 +172,7 @@ std::vector<Benchmark> tower_benchmarks()
     row.quantity =
         "statements contradicted: stands; slip increases with height; top quarter slides more than the lowest";
     row.paper_error = "apparently performs well; slides more with height (figure not available)";
-    row.setting.kinematics = Kinematics::spatial_rigid;
-    row.setting.time_step = 1e-3;
+    row.setting = as_in_papers({.kinematics = Kinematics::spatial_rigid, .time_step = 1e-3});
     row.sweep = sweep_of(row.setting, {5e-3, 2e-3, 1e-3, 5e-4});
     row.run = run_tower;
     return {row};

@@ -38,4 +38,7 @@ double young_of(const Column& column, const Layer& layer);
 /// The response of 15 layers against the exact solution.
 std::vector<Benchmark> site_rows();
 
+/// A wave through a joint that slips.
+std::vector<Benchmark> slip_rows();
+
 }  // namespace voussoir::app::studies::verify

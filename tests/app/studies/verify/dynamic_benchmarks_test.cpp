@@ -34,6 +34,18 @@ TEST(DynamicBenchmarks, Rocking)
 {
     run_and_judge(rocking_benchmarks());
 }
+TEST(DynamicBenchmarks, RockingAtDefaults)
+{
+    run_and_judge(rocking_default_benchmarks());
+}
+TEST(DynamicBenchmarks, ManyBlocksErrAndCostAsOne)
+{
+    run_and_judge(many_blocks_benchmarks());
+}
+TEST(DynamicBenchmarks, Vibration)
+{
+    run_and_judge(vibration_benchmarks());
+}
 TEST(DynamicBenchmarks, ModeChart)
 {
     run_and_judge(mode_chart_benchmarks(1));

@@ -5,6 +5,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/studies/scenes/materials.h"
+#include "app/studies/scenes/scene_blocks.h"
+#include "app/studies/scenes/sliding_scenes.h"
 #include "app/studies/verify/engine_run.h"
 #include "app/studies/verify/page.h"
 #include "app/studies/verify/plot.h"
@@ -131,6 +134,49 @@ TEST(Runner, RunsAddUpAndTheWorstErrorCounts)
     EXPECT_EQ(total.steps, 10);
     EXPECT_EQ(total.failure, "why");
     EXPECT_EQ(total.note, "a; b");
+}
+
+/// Rows that are held against what a paper computed with its own method.
+bool is_of_a_papers_method(const std::string& name)
+{
+    return name.starts_with("rebound-") || name.starts_with("site-") || name == "open-close" ||
+           name == "kinetic-damping-factor" || name == "slender-tower" || name == "mosca-bridge" ||
+           name == "rocking-5-seconds-fine";
+}
+
+TEST(Benchmarks, RunAtDefaultsUnlessAPapersMethodIsTheReference)
+{
+    for (const Benchmark& benchmark : all_benchmarks(1)) {
+        const scenes::SceneSetting& setting = benchmark.setting;
+        const bool papers = is_of_a_papers_method(benchmark.name),
+                   keeps = benchmark.name == "rebound-energy-keeping";
+        EXPECT_EQ(setting.papers_joints, papers) << benchmark.name;
+        EXPECT_EQ(setting.integrator, papers && !keeps ? Integrator::newmark : StepControl{}.integrator)
+            << benchmark.name;
+        EXPECT_FALSE(setting.stiffness_factor) << benchmark.name;
+        if (papers) {
+            EXPECT_NE(method_name(setting).find("joints as in the papers"), std::string::npos) << benchmark.name;
+        }
+    }
+}
+
+TEST(Settings, JointsAsInThePapersHaveTheirStiffnessAndNoLawOfImpacts)
+{
+    for (const Kinematics kinematics : {Kinematics::spatial_rigid, Kinematics::planar_deformable}) {
+        scenes::SceneSetting setting;
+        setting.kinematics = kinematics;
+        const scenes::SceneSetting papers = as_in_papers(setting);
+        EXPECT_TRUE(scenes::joint_in(setting, {}).restitution.has_value());
+        EXPECT_FALSE(scenes::joint_in(papers, {}).restitution.has_value());
+        const auto stiffness = [](const scenes::SceneSetting& with) {
+            return scenes::start_contact(scenes::block_on_base(with, {.size = {1, 1, 0.5}}).model).stiffness;
+        };
+        // A block of 0.5 m and 10 GPa on a held base: 2 k E / L.
+        EXPECT_NEAR(stiffness(setting) / 4e10, is_deformable(kinematics) ? 300 : 100, 1e-9);
+        EXPECT_NEAR(stiffness(papers) / 4e10, is_deformable(kinematics) ? 10 : 1, 1e-9);
+        EXPECT_NEAR(scenes::default_stiffness(papers, 0.5e-10), stiffness(papers), 1);
+        EXPECT_NEAR(scenes::default_stiffness(setting, 0.5e-10), stiffness(setting), 1);
+    }
 }
 
 TEST(Benchmarks, HaveNamesOfTheirOwnTolerancesAndSweepsOfFourSettings)
