@@ -1,5 +1,5 @@
 // A granite boulder that stands free on a shake table: the measured motions of the table, whether it was
-// overturned, and the same motions in the engine.
+// overturned, and the same motions in the engine. Source: [ChenBoulder]
 #pragma once
 
 #include <Eigen/Core>

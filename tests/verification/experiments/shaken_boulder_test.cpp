@@ -125,16 +125,18 @@ TEST_F(ShakenBoulder, FallsAboutAsOftenRightAsAThresholdOnVelocityFoundWithTheAn
             const BoulderFigures figures = figures_of(tests, runs.back().ends);
             print_line(name_of(setting), figures);
             EXPECT_EQ(figures.stopped, 0) << name_of(setting);
-            EXPECT_GE(figures.right, 43) << name_of(setting);
+            EXPECT_GE(figures.right, 42) << name_of(setting);
             all.right += figures.right;
             all.false_overturnings += figures.false_overturnings;
             all.misses += figures.misses;
             all.tests += figures.tests;
         }
     print_line("all six", all);
-    print_line("falls in most of the six", majority_of(tests, runs));
+    const BoulderFigures majority = majority_of(tests, runs);
+    print_line("falls in most of the six", majority);
     draw(tests, runs);
-    EXPECT_GE(all.accuracy(), 0.76);
+    EXPECT_GE(all.accuracy(), 0.77);
+    EXPECT_GE(majority.accuracy(), 0.80);
 }
 
 TEST_F(ShakenBoulder, FallsAsOftenRightAtOtherSteps)
@@ -145,7 +147,7 @@ TEST_F(ShakenBoulder, FallsAsOftenRightAtOtherSteps)
         const BoulderFigures figures = figures_of(tests, runs_with(setting).ends);
         print_line(fmt::format("friction 0.6, +x, step {:g} ms", 1e3 * step), figures);
         EXPECT_EQ(figures.stopped, 0);
-        EXPECT_GE(figures.right, 43);
+        EXPECT_GE(figures.right, 42);
     }
 }
 

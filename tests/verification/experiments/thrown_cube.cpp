@@ -164,8 +164,10 @@ TrackedMotion predicted_toss(const Toss& toss, const CubeSetting& setting, bool&
     stage.control = setting.control;
     RunObserver observer;
     observer.step = [&](const State& now, const StepReport&, const RunReport&) { keeper.note(now); };
-    ran = run(model, {stage}, state, observer).outcome == Outcome::completed;
-    ran = ran && predicted.times.size() == toss.measured.times.size();
+    // A stone thrown up and down by more than its size counts as fallen.
+    const Outcome outcome = run(model, {stage}, state, observer).outcome;
+    ran = (outcome == Outcome::completed || outcome == Outcome::collapsed) &&
+          predicted.times.size() == toss.measured.times.size();
     return predicted;
 }
 
