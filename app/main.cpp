@@ -259,13 +259,16 @@ CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Va
 /// What converge varies.
 void add_series(CLI::App& command, app::commands::ConvergeArguments& arguments)
 {
-    add_list(command, "--time-steps", arguments.time_steps, "Dynamic time steps (the case's x 4, 2, 1, 1/2, 1/4)")
+    add_list(command, "--time-steps", arguments.time_steps,
+             "Dynamic time steps (the case's x 4, 2, 1, 1/2, 1/4; of a threshold x 2, 1, 1/2)")
         ->type_name("TIME,...");
-    add_list(command, "--stiffness-factors", arguments.stiffness_factors,
-             "Factors on the case's contact stiffness (0.25, 0.5, 1, 2, 4); 1 alone omits the series")
+    add_list(
+        command, "--stiffness-factors", arguments.stiffness_factors,
+        "Factors on the case's contact stiffness (0.25, 0.5, 1, 2, 4; of a threshold 1, 2); 1 alone omits the "
+        "series")
         ->type_name("FACTOR,...");
     add_list(command, "--integrators", arguments.integrators,
-             "Also with newmark, energy_decaying (the case's own)")
+             "Beside the case's own: newmark, energy_decaying (the latter, but not of a threshold)")
         ->type_name("NAME,...");
 }
 
@@ -279,11 +282,16 @@ void add_quantities(CLI::App& command, app::commands::ConvergeArguments& argumen
     CLI::Option* threshold =
         command.add_option("--threshold", arguments.threshold,
                            "Compare the value at which the structure collapses, found between "
-                           "one at which it stands and one at which it collapses");
+                           "one at which it stands and one at which it collapses; any key that --set takes, or "
+                           "several between commas");
     threshold->type_name("KEY=STANDS..COLLAPSES")->excludes(quantity);
     command.add_option("--bracket", arguments.bracket, "Width of the bracket of a threshold")
         ->type_name("FRACTION")
         ->needs(threshold)
+        ->capture_default_str();
+    command
+        .add_option("--tolerance", arguments.tolerance, "Wanted error, by which the conclusion chooses a setting")
+        ->type_name("FRACTION")
         ->capture_default_str();
     command
         .add_option("--collapse-displacement", arguments.collapse_displacement,

@@ -93,6 +93,19 @@ void print_foundations(const Model& model)
     }
 }
 
+void print_initial_motions(const Model& model)
+{
+    std::size_t row = 0;
+    for (const InitialMotion& motion : model.initial_motions) {
+        if (row++ == max_rows)
+            fmt::print("and {} more initial motions\n", model.initial_motions.size() - max_rows);
+        if (row > max_rows) return;
+        fmt::print("initial motion of {}: velocity [{:g}, {:g}, {:g}] m/s, spin [{:g}, {:g}, {:g}] rad/s\n",
+                   model.blocks[motion.block].name, motion.velocity.x(), motion.velocity.y(), motion.velocity.z(),
+                   motion.spin.x(), motion.spin.y(), motion.spin.z());
+    }
+}
+
 void print_contacts(const Model& model)
 {
     const auto pairs = contacts_by_pair(model);
@@ -149,6 +162,7 @@ void print_all(const Case& the_case)
     print_materials(the_case.model);
     print_blocks(the_case.model);
     print_foundations(the_case.model);
+    print_initial_motions(the_case.model);
     print_contacts(the_case.model);
     print_stages(the_case.stages);
     print_trust(the_case);
@@ -159,6 +173,7 @@ void examine(const reader::CaseStones& stones, bool complete, CertifiedCase& cer
 {
     importers::assembly::AssemblyOrigin origin;
     origin.from_case = true;
+    origin.apart = {stones.apart.begin(), stones.apart.end()};
     certified.meshes = stones.geometry.meshes;
     certified.overlaps = stones.geometry.overlaps;
     certified.fit = stones.geometry.fit;

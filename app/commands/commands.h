@@ -124,6 +124,7 @@ struct ConvergeArguments {
     std::optional<std::string> threshold;              // KEY=STANDS..COLLAPSES, in place of quantities
     std::string collapse_displacement = "1";           // block sizes, a length, or none
     std::string bracket = "1 %";                       // of a threshold
+    std::string tolerance = "5 %";                     // wanted, for the conclusion
     int threads = 1;
     std::optional<std::filesystem::path> json, folder;
     bool quiet = false;

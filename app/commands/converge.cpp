@@ -34,6 +34,8 @@ studies::converge::CollapseRule read_collapse_rule(const std::string& text)
 // -; finer than the first, a bracket says less of the structure than of the runs' own errors.
 constexpr double least_bracket = 1e-6, widest_bracket = 0.5;
 
+constexpr double largest_tolerance = 0.5;  // -; wider, nothing is known
+
 studies::converge::Threshold threshold_of(const ConvergeArguments& arguments)
 {
     studies::converge::Threshold threshold = studies::converge::read_threshold(*arguments.threshold);
@@ -83,22 +85,32 @@ class ConvergeLine
 studies::converge::ConvergeStudy run_chosen(const ConvergeArguments& arguments)
 {
     const studies::converge::CollapseRule rule = read_collapse_rule(arguments.collapse_displacement);
+    const double tolerance = read_positive("--tolerance", arguments.tolerance, words::dimension::number);
+    if (tolerance > largest_tolerance)
+        throw InputError("--tolerance", "\"" + arguments.tolerance + "\"", "write a fraction of at most 50 %");
     std::optional<studies::converge::Threshold> threshold;
     if (arguments.threshold) threshold = threshold_of(arguments);
     if (threshold && !rule.sizes && !rule.length)
         throw InputError("--threshold",
                          "a threshold requires a collapse criterion, but --collapse-displacement is none",
                          "give a fraction of the block size or a length");
-    Case the_case = reader::read_case(arguments.case_file, arguments.overrides);
+    // A key that only the threshold writes may be one that the case cannot do without.
+    std::vector<std::string> overrides = arguments.overrides;
+    if (threshold)
+        for (std::string& setting : settings_of(*threshold, threshold->stands))
+            overrides.push_back(std::move(setting));
+    Case the_case = reader::read_case(arguments.case_file, overrides);
+    the_case.overrides = arguments.overrides;
     for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
     const std::vector<studies::converge::Quantity> quantities =
         studies::converge::read_quantities(arguments.quantities, the_case);
     const studies::converge::ConvergePlan plan = studies::converge::plan_of(
-        {arguments.time_steps, arguments.stiffness_factors, arguments.integrators}, the_case);
+        {arguments.time_steps, arguments.stiffness_factors, arguments.integrators, threshold.has_value()},
+        the_case);
     const studies::converge::SettingList list = studies::converge::list_settings(plan);
 
     ConvergeLine line(arguments.quiet, list.settings.size(),
-                      studies::converge::first_dynamic_stage(the_case).control.time_step);
+                      studies::converge::leading_stage(the_case).control.time_step);
     const studies::converge::ConvergeWatch watch{
         [&](const studies::converge::ConvergeSetting& setting, double share) { line.show(setting, share); },
         interrupted};
@@ -106,6 +118,7 @@ studies::converge::ConvergeStudy run_chosen(const ConvergeArguments& arguments)
         threshold ? studies::converge::run_threshold_study(the_case, list, *threshold, rule, arguments.threads,
                                                            watch, reader::case_reader)
                   : studies::converge::run_study(the_case, list, quantities, rule, watch);
+    study.tolerance = tolerance;
     study.notes.insert(study.notes.end(), plan.notes.begin(), plan.notes.end());
     return study;
 }
@@ -127,6 +140,7 @@ std::string command_line(const ConvergeArguments& arguments)
     const ConvergeArguments defaults;
     if (arguments.threshold) add("--threshold", *arguments.threshold);
     if (arguments.bracket != defaults.bracket) add("--bracket", arguments.bracket);
+    if (arguments.tolerance != defaults.tolerance) add("--tolerance", arguments.tolerance);
     if (arguments.collapse_displacement != defaults.collapse_displacement)
         add("--collapse-displacement", arguments.collapse_displacement);
     for (const std::string& setting : arguments.overrides) add("--set", setting);

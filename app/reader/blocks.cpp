@@ -37,6 +37,20 @@ void refuse_overlaps(BlockReading& reading, std::size_t without_mesh)
     blocks.clear();  // a certificate of them would have a contact for every pair
 }
 
+/// Groups are those of the stones as drawn, overlaps those of the stones as the run begins with them.
+void settle_groups_and_places(const std::vector<InitialEntry>& initial_state, BlockReading& reading,
+                              std::size_t without_mesh)
+{
+    const bool turns = std::any_of(initial_state.begin(), initial_state.end(),
+                                   [](const InitialEntry& entry) { return entry.turn.has_value(); });
+    // Rules by touch look at the stones as drawn, but not at a heap of them at one position.
+    if (!turns || find_overlaps(reading.model.blocks, without_mesh).size() == max_overlaps)
+        refuse_overlaps(reading, without_mesh);
+    settle_groups(reading);
+    turn_blocks(initial_state, reading.model);
+    if (turns && reading.findings.faults.empty()) refuse_overlaps(reading, without_mesh);
+}
+
 /// Sizes and densities that are numbers can still have a mass that is none.
 void refuse_infinite_masses(BlockReading& reading)
 {
@@ -129,7 +143,8 @@ void add_planar_block(const std::string& name, const std::string& place, std::ve
         model.blocks.push_back(make_planar_block(name, 0, 0, std::move(outlines), model.thickness));
 }
 
-std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::path& folder, Model& model,
+std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::path& folder,
+                                     const std::vector<InitialEntry>& initial_state, Model& model,
                                      Findings& findings)
 {
     const std::optional<double> thickness = read_thickness(top, model.kinematics);
@@ -154,8 +169,7 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     import_meshes(reading);
     if (are_too_many(*section)) return {};
     settle_thickness(top, thickness, reading);
-    refuse_overlaps(reading, without_mesh);
-    settle_groups(reading);
+    settle_groups_and_places(initial_state, reading, without_mesh);
     refuse_infinite_masses(reading);
     std::vector<std::string> files;
     for (const MeshEntry& mesh : reading.meshes) files.push_back(mesh.name);

@@ -7,6 +7,7 @@
 #include "app/reader/blocks.h"
 #include "app/reader/drawn_fit.h"
 #include "app/reader/foundation.h"
+#include "app/reader/initial_state.h"
 #include "app/reader/materials.h"
 #include "app/reader/motion.h"
 #include "app/reader/output.h"
@@ -51,10 +52,13 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
     model.joints = read_joints(top);
     const std::optional<double> fit_tolerance = read_fit_tolerance(top);
     model.fit_tolerance = fit_tolerance.value_or(0);
-    result.mesh_files = read_blocks(top, result.file.parent_path(), model, findings);
+    const std::vector<InitialEntry> initial_state = read_initial_state(top, model.kinematics);
+    result.mesh_files = read_blocks(top, result.file.parent_path(), initial_state, model, findings);
     model.joint_of_groups = read_joint_rules(top, model.joints, model.groups);
     read_attached_masses(top, model);
     foundations = read_foundations(top, model);
+    give_initial_motions(initial_state, model);
+    findings.apart = blocks_named_in(initial_state, model);
     settle_fit(top, fit_tolerance, result, findings);
 }
 
@@ -92,10 +96,10 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     try {
         read_everything(top, result, findings);
     } catch (const InputError&) {  // more faults than anybody reads
-        if (stones) *stones = {std::move(findings.geometry), result.model};
+        if (stones) *stones = {std::move(findings.geometry), result.model, std::move(findings.apart)};
         throw;
     }
-    if (stones) *stones = {std::move(findings.geometry), result.model};
+    if (stones) *stones = {std::move(findings.geometry), result.model, std::move(findings.apart)};
     if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
     result.defaults = in_words(findings.defaults);
     result.warnings = std::move(findings.warnings);

@@ -17,6 +17,7 @@ namespace voussoir::app::reader
 struct CaseStones {
     importers::helper::Geometry geometry;  // what the mesh files gave, refused stones too
     Model model;
+    std::vector<std::string> apart;  // blocks that begin turned or moving
 };
 
 /// Reads a case file and everything it names. Paths are relative to the case file.

@@ -24,6 +24,7 @@ struct Findings {
     std::vector<std::string> former_keys;  // used by the case and warned of: once each
     importers::helper::Geometry geometry;  // what the mesh files gave, refused stones too: for the certificate
     std::string mesh_place;                // where the case names its first mesh
+    std::vector<std::string> apart;        // blocks that begin turned or moving
 };
 
 /// One line for each part of the case: "stages[1]: time_step = 0.002 s, integrator = newmark".

@@ -25,6 +25,7 @@ inline constexpr Dimension time{{0, 0, 1, 0}, "a time", "s", "2 ms"};
 inline constexpr Dimension angle{{0, 0, 0, 1}, "an angle", "rad", "30 deg"};
 inline constexpr Dimension frequency{{0, 0, -1, 0}, "a frequency", "Hz", "2.5 Hz"};
 inline constexpr Dimension rate{{0, 0, -1, 0}, "a rate", "1/s", "0.5 1/s"};
+inline constexpr Dimension spin{{0, 0, -1, 1}, "an angular velocity", "rad/s", "2 rad/s"};
 inline constexpr Dimension velocity{{1, 0, -1, 0}, "a velocity", "m/s", "0.2 m/s"};
 inline constexpr Dimension acceleration{{1, 0, -2, 0}, "an acceleration", "m/s2", "0.3 g"};
 inline constexpr Dimension mass{{0, 1, 0, 0}, "a mass", "kg", "500 kg"};

@@ -2,6 +2,7 @@
 // is too thin, and what to do about it. Knows nothing of files: the same for mesh files, boxes and patterns.
 #pragma once
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,6 +121,8 @@ struct AssemblyOrigin {
     double metres_per_unit = 0;  // of the one mesh file; 0: not one file
     bool from_case = false;      // remedies are keys of a case file, else options of `voussoir import`
     int refused_stones = 0;      // are not among the stones
+    // Stones that begin turned or moving: what they touch, or do not, is meant.
+    std::set<std::string> apart = {};
 };
 
 /// Examines stones as a structure. Contacts are found by the engine's own search and so are what a run will see.

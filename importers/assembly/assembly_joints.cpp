@@ -94,11 +94,13 @@ void tell_gaps(const Assembly& assembly, const AssemblyOrigin& origin, std::vect
     }
 }
 
-void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& findings)
+void tell_poor_contacts(const Assembly& assembly, const AssemblyOrigin& origin,
+                        std::vector<AssemblyFinding>& findings)
 {
     std::vector<StoneContact> tilted, small;
     double opening = 0;
     for (const StoneContact& contact : assembly.contacts) {
+        if (begins_apart(assembly, origin, contact.a) || begins_apart(assembly, origin, contact.b)) continue;
         if (contact.touch == Touch::tilted) {
             tilted.push_back(contact);
             opening = std::max(opening, contact.largest_gap);

@@ -26,6 +26,10 @@ std::string close_joints_words(double widest, const AssemblyOrigin& origin);
 // Findings about pairs of stones, in a file of their own.
 void tell_overlaps(const Assembly& assembly, std::vector<AssemblyFinding>& findings);
 void tell_gaps(const Assembly& assembly, const AssemblyOrigin& origin, std::vector<AssemblyFinding>& findings);
-void tell_poor_contacts(const Assembly& assembly, std::vector<AssemblyFinding>& findings);
+void tell_poor_contacts(const Assembly& assembly, const AssemblyOrigin& origin,
+                        std::vector<AssemblyFinding>& findings);
+
+/// Whether a stone begins turned or moving.
+bool begins_apart(const Assembly& assembly, const AssemblyOrigin& origin, int stone);
 
 }  // namespace voussoir::importers::assembly

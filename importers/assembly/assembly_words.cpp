@@ -58,6 +58,7 @@ void tell_floating(const Assembly& assembly, const AssemblyOrigin& origin, std::
     std::vector<int> near, alone;
     double widest = 0;
     for (const int stone : assembly.floating) {
+        if (begins_apart(assembly, origin, stone)) continue;
         const StoneGap* gap = nearest_gap(assembly, stone);
         (gap ? near : alone).push_back(stone);
         if (gap) widest = std::max(widest, gap->widest);
@@ -82,6 +83,7 @@ void tell_unsupported(const Assembly& assembly, const AssemblyOrigin& origin,
     std::vector<int> stones;
     std::set_difference(assembly.unsupported.begin(), assembly.unsupported.end(), assembly.floating.begin(),
                         assembly.floating.end(), std::back_inserter(stones));
+    std::erase_if(stones, [&](int stone) { return begins_apart(assembly, origin, stone); });
     if (stones.empty()) return;
     const std::string ground = assembly.ground_given ? "foundation" : "stone at the lowest level";
     findings.push_back({"unsupported",
@@ -173,6 +175,11 @@ void tell_refused(const AssemblyOrigin& origin, std::vector<AssemblyFinding>& fi
 
 }  // namespace
 
+bool begins_apart(const Assembly& assembly, const AssemblyOrigin& origin, int stone)
+{
+    return origin.apart.count(assembly.stones[stone].name) > 0;
+}
+
 std::vector<AssemblyFinding> findings_in_words(const Assembly& assembly, const AssemblyOrigin& origin)
 {
     std::vector<AssemblyFinding> findings;
@@ -182,7 +189,7 @@ std::vector<AssemblyFinding> findings_in_words(const Assembly& assembly, const A
     tell_floating(assembly, origin, findings);
     tell_unsupported(assembly, origin, findings);
     tell_gaps(assembly, origin, findings);
-    tell_poor_contacts(assembly, findings);
+    tell_poor_contacts(assembly, origin, findings);
     tell_slivers(assembly, findings);
     tell_sizes(assembly, origin, findings);
     return findings;

@@ -83,6 +83,13 @@ struct Foundation {
     }
 };
 
+/// How a block moves when motion begins. Held components have no motion of their own.
+struct InitialMotion {
+    int block = 0;                                       // index into Model::blocks
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, of the centre of mass
+    Eigen::Vector3d spin = Eigen::Vector3d::Zero();      // rad/s; in a planar scene along y only
+};
+
 /// What holds a planar scene across its plane: nothing moves that way, or nothing pushes.
 enum class PlaneCondition { strain, stress };
 
@@ -98,6 +105,7 @@ struct Model {
     std::vector<int> joint_of_groups;                        // (groups x groups) row major: index into joints
     std::vector<Block> blocks;                               // in the order of the state
     std::vector<Foundation> foundations;                     // one per held block
+    std::vector<InitialMotion> initial_motions;              // at most one per block; the others start at rest
     // m: what two stones share or lack at a corner of their contact when the run begins, up to this much, is the
     // error of the drawing and the zero of their contact. 0: stones are what is drawn
     double fit_tolerance = 0;

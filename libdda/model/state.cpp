@@ -149,6 +149,24 @@ Matrix3d stress_of(const Model& model, const State& state, int block)
     return to_space(within, across) / map.determinant();
 }
 
+void set_in_motion(const Model& model, State& state)
+{
+    const int n = unknowns_per_block(model.kinematics), dimension = dimension_of(model.kinematics);
+    for (const InitialMotion& motion : model.initial_motions) {
+        double* v = state.velocities.data() + motion.block * n;
+        for (int k = 0; k < dimension; ++k) v[k] = motion.velocity[axes_of(model.kinematics)[k]];
+        const Pose pose = pose_of(model.kinematics, state, motion.block);
+        if (model.kinematics == Kinematics::spatial_deformable)
+            Eigen::Map<Matrix3d>{v + 3} = skew(motion.spin) * pose.map;
+        else if (model.kinematics == Kinematics::planar_deformable)
+            Eigen::Map<Matrix2d>{v + 2} = from_space<2>(Matrix3d(skew(motion.spin) * pose.map));
+        else if (model.kinematics == Kinematics::spatial_rigid)
+            Eigen::Map<Vector3d>{v + 3} = motion.spin;
+        else
+            v[2] = -motion.spin.y();  // from x to z
+    }
+}
+
 State initial_state(const Model& model)
 {
     State state;
@@ -164,6 +182,7 @@ State initial_state(const Model& model)
         else if (dimension == 3)
             x[3] = 1;
     }
+    set_in_motion(model, state);
     begin_stage(model, 0, state);
     return state;
 }

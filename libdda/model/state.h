@@ -120,8 +120,11 @@ Eigen::Vector3d angular_velocity_of(const Model& model, const State& state, int 
 /// In plane stress A and det A are those of the plane: the change of thickness is left out.
 Eigen::Matrix3d stress_of(const Model& model, const State& state, int block);
 
-/// All blocks at rest where the model has them.
+/// All blocks where the model has them, and moving as Model::initial_motions says.
 State initial_state(const Model& model);
+
+/// Gives blocks the velocities of Model::initial_motions, whatever they had; the others keep theirs.
+void set_in_motion(const Model& model, State& state);
 
 /// Makes the state ready for a stage: remembers where the foundations stand, resets the stage clock.
 void begin_stage(const Model& model, int stage_index, State& state);

@@ -1,5 +1,6 @@
 #include "libdda/run/run.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "libdda/analysis/crushing.h"
@@ -44,10 +45,39 @@ bool may_begin(driver::RunProgress& progress)
     return !wrong || driver::give_up(std::move(*wrong), progress);
 }
 
-void enter_stage(int stage, const Stage& entered, driver::RunProgress& progress)
+bool is_static(const Stage& stage)
 {
+    return stage.type == StageType::static_equilibrium;
+}
+
+/// In static stages nothing moves in time: the initial motion waits for the first dynamic one.
+void hold_back_motion(const Model& model, const std::vector<Stage>& stages, State& state)
+{
+    const auto stage = static_cast<std::size_t>(state.stage);
+    if (model.initial_motions.empty() || state.step > 0 || stage >= stages.size() || !is_static(stages[stage]))
+        return;
+    std::fill(state.velocities.begin(), state.velocities.end(), 0.0);
+}
+
+/// The motion that was held back. Its energy is there from the start.
+void release_motion(driver::RunProgress& progress)
+{
+    EnergyLedger& energy = progress.report.energy;
+    const double before = kinetic_energy(progress.model, progress.state);
+    set_in_motion(progress.model, progress.state);
+    const double gain = kinetic_energy(progress.model, progress.state) - before;
+    energy.kinetic += gain;
+    energy.start_kinetic += gain;
+    energy.note_peaks();
+}
+
+void enter_stage(int stage, const std::vector<Stage>& stages, driver::RunProgress& progress)
+{
+    const Stage& entered = stages[stage];
     begin_stage(progress.model, stage, progress.state);
     if (entered.type == StageType::dynamic) {
+        const bool waited = stage > 0 && std::all_of(stages.begin(), stages.begin() + stage, is_static);
+        if (waited && !progress.model.initial_motions.empty()) release_motion(progress);
         const auto warning = ground_jump_warning(progress.model, entered, progress.state);
         if (warning) progress.report.warnings.push_back(*warning);
     }
@@ -60,11 +90,12 @@ void enter_stage(int stage, const Stage& entered, driver::RunProgress& progress)
 /// Runs a stage to its end; false when the run ends in it.
 bool run_stage(const Stage& stage, driver::RunProgress& progress)
 {
-    const bool is_static = stage.type == StageType::static_equilibrium;
-    const bool done = is_static ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
+    const bool done =
+        is_static(stage) ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
     progress.position.stage_done = done;
-    if (done && is_static) {
+    if (done && is_static(stage)) {
         note_joints(progress.model, progress.joints, progress.state, progress.report);
+        if (progress.judges_crushing) note_crushing(progress.model, progress.state, 0, progress.report);
         driver::show(progress);
     }
     if (!done) driver::show_end(progress);
@@ -85,6 +116,7 @@ void add_last_warnings(RunReport& report)
 
 RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer)
 {
+    hold_back_motion(model, stages, state);
     RunPosition position;
     position.report.energy = open_ledger(model, state);
     position.multiples = driver::multiples_until(state.stage_time, observer.every);
@@ -99,7 +131,7 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
     if (!may_begin(progress)) return std::move(progress.report);
     for (int s = state.stage; s < static_cast<int>(stages.size()); ++s) {
         if (s == state.stage && progress.position.stage_done) continue;
-        if (s != state.stage || state.stage_time == 0) enter_stage(s, stages[s], progress);
+        if (s != state.stage || state.stage_time == 0) enter_stage(s, stages, progress);
         if (!run_stage(stages[s], progress)) break;
     }
     add_last_warnings(progress.report);

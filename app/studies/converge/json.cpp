@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/results/settings.h"
+#include "app/studies/converge/conclusion.h"
 #include "app/studies/converge/report.h"
 #include "app/studies/converge/verdict.h"
 #include "app/version/version.h"
@@ -73,6 +74,29 @@ Json to_json(const Series& series)
             {"notes", series.notes}};
 }
 
+Json to_json(const Conclusion& conclusion)
+{
+    Json known = Json::array();
+    for (const KnownQuantity& each : conclusion.known)
+        known.push_back({{"quantity", each.name},
+                         {"value", or_null(each.value)},
+                         {"within", or_null(each.within)},
+                         {"why_not_known", each.why_not}});
+    Json json = {{"tolerance", conclusion.tolerance}, {"meets", conclusion.meets}, {"setting", nullptr}};
+    if (conclusion.row)
+        json["setting"] = {{"integrator", results::name_of(conclusion.row->setting.integrator)},
+                           {"time_step_s", conclusion.row->time_step},
+                           {"time_step_factor", conclusion.row->setting.step_factor},
+                           {"stiffness_factor", conclusion.row->setting.stiffness_factor},
+                           {"cpu_time_s", conclusion.row->cost.cpu()}};
+    json["known"] = known;
+    json["case_lines"] = conclusion.case_lines;
+    json["set"] = conclusion.set_options;
+    json["joint_lines"] = conclusion.joint_lines;
+    json["remarks"] = conclusion.remarks;
+    return json;
+}
+
 }  // namespace
 
 std::string converge_json(const ConvergeStudy& study)
@@ -84,10 +108,14 @@ std::string converge_json(const ConvergeStudy& study)
         quantities.push_back(
             {{"quantity", quantity.name}, {"unit", quantity.unit}, {"added", quantity.added}, {"series", series}});
     }
-    const Json json = {{"case", study.case_file},           {"title", study.title},
-                       {"overrides", study.overrides},      {"collapse", study.collapse_rule},
-                       {"threads", study.threads},          {"notes", study.notes},
-                       {"overall", overall_verdict(study)}, {"engine", Json::parse(version::engine_json())},
+    const Json json = {{"case", study.case_file},
+                       {"title", study.title},
+                       {"overrides", study.overrides},
+                       {"collapse", study.collapse_rule},
+                       {"threads", study.threads},
+                       {"notes", study.notes},
+                       {"conclusion", to_json(conclude(study))},
+                       {"engine", Json::parse(version::engine_json())},
                        {"quantities", quantities}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

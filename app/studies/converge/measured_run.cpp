@@ -62,7 +62,7 @@ MeasuredRun run_setting(const Case& the_case, const ConvergeSetting& setting,
     observer.step = [&](const State& now, const StepReport&, const RunReport&) {
         recorder.step(now);
         books.book(changed.stages[now.stage], result.cost);
-        if (watch.progress) watch.progress(setting, now.time / duration);
+        if (watch.progress) watch.progress(setting, duration > 0 ? now.time / duration : 0);
     };
     observer.stop = [&] {
         stopped = watch.stop && watch.stop();
@@ -70,6 +70,7 @@ MeasuredRun run_setting(const Case& the_case, const ConvergeSetting& setting,
     };
     const RunReport report = run(changed.model, changed.stages, state, observer);
     if (stopped) throw Interrupted();
+    result.collapsed = report.outcome == Outcome::collapsed;
     if (report.outcome == Outcome::gave_up)
         result.failure = words::message_of(report, changed.model, changed.stages);
     result.cost.steps = report.steps;

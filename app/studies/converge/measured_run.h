@@ -24,6 +24,7 @@ struct MeasuredRun {
     ConvergeSetting setting;
     Recording recording;
     std::optional<Collapse> collapse;  // the run ended there
+    bool collapsed = false;            // the engine ended it: blocks have fallen, or fall without end
     RunCost cost;
     std::string failure;  // why the run gave up; empty when it did not
 };

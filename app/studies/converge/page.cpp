@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/studies/converge/conclusion.h"
 #include "app/studies/converge/report.h"
 #include "app/studies/converge/verdict.h"
 
@@ -38,9 +39,9 @@ std::string converge_page(const ConvergeStudy& study, const std::string& command
         "thread{}. Collapse: {}.\n",
         study.title, command, study.threads, study.threads == 1 ? "" : "s", study.collapse_rule);
     for (const std::string& note : study.notes) text += "\nNote: " + note + ".\n";
-    const std::vector<std::string> overall = overall_verdict(study);
-    if (!overall.empty()) text += "\n";
-    for (const std::string& line : overall) text += "- " + line + "\n";
+    text += "\n```\n";
+    for (const std::string& line : in_words(conclude(study))) text += line + "\n";
+    text += "```\n";
     for (std::size_t i = 0; i < study.quantities.size(); ++i) {
         const QuantityStudy& quantity = study.quantities[i];
         text += "\n## " + quantity.name + "\n";

@@ -28,6 +28,7 @@ struct SeriesRow {
 struct Series {
     Varied varied = Varied::time_step;
     Integrator integrator = Integrator::newmark;
+    bool is_static = false;       // the case has no dynamic stage
     std::vector<SeriesRow> rows;  // coarse to fine
     std::optional<double> order;
     std::string no_order;             // why there is none

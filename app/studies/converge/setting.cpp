@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "app/results/settings.h"
 #include "app/words/nearest_word.h"
@@ -18,6 +19,9 @@ namespace
 
 constexpr double default_step_factors[] = {4, 2, 1, 0.5, 0.25};
 constexpr double default_stiffness_factors[] = {0.25, 0.5, 1, 2, 4};
+// Of thresholds, which take some ten runs each: three steps show an order, two stiffnesses a sensitivity.
+constexpr double threshold_step_factors[] = {2, 1, 0.5};
+constexpr double threshold_stiffness_factors[] = {1, 2};
 
 // Shares by which a step may miss a limit: a factor times a step is rounded.
 constexpr double slack = 1e-9;
@@ -51,10 +55,12 @@ std::string why_not_run(const Case& the_case, double factor)
 }
 
 /// The default series as far as it can be run; a note of every step that is left out.
-std::vector<double> default_steps(const Case& the_case, std::vector<std::string>& notes)
+std::vector<double> default_steps(const Case& the_case, bool of_threshold, std::vector<std::string>& notes)
 {
     std::vector<double> factors;
-    for (const double factor : default_step_factors) {
+    const std::span<const double> tried =
+        of_threshold ? std::span<const double>(threshold_step_factors) : default_step_factors;
+    for (const double factor : tried) {
         const std::string problem = why_not_run(the_case, factor);
         if (problem.empty())
             factors.push_back(factor);
@@ -86,8 +92,10 @@ std::vector<double> read_steps(const std::vector<std::string>& texts, const Case
     return factors;
 }
 
-std::vector<double> read_stiffness(const std::vector<double>& given, std::vector<Fault>& faults)
+std::vector<double> read_stiffness(const std::vector<double>& given, bool of_threshold, std::vector<Fault>& faults)
 {
+    if (given.empty() && of_threshold)
+        return {std::begin(threshold_stiffness_factors), std::end(threshold_stiffness_factors)};
     if (given.empty()) return {std::begin(default_stiffness_factors), std::end(default_stiffness_factors)};
     std::vector<std::string> texts;
     for (const double factor : given) texts.push_back(fmt::format("{}", factor));
@@ -95,10 +103,15 @@ std::vector<double> read_stiffness(const std::vector<double>& given, std::vector
     return given;
 }
 
-std::vector<Integrator> read_integrators(const std::vector<std::string>& names, Integrator own,
-                                         std::vector<Fault>& faults)
+/// The case's own, and beside it those that are named; energy_decaying if none is, unless there is no choice.
+std::vector<Integrator> read_integrators(const std::vector<std::string>& names, const StepControl& control,
+                                         bool of_threshold, std::vector<Fault>& faults)
 {
+    const Integrator own = control.integrator;
     std::vector<Integrator> integrators{own};
+    const bool is_free = control.open_close != OpenClose::published && !of_threshold;
+    if (names.empty() && is_free && own != Integrator::energy_decaying)
+        integrators.push_back(Integrator::energy_decaying);
     std::vector<std::string> known;
     for (const Integrator each : {Integrator::newmark, Integrator::energy_decaying}) {
         known.emplace_back(results::name_of(each));
@@ -118,18 +131,33 @@ const Stage& first_dynamic_stage(const Case& the_case)
     for (const Stage& stage : the_case.stages)
         if (stage.type == StageType::dynamic) return stage;
     throw InputError(the_case.file.string() + ": stages", "none is dynamic",
-                     "converge varies the time step of dynamic stages: add one");
+                     "converge varies the time step of dynamic stages: add one, or look for a --threshold");
+}
+
+const Stage& leading_stage(const Case& the_case)
+{
+    for (const Stage& stage : the_case.stages)
+        if (stage.type == StageType::dynamic) return stage;
+    return the_case.stages.front();
 }
 
 ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case)
 {
-    const StepControl& own = first_dynamic_stage(the_case).control;
+    const bool of_threshold = choices.of_threshold;
+    const Stage& leading = of_threshold ? leading_stage(the_case) : first_dynamic_stage(the_case);
+    const bool has_steps = leading.type == StageType::dynamic;
     std::vector<Fault> faults;
     ConvergePlan plan;
-    plan.integrators = read_integrators(choices.integrators, own.integrator, faults);
-    plan.step_factors = choices.time_steps.empty() ? default_steps(the_case, plan.notes)
-                                                   : read_steps(choices.time_steps, the_case, faults);
-    plan.stiffness_factors = read_stiffness(choices.stiffness_factors, faults);
+    plan.compares = !of_threshold;
+    plan.integrators = read_integrators(choices.integrators, leading.control, of_threshold, faults);
+    if (!has_steps)
+        plan.step_factors = {1};
+    else
+        plan.step_factors = choices.time_steps.empty() ? default_steps(the_case, of_threshold, plan.notes)
+                                                       : read_steps(choices.time_steps, the_case, faults);
+    if (!has_steps && !choices.time_steps.empty())
+        faults.push_back({"--time-steps", "the case has no dynamic stage", "omit it: there is none to vary"});
+    plan.stiffness_factors = read_stiffness(choices.stiffness_factors, of_threshold, faults);
     if (!faults.empty()) throw InputError(std::move(faults));
     std::sort(plan.step_factors.begin(), plan.step_factors.end(), std::greater<>());
     std::sort(plan.stiffness_factors.begin(), plan.stiffness_factors.end());
@@ -142,7 +170,9 @@ Case with_setting(const Case& the_case, const ConvergeSetting& setting)
     for (Stage& stage : changed.stages) {
         if (stage.type != StageType::dynamic) continue;
         stage.control.time_step *= setting.step_factor;
+        if (stage.control.integrator == setting.integrator) continue;
         stage.control.integrator = setting.integrator;
+        stage.control.dissipation = StepControl{}.dissipation;  // that of another integrator says nothing
     }
     for (JointMaterial& joint : changed.model.joints) joint.stiffness.factor *= setting.stiffness_factor;
     return changed;

@@ -23,21 +23,27 @@ struct ConvergePlan {
     std::vector<double> step_factors;       // falling
     std::vector<double> stiffness_factors;  // rising
     std::vector<std::string> notes;         // what is left out of the default, and why
+    bool compares = true;                   // else one setting will do: a threshold is a result of its own
 };
 
-/// What the command line says of them; empty is the default.
+/// What the command line says of them; empty is the default: for a threshold fewer, since each takes many runs.
 struct ConvergeChoices {
     std::vector<std::string> time_steps;    // "4 ms": of the first dynamic stage, the others keep their proportion
     std::vector<double> stiffness_factors;  // times the case's own
-    std::vector<std::string> integrators;   // newmark, energy_decaying
+    std::vector<std::string> integrators;  // newmark, energy_decaying; by default the latter beside the case's own
+    bool of_threshold = false;
 };
 
 /// The first dynamic stage: its time step and integrator name the runs.
 /// @throws InputError when the case has none: static stages have no time step to vary
 const Stage& first_dynamic_stage(const Case& the_case);
 
+/// The same, or the first stage of a case that has no dynamic one.
+const Stage& leading_stage(const Case& the_case);
+
 /// @throws InputError with every value that is not a time, not positive, given twice, or a time step that a
-/// dynamic stage cannot be run with: longer than the stage, or below its min_time_step
+/// dynamic stage cannot be run with: longer than the stage, or below its min_time_step. A case without a dynamic
+/// stage has thresholds, over contact stiffnesses, and nothing else to compare
 ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case);
 
 /// The case with a setting put in.

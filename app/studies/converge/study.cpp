@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "app/studies/converge/sample.h"
 #include "libdda/errors.h"
@@ -126,21 +127,31 @@ QuantityStudy study_of(const Case& the_case, const std::vector<SeriesPlan>& plan
     return study;
 }
 
-/// Why a quantity's peak has to be looked at too; empty when it has not.
-std::string needs_peak(const QuantityStudy& study, Measure measure)
+/// A measure that has to be looked at too, and why.
+struct Addition {
+    Measure measure;
+    std::string reason;
+};
+
+/// What stands in for a quantity that cannot be compared as it is.
+std::vector<Addition> additions_to(const QuantityStudy& study, Measure measure)
 {
     for (const Series& series : study.series) {
         const bool collapses = std::any_of(series.rows.begin(), series.rows.end(),
                                            [](const SeriesRow& row) { return row.collapse.has_value(); });
         if (measure == Measure::end && collapses)
-            return fmt::format("peak before the collapse, in place of {}, which is not compared", study.name);
+            return {{Measure::peak,
+                     fmt::format("peak before the collapse, in place of {}, which is not compared", study.name)}};
         const auto compared = std::count_if(series.rows.begin(), series.rows.end(),
                                             [](const SeriesRow& row) { return row.value.has_value(); });
         const bool parts =
             series.varied == Varied::time_step && compared >= 3 && !series.order && !series.vanishes;
-        if (measure == Measure::history && parts && !cheapest(series, tolerances[1]))
-            return fmt::format("the histories of {} do not converge point by point: their peaks are compared here",
-                               study.name);
+        if (measure != Measure::history || !parts || cheapest(series, tolerances[1])) continue;
+        const std::string why =
+            fmt::format("the histories of {} do not converge point by point: their ", study.name);
+        std::vector<Addition> added{{Measure::peak, why + "peaks are compared here"}};
+        if (!collapses) added.push_back({Measure::end, why + "ends are compared here"});
+        return added;
     }
     return {};
 }
@@ -161,7 +172,7 @@ SettingList list_settings(const ConvergePlan& plan)
     SettingList list;
     for (const Integrator integrator : plan.integrators) {
         SeriesPlan series{Varied::time_step, integrator, {}};
-        if (plan.step_factors.size() < 2) break;
+        if (plan.step_factors.size() < 2 && (plan.compares || plan.stiffness_factors.size() > 1)) break;
         for (const double factor : plan.step_factors)
             series.settings.push_back(index_of({integrator, factor, 1}, list.settings));
         list.series.push_back(series);
@@ -185,7 +196,17 @@ ConvergeStudy begin_study(const Case& the_case, const CollapseRule& rule)
     study.title = the_case.title;
     study.overrides = the_case.overrides;
     study.collapse_rule = in_words(rule);
-    study.threads = first_dynamic_stage(the_case).control.threads;
+    study.threads = leading_stage(the_case).control.threads;
+    for (std::size_t s = 0; s < the_case.stages.size(); ++s) {
+        const Stage& stage = the_case.stages[s];
+        if (stage.type == StageType::dynamic)
+            study.stages.push_back(
+                {static_cast<int>(s), stage.name, stage.control.time_step, stage.control.integrator});
+    }
+    for (const JointMaterial& joint : the_case.model.joints)
+        study.joints.push_back(
+            {joint.name, joint.stiffness.factor, joint.friction_angle * 180 / std::numbers::pi});
+    study.may_be_ensemble = !the_case.output.histories.empty();
     warn_of_factor_damping(the_case, study);
     return study;
 }
@@ -195,7 +216,7 @@ SeriesRow row_of(const ConvergeSetting& setting, const Case& the_case, const Run
 {
     SeriesRow row;
     row.setting = setting;
-    row.time_step = setting.step_factor * first_dynamic_stage(the_case).control.time_step;
+    row.time_step = setting.step_factor * leading_stage(the_case).control.time_step;
     row.cost = cost;
     row.failure = failure;
     return row;
@@ -210,17 +231,18 @@ ConvergeStudy run_study(const Case& the_case, const SettingList& list, const std
     ConvergeStudy study = begin_study(the_case, rule);
     for (const Quantity& quantity : quantities) {
         study.quantities.push_back(study_of(the_case, list.series, runs, quantity));
-        Quantity peak = quantity;
-        peak.measure = Measure::peak;
-        const std::string reason = needs_peak(study.quantities.back(), quantity.measure);
-        const std::string name = name_of(peak, the_case);
-        const auto asked = [&](const Quantity& each) { return name_of(each, the_case) == name; };
-        const auto there = [&](const QuantityStudy& each) { return each.name == name; };
-        if (reason.empty() || std::any_of(quantities.begin(), quantities.end(), asked) ||
-            std::any_of(study.quantities.begin(), study.quantities.end(), there))
-            continue;
-        study.quantities.push_back(study_of(the_case, list.series, runs, peak));
-        study.quantities.back().added = reason;
+        for (const Addition& addition : additions_to(study.quantities.back(), quantity.measure)) {
+            Quantity other = quantity;
+            other.measure = addition.measure;
+            const std::string name = name_of(other, the_case);
+            const auto asked = [&](const Quantity& each) { return name_of(each, the_case) == name; };
+            const auto there = [&](const QuantityStudy& each) { return each.name == name; };
+            if (std::any_of(quantities.begin(), quantities.end(), asked) ||
+                std::any_of(study.quantities.begin(), study.quantities.end(), there))
+                continue;
+            study.quantities.push_back(study_of(the_case, list.series, runs, other));
+            study.quantities.back().added = addition.reason;
+        }
     }
     return study;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/studies/converge/conclusion.h"
 #include "app/studies/converge/report.h"
 #include "app/studies/converge/verdict.h"
 
@@ -41,10 +42,10 @@ std::string converge_table(const ConvergeStudy& study)
         text += "\n" + quantity.name + (quantity.added.empty() ? "" : " (" + quantity.added + ")") + "\n";
         for (const Series& series : quantity.series) text += series_table(quantity, series);
     }
-    const std::vector<std::string> overall = overall_verdict(study);
-    if (!overall.empty() || !study.notes.empty()) text += "\n";
-    for (const std::string& line : overall) text += line + "\n";
+    if (!study.notes.empty()) text += "\n";
     for (const std::string& note : study.notes) text += "note: " + note + "\n";
+    text += "\n";
+    for (const std::string& line : in_words(conclude(study))) text += line + "\n";
     return text;
 }
 

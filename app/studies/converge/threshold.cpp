@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "libdda/errors.h"
 #include "libdda/text/words.h"
@@ -26,6 +27,11 @@ bool split_number(std::string_view text, double& number, std::string& unit)
     text.remove_prefix(end - text.data());
     unit = text::trim(text);
     return true;
+}
+
+std::string written(const Threshold& threshold, double value)
+{
+    return fmt::format("{}{}{}", value, threshold.unit.empty() ? "" : " ", threshold.unit);
 }
 
 /// Where the structure still stands and where it has collapsed, at one setting.
@@ -67,11 +73,7 @@ class Bisection
     {
         if (bracket.failure.empty()) bracket.failure = reason;
     }
-    std::string written(double value) const
-    {
-        return fmt::format("{}{}{}", value, threshold_.unit.empty() ? "" : " ", threshold_.unit);
-    }
-    std::string in_words(double value) const { return threshold_.key + " = " + written(value); }
+    std::string in_words(double value) const { return threshold_.key + " = " + written(threshold_, value); }
     /// Narrow enough: as a share of its middle, or, where that is next to 0, of a share of where it began.
     bool settled(const Bracket& bracket) const
     {
@@ -82,13 +84,13 @@ class Bisection
     bool collapses(const ConvergeSetting& setting, double value, Bracket& bracket) const
     {
         std::vector<std::string> overrides = base_.overrides;
-        overrides.push_back(threshold_.key + "=" + written(value));
+        for (std::string& setting : settings_of(threshold_, value)) overrides.push_back(std::move(setting));
         Case the_case = read_(base_.file, overrides);
         for (Stage& stage : the_case.stages) stage.control.threads = threads_;
         const MeasuredRun run = run_setting(the_case, setting, {}, rule_, watch_);
         bracket.cost += run.cost;
         if (!run.failure.empty()) fail(bracket, in_words(value) + ": " + run.failure);
-        return run.collapse.has_value();
+        return run.collapse || run.collapsed;
     }
 
     const Case& base_;
@@ -105,6 +107,7 @@ Series judged(const Case& the_case, const SeriesPlan& plan, const SettingList& l
     Series series;
     series.varied = plan.varied;
     series.integrator = plan.integrator;
+    series.is_static = leading_stage(the_case).type != StageType::dynamic;
     std::vector<std::optional<Sample>> samples;
     double resolution = 0;
     for (const std::size_t index : plan.settings) {
@@ -139,7 +142,21 @@ Threshold read_threshold(const std::string& text)
         throw InputError(place, "the two values are the same",
                          "give one at which it stands, one at which it collapses");
     threshold.key = text.substr(0, equals);
+    for (std::size_t from = 0; from <= threshold.key.size();) {
+        const std::size_t comma = std::min(threshold.key.find(',', from), threshold.key.size());
+        threshold.keys.emplace_back(text::trim(std::string_view(threshold.key).substr(from, comma - from)));
+        if (threshold.keys.back().empty())
+            throw InputError(place, "a key is missing between commas", "write KEY,KEY=STANDS..COLLAPSES");
+        from = comma + 1;
+    }
     return threshold;
+}
+
+std::vector<std::string> settings_of(const Threshold& threshold, double value)
+{
+    std::vector<std::string> settings;
+    for (const std::string& key : threshold.keys) settings.push_back(key + "=" + written(threshold, value));
+    return settings;
 }
 
 ConvergeStudy run_threshold_study(const Case& the_case, const SettingList& list, const Threshold& threshold,
@@ -150,6 +167,7 @@ ConvergeStudy run_threshold_study(const Case& the_case, const SettingList& list,
     std::vector<Bracket> brackets;
     for (const ConvergeSetting& setting : list.settings) brackets.push_back(bisection.at(setting));
     ConvergeStudy study = begin_study(the_case, rule);
+    study.may_be_ensemble = false;
     study.quantities.push_back({"threshold of " + threshold.key, threshold.unit, {}, {}});
     for (const SeriesPlan& plan : list.series)
         study.quantities.back().series.push_back(judged(the_case, plan, list, brackets));

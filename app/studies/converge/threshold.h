@@ -13,7 +13,8 @@ namespace voussoir::app::studies::converge
 
 /// "foundation.motion.x.scale=1..3", "stages[0].body_acceleration[0].x.sine.acceleration=0.1 g..0.5 g".
 struct Threshold {
-    std::string key;                   // as --set takes it
+    std::string key;                   // as it was written: one or, between commas, several
+    std::vector<std::string> keys;     // as --set takes them; all have the same value
     double stands = 0, collapses = 0;  // in `unit`; either may be the larger
     std::string unit;                  // as written; empty for a bare number
     double bracket = 0.01;             // -, share of the middle at which the bisection ends
@@ -21,6 +22,9 @@ struct Threshold {
 
 /// @throws InputError when the text is no threshold
 Threshold read_threshold(const std::string& text);
+
+/// What --set takes to give the keys a value.
+std::vector<std::string> settings_of(const Threshold& threshold, double value);
 
 /// Runs the bisection at every setting and judges the thresholds in every series. A setting at which the structure
 /// collapses already where it should stand, or stands where it should collapse, or at which a run gives up, is a

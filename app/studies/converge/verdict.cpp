@@ -41,7 +41,6 @@ std::string order_in_words(const QuantityStudy& study, const Series& series)
 std::string cheapest_in_words(const Series& series, double tolerance)
 {
     const SeriesRow* row = cheapest(series, tolerance);
-    if (!row) return "none of these does";
     return fmt::format("{} ({})", setting_in_words(series, *row), cost_in_words(row->cost));
 }
 
@@ -61,21 +60,27 @@ std::string sensitivity_in_words(const Series& series)
     return fmt::format("sensitivity: doubling the contact stiffness changes it by {}", share_in_words(change));
 }
 
-/// Is any quantity compared in this series?
-bool compares(const ConvergeStudy& study, std::size_t series)
+/// The cheapest for each tolerance that any setting meets, and what comes closest where none does.
+void add_cheapest(const Series& series, std::vector<std::string>& lines)
 {
-    return std::any_of(study.quantities.begin(), study.quantities.end(), [&](const QuantityStudy& quantity) {
-        return quantity.series[series].reference.has_value();
-    });
-}
-
-/// Does the setting of a row meet the tolerance in all quantities that are compared in this series?
-bool meets_everywhere(const ConvergeStudy& study, std::size_t series, std::size_t row, double tolerance)
-{
-    return std::all_of(study.quantities.begin(), study.quantities.end(), [&](const QuantityStudy& quantity) {
-        const Series& here = quantity.series[series];
-        return !here.reference || meets(here, here.rows[row], tolerance);
-    });
+    std::string missed;
+    for (const double tolerance : tolerances) {
+        if (cheapest(series, tolerance) != nullptr)
+            lines.push_back(fmt::format("cheapest that meets {:g} %: {}", 100 * tolerance,
+                                        cheapest_in_words(series, tolerance)));
+        else
+            missed += fmt::format("{}{:g} %", missed.empty() ? "" : " or ", 100 * tolerance);
+    }
+    if (missed.empty()) return;
+    const SeriesRow* best = nullptr;
+    for (const SeriesRow& row : series.rows)
+        if (row.error && (!best || *row.error < *best->error)) best = &row;
+    if (best == nullptr || std::isinf(series.uncertainty))
+        lines.push_back("none is known to meet " + missed);
+    else
+        lines.push_back(fmt::format("none is known to meet {}; closest: {}, to {}", missed,
+                                    setting_in_words(series, *best),
+                                    share_in_words(*best->error + series.uncertainty)));
 }
 
 }  // namespace
@@ -84,6 +89,7 @@ std::string title_of(const Series& series)
 {
     const std::string integrator(results::name_of(series.integrator));
     if (series.varied == Varied::time_step) return "time step, " + integrator;
+    if (series.is_static) return "contact stiffness";
     return fmt::format("contact stiffness, {}, at {}", integrator,
                        words::step_in_words(series.rows.front().time_step));
 }
@@ -136,9 +142,7 @@ std::vector<std::string> verdict(const QuantityStudy& study, const Series& serie
 {
     std::vector<std::string> lines{order_in_words(study, series)};
     if (series.reference && series.varied == Varied::time_step) {
-        for (const double tolerance : tolerances)
-            lines.push_back(fmt::format("cheapest that meets {:g} %: {}", 100 * tolerance,
-                                        cheapest_in_words(series, tolerance)));
+        add_cheapest(series, lines);
     } else if (series.reference) {
         lines.push_back(sensitivity_in_words(series));
         for (const double tolerance : tolerances)
@@ -146,30 +150,6 @@ std::vector<std::string> verdict(const QuantityStudy& study, const Series& serie
                                         series.order ? "rigid limit" : "stiffest", all_within(series, tolerance)));
     }
     lines.insert(lines.end(), series.notes.begin(), series.notes.end());
-    return lines;
-}
-
-std::vector<std::string> overall_verdict(const ConvergeStudy& study)
-{
-    std::vector<std::string> lines;
-    if (study.quantities.size() < 2) return lines;
-    const std::vector<Series>& first = study.quantities.front().series;
-    for (std::size_t s = 0; s < first.size(); ++s) {
-        if (first[s].varied != Varied::time_step || !compares(study, s)) continue;
-        for (const double tolerance : tolerances) {
-            const SeriesRow* best = nullptr;
-            for (std::size_t r = 0; r < first[s].rows.size(); ++r) {
-                const SeriesRow& row = first[s].rows[r];
-                const bool good = row.failure.empty() && meets_everywhere(study, s, r, tolerance);
-                if (good && (!best || row.cost.cpu() < best->cost.cpu())) best = &row;
-            }
-            lines.push_back(
-                fmt::format("{}: cheapest that meets {:g} % in all quantities that are compared: {}",
-                            title_of(first[s]), 100 * tolerance,
-                            best ? setting_in_words(first[s], *best) + " (" + cost_in_words(best->cost) + ")"
-                                 : "none of these does"));
-        }
-    }
     return lines;
 }
 

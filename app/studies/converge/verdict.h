@@ -32,12 +32,8 @@ std::string remark_of(const SeriesRow& row);
 /// share of what it was. [-]
 std::optional<double> change_per_doubling(const Series& series);
 
-/// Observed order and reference; which settings meet 1 % and 5 %; of a stiffness series the sensitivity; the
-/// notes.
+/// Observed order and reference; which settings meet 1 % and 5 %, or come closest; of a stiffness series the
+/// sensitivity; the notes.
 std::vector<std::string> verdict(const QuantityStudy& study, const Series& series);
-
-/// The cheapest setting that meets a tolerance in all quantities that are compared, one line for each series of
-/// time steps in which any is; empty with a single quantity.
-std::vector<std::string> overall_verdict(const ConvergeStudy& study);
 
 }  // namespace voussoir::app::studies::converge

@@ -206,6 +206,20 @@ TEST(Findings, APebbleBesideARock)
     EXPECT_TRUE(says(ratio.what, "rock") && says(ratio.what, "pebble")) << ratio.what;
 }
 
+// A stone in the air is nothing to mend where the case wants it there.
+TEST(Findings, StonesThatBeginApartAreMeantToBe)
+{
+    std::vector<assembly::AssemblyStone> stones = wall(2, 3);
+    for (ConvexPolyhedron& part : stones.back().parts)
+        for (Vector3d& x : part.vertices) x.z() += 2;
+    assembly::AssemblyOrigin origin = from_import();
+    EXPECT_TRUE(has_finding(assembly::examine_assembly(stones, {}, origin), "floating"));
+    origin.apart = {stones.back().name};
+    EXPECT_FALSE(has_finding(assembly::examine_assembly(stones, {}, origin), "floating"));
+    origin.apart = {stones.front().name};
+    EXPECT_TRUE(has_finding(assembly::examine_assembly(stones, {}, origin), "floating"));
+}
+
 TEST(Findings, ABridgeOfMillimetresHasTheWrongUnit)
 {
     std::vector<assembly::AssemblyStone> stones = wall(2, 3);

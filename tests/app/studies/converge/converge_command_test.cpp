@@ -37,8 +37,11 @@ TEST_F(ConvergeCommand, WritesTableJsonPageAndPictures)
         << output_;
     EXPECT_NE(output_.find("block.d:history"), std::string::npos) << output_;
     EXPECT_NE(output_.find("cheapest that meets 1 %"), std::string::npos);
+    EXPECT_NE(output_.find("conclusion, wanted: 5 %"), std::string::npos);
+    EXPECT_NE(output_.find("time_step: 4 ms"), std::string::npos) << output_;
     const nlohmann::json json = nlohmann::json::parse(contents("out.json"));
     EXPECT_EQ(json["quantities"][0]["quantity"], "block.d:history");
+    EXPECT_EQ(json["conclusion"]["meets"], true);
     EXPECT_EQ(json["quantities"][0]["series"][0]["rows"].size(), 3u);
     EXPECT_GE(json["quantities"][0]["series"][0]["rows"][0]["cpu_time_s"].get<double>(), 0);
     const std::string page = contents("made/converge.md");
@@ -48,6 +51,16 @@ TEST_F(ConvergeCommand, WritesTableJsonPageAndPictures)
     if (!fs::exists(fs::path(VOUSSOIR_PROGRAM).parent_path() / "voussoir-plot")) return;
     EXPECT_NE(page.find("![block.d:history](converge/01_block.d_history.png)"), std::string::npos) << page;
     EXPECT_EQ(contents("made/converge/01_block.d_history.png").substr(1, 3), "PNG");
+}
+
+// The friction is not in the case, which cannot be read without it.
+TEST_F(ConvergeCommand, ThresholdsTakeKeysThatAreNotWritten)
+{
+    EXPECT_EQ(converge(incline_ + " --set 'joints.dry.friction=null' --threshold 'joints.dry.friction=50..42 deg' "
+                                  "--collapse-displacement '1 cm' --time-steps 4ms --stiffness-factors 1"),
+              0)
+        << output_;
+    EXPECT_NE(output_.find("threshold of joints.dry.friction"), std::string::npos) << output_;
 }
 
 TEST_F(ConvergeCommand, PlacesThatCannotBeWrittenAreRefusedBeforeTheRuns)
@@ -85,6 +98,10 @@ TEST_F(ConvergeCommand, RefusesBadInputInASentenceAndWritesNothing)
         expect_refusal(incline_ + " --threshold a=1..2 --bracket " + bracket, "a fraction from 1e-06 to 0.5");
     expect_refusal(incline_ + " --threshold a=1..2 --collapse-displacement none", "requires a collapse criterion");
     expect_refusal(incline_ + " --set 'stages[0]={type: static}'", "none is dynamic");
+    expect_refusal(incline_ + " --tolerance 1m", "--tolerance");
+    expect_refusal(incline_ + " --tolerance 0", "--tolerance");
+    expect_refusal(incline_ + " --tolerance '60 %'", "at most 50 %");
+    expect_refusal(incline_ + " --threshold a,=1..2", "a key is missing");
 }
 
 TEST_F(ConvergeCommand, InterruptedLeavesNothingAndSaysSo)
