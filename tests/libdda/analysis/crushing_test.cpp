@@ -286,7 +286,6 @@ TEST(RockingTower, OfModerateStressGivesNoAlarmAndOneOfHighStressDoes)
         BlockMaterial material = stone();
         material.compressive_strength = share * strength;
         JointMaterial joint = dry(40);
-        joint.stiffness = {ContactStiffness::Kind::per_area, 3e11};
         Model model = make_model(Kinematics::spatial_rigid, material, joint);
         hold(model, add_box(model, "base", {-3, -3, -1}, {3, 3, 0}));
         for (int k = 0; k < 8; ++k)
