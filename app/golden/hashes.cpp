@@ -72,7 +72,6 @@ std::uint64_t hash_of(const RunReport& report)
         hash.add(std::int64_t{joint.block_a});
         hash.add(std::int64_t{joint.block_b});
         hash.add(joint.worst_stress);
-        hash.add(joint.duration);
     }
     return hash.value();
 }

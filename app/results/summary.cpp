@@ -45,11 +45,7 @@ Json crushed_joints(const Model& model, const std::vector<CrushedJoint>& crushed
                         {"compressive_strength_Pa", joint.strength},
                         {"first_time_s", joint.first_time},
                         {"worst_time_s", joint.worst_time},
-                        {"worst_edge_stress_Pa", joint.worst_stress},
-                        {"duration_s", joint.duration},
-                        {"longest_s", joint.longest},
-                        {"at_rest", joint.at_rest},
-                        {"lasting", is_lasting(joint)}});
+                        {"worst_edge_stress_Pa", joint.worst_stress}});
     }
     return json;
 }

@@ -179,13 +179,9 @@ std::string dry_joints(const Subject& subject)
 
 std::string crushed_joints(const Subject& subject)
 {
-    const double duration = subject.value("duration_s"), brief = subject.value("brief_joints");
-    return fmt::format(
-        "{:.0f} joints exceed their compressive strength, longest {} on {}: {}, up to {:g} times at {:g} s{}",
-        subject.value("joints"), subject.block(0), subject.block(1),
-        duration > 0 ? fmt::format("for {:.3g} s in all", duration) : "at rest",
-        subject.value("stress_to_strength"), subject.value("time_s"),
-        brief > 0 ? fmt::format("; {:.0f} more only as briefly as impacts last", brief) : "");
+    return fmt::format("{:.0f} joints exceed their compressive strength, worst {} on {}: {:g} times at {:g} s",
+                       subject.value("joints"), subject.block(0), subject.block(1),
+                       subject.value("stress_to_strength"), subject.value("time_s"));
 }
 
 /// Why a step was taken back that had converged.

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 namespace
 {
 
-constexpr double least_bearing = 0.1;     // of its area: [EN1996-1-1-2005], annex C (4), for e > 0.45 t
+constexpr double least_bearing = 0.1;     // of its extent: [EN1996-1-1-2005], annex C (4), for e > 0.45 t
 constexpr double same_direction = 0.985;  // cosine of 10 degrees
 constexpr double same_plane = 0.01;       // of the smaller block's size
 
@@ -81,18 +81,18 @@ std::array<Vector3d, 2> sides_of(const Bed& bed)
     return sides;
 }
 
-/// The bed's area times (1 - 2 e / extent) along both sides, at least least_bearing of it.
+/// The bed's area times (1 - 2 e / extent), at least least_bearing, along both sides.
 double effective_area(const Bed& bed)
 {
-    double share = 1;
+    double area = bed.area;
     for (const Vector3d& axis : sides_of(bed)) {
         const Range range = range_along(axis, bed);
         if (!(range.extent() > 1e-9 * std::sqrt(bed.area))) continue;  // planar scenes have no extent across
         const double eccentricity = axis.dot(bed.pressure_centre - bed.centre);
         const double to_edge = eccentricity > 0 ? range.high - eccentricity : eccentricity - range.low;
-        share *= std::clamp(2 * to_edge / range.extent(), 0.0, 1.0);
+        area *= std::clamp(2 * to_edge / range.extent(), least_bearing, 1.0);
     }
-    return bed.area * std::max(share, least_bearing);
+    return area;
 }
 
 bool in_one_plane(const BedPatch& a, const BedPatch& b, double size)
@@ -107,7 +107,7 @@ bool in_one_plane(const BedPatch& a, const BedPatch& b, double size)
 }
 
 /// The patches sorted by the planes of their faces. Where two edges cross there is no face: they go with the bed
-/// that looks most their way, and where there is none they bear on no area that a stress could be judged by.
+/// that looks most their way.
 std::vector<Bed> beds_of(const std::vector<BedPatch>& patches, double size)
 {
     std::vector<Bed> beds;
@@ -123,7 +123,8 @@ std::vector<Bed> beds_of(const std::vector<BedPatch>& patches, double size)
         auto bed = std::max_element(beds.begin(), beds.end(), [&](const Bed& a, const Bed& b) {
             return a.first->normal.dot(patch.normal) < b.first->normal.dot(patch.normal);
         });
-        if (bed != beds.end()) bed->add(patch);
+        if (bed == beds.end()) bed = beds.insert(bed, Bed());
+        bed->add(patch);
     }
     for (Bed& bed : beds) bed.finish();
     return beds;

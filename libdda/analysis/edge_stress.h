@@ -41,13 +41,10 @@ struct Bearing {
 /// The edge stress is the mean on the part of a bed that its normal force acts in the middle of. Of a rectangular
 /// bed b x l with eccentricities e: N / ((b - 2 e_b) (l - 2 e_l)). Source: [Meyerhof1953], as in
 /// [EN1996-1-1-2005], 6.1.2.2; of other shapes with b and l the sides of the smallest rectangle around them, times
-/// the share of it that they fill. It is the stress block of a toe that yields: where the stress equals the
-/// strength, no block of that strength that fits the bed carries more with this resultant. A bed that bears on its
-/// edge or its corner bears on a tenth of its area (ibid., annex C (4), which says so of walls): corner springs
-/// put the resultant of a rocking stone on the very edge, where any force would crush. There the toe is as large
-/// as the strength makes it, and what is judged is whether it would need more than that tenth. Patches that have
-/// opened so far that contacts are no longer looked for do not count, and a bed that has lost some bears on a
-/// tenth of the rest: there the stress errs upwards.
+/// the share of it that they fill. A bed that bears on its edge bears on a tenth of its extent (ibid., annex C
+/// (4)): corner springs put the resultant of a rocking stone on the very edge, where any force would crush.
+/// Patches that have opened so far that contacts are no longer looked for do not count, and a bed that has lost
+/// some bears on a tenth of the rest: there the stress errs upwards.
 /// @param size of the smaller block [m]
 Bearing hardest_bearing(const std::vector<BedPatch>& patches, double size);
 

@@ -67,11 +67,7 @@ DiagnosisForm make_form(DiagnosisKind kind)
         case DiagnosisKind::dry_joints:
             return {"dry_joints", false, 2, 2, {"joints", "widest_gap_m"}};
         case DiagnosisKind::crushed_joints:
-            return {"crushed_joints",
-                    false,
-                    2,
-                    2,
-                    {"joints", "stress_to_strength", "time_s", "duration_s", "brief_joints"}};
+            return {"crushed_joints", false, 2, 2, {"joints", "stress_to_strength", "time_s"}};
     }
     return {};
 }

@@ -136,10 +136,6 @@ struct CrushedJoint {
     double strength = 0;                      // Pa, the smaller of the two
     double first_time = 0;                    // s since the run's start
     double worst_time = 0, worst_stress = 0;  // s, Pa
-    double duration = 0;                      // s, of dynamic stages, above the strength
-    double longest = 0;                       // s of it without a break
-    double stretch = 0;                       // s without a break until now; 0: not above it now
-    bool at_rest = false;                     // above it at the end of a static stage
 };
 
 /// Two blocks within one another, at a corner of their contact.

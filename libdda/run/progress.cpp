@@ -37,10 +37,10 @@ bool is_sound(RunProgress& progress)
 }
 
 /// Notes crushed joints, fallen blocks and how far joints have opened.
-void note_damage(const Stage& stage, double elapsed, RunProgress& progress)
+void note_damage(const Stage& stage, RunProgress& progress)
 {
+    if (progress.judges_crushing) note_crushing(progress.model, progress.state, progress.report);
     if (stage.type != StageType::dynamic) return;  // on the way to rest nothing moves in time
-    if (progress.judges_crushing) note_crushing(progress.model, progress.state, elapsed, progress.report);
     note_fallen(progress.model, progress.watch, stage.gravity, progress.state, progress.report);
     note_joints(progress.model, progress.joints, progress.state, progress.report);
 }
@@ -74,7 +74,7 @@ bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& 
     if (!is_sound(progress)) return false;
     add_step(step, progress.report);
     if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
-    note_damage(stage, step.time_step, progress);
+    note_damage(stage, progress);
     progress.shown = false;
     return true;
 }

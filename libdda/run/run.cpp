@@ -95,7 +95,6 @@ bool run_stage(const Stage& stage, driver::RunProgress& progress)
     progress.position.stage_done = done;
     if (done && is_static(stage)) {
         note_joints(progress.model, progress.joints, progress.state, progress.report);
-        if (progress.judges_crushing) note_crushing(progress.model, progress.state, 0, progress.report);
         driver::show(progress);
     }
     if (!done) driver::show_end(progress);
