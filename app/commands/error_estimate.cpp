@@ -24,14 +24,10 @@ struct Beside {
     Case the_case;
 };
 
-/// The dissipation that follows the step by default goes on following it.
 void halve_step(StepControl& control)
 {
-    constexpr double rate = 10, most = 0.1;  // 1/s, -: the default of `dissipation`
-    const bool follows = std::abs(control.dissipation - std::min(most, rate * control.time_step)) < 1e-12;
     control.time_step *= 0.5;
     control.min_time_step = std::min(control.min_time_step, control.time_step);
-    if (follows) control.dissipation = std::min(most, rate * control.time_step);
 }
 
 std::vector<Beside> cases_beside(const Case& the_case)
