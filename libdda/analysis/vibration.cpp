@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libdda/contact/contact_history.h"
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/contact/placed_part.h"
 #include "libdda/step/block_step.h"
@@ -13,8 +14,6 @@ namespace voussoir
 
 namespace
 {
-
-constexpr double drawn_closed = 1e-4;  // of the smaller block's size: as for bonds
 
 /// The blocks as they are at the start of a step from rest that nothing drives.
 template <class K>
@@ -80,7 +79,8 @@ class ClosedJoints
     {
         if (patch.intact) return true;
         if (has_stepped_) return point.normal_force > 0;
-        return point.gap <= drawn_closed * std::min(blocks_[patch.block_a].size, blocks_[patch.block_b].size);
+        const double size = std::min(blocks_[patch.block_a].size, blocks_[patch.block_b].size);
+        return point.gap <= contact::closed_at_start * size;
     }
 
     void add(const ContactPatchIn<D>& patch, const ContactPointIn<D>& found)

@@ -11,7 +11,6 @@ namespace voussoir::contact
 namespace
 {
 
-constexpr double closed_at_start = 1e-4;      // of the part size: a smaller gap is a closed joint
 constexpr double same_plane = 0.9;            // cosine: the faces of a rough or warped joint, not its edge
 constexpr double nearest_point_reach = 0.05;  // of the patch's extent
 

@@ -11,6 +11,9 @@
 namespace voussoir::contact
 {
 
+/// Of the size of what touches: a smaller gap is a joint that is closed when the run begins.
+constexpr double closed_at_start = 1e-4;
+
 /// What becomes of an overlap that no force has made: of a contact that goes over to another face, or is found
 /// late.
 enum class NewOverlap {

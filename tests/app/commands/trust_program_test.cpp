@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
@@ -169,6 +170,36 @@ TEST_F(TrustProgram, EstimatesItsErrorByHalfTheStep)
         return;
     }
     FAIL() << "no estimate of the history";
+}
+
+// Nothing but the step is halved: the run beside is the one that a user gets who halves it, dissipation and all.
+TEST_F(TrustProgram, HalvesTheStepAndNothingElse)
+{
+    folder_.write("case.yaml", with(bouncing(), "time_step: 1 ms, integrator: newmark",
+                                    "time_step: 10 ms, integrator: energy_decaying"));
+    ASSERT_EQ(voussoir("run case.yaml -o out"), 0) << output_;
+    const nlohmann::json quantities = summary().at("error_estimate").at("quantities");
+    const auto heights = [&](const std::string& file) {
+        std::istringstream lines(contents(file));
+        std::string line;
+        std::getline(lines, line);
+        std::map<long, double> at;  // by 0.1 ms
+        double t = 0, x = 0, z = 0;
+        while (std::getline(lines, line) && std::sscanf(line.c_str(), "%lf,%lf,%lf", &t, &x, &z) == 3)
+            at[std::lround(t * 1e4)] = z;
+        return at;
+    };
+    ASSERT_EQ(
+        voussoir("run case.yaml -o half --set \"stages[0].time_step=5 ms\" --set output.error_estimate=false"), 0)
+        << output_;
+    const std::map<long, double> coarse = heights("out/histories.csv"), fine = heights("half/histories.csv");
+    double difference = 0;
+    for (const auto& [time, height] : coarse) difference = std::max(difference, std::abs(fine.at(time) - height));
+    ASSERT_GT(difference, 0);
+    for (const nlohmann::json& quantity : quantities)
+        if (quantity.at("name") == "top uz") {
+            EXPECT_NEAR(quantity.at("half_step").at("difference").get<double>() / difference, 1, 1e-6);
+        }
 }
 
 TEST_F(TrustProgram, EstimatesTheInfluenceOfARuledStiffness)
