@@ -34,7 +34,7 @@ double stiffness_from_modulus(const Model& model, const std::vector<bool>& fully
         const Block& block = model.blocks[part->block];
         compliance += depth_along(model, *part, normal) / model.materials[block.material].young;
     }
-    return 2 * default_stiffness_factor(model.kinematics) / compliance;
+    return 2 * default_stiffness_factor / compliance;
 }
 
 double face_measure(const PlacedPart& part, int face)

@@ -116,9 +116,9 @@ template <class K>
 struct PatchMove {
     using Vector = typename K::Vector;
     using Matrix = typename K::Matrix;
-    Vector u_a = Vector::Zero(), u_b = Vector::Zero();      // m
-    Matrix l_a = Matrix::Zero(), l_b = Matrix::Zero();      // displacement gradients
-    Vector normal;                                          // that of the middle of the whole step
+    Vector u_a = Vector::Zero(), u_b = Vector::Zero();  // m
+    Matrix l_a = Matrix::Zero(), l_b = Matrix::Zero();  // displacement gradients
+    Vector normal;                                      // that of the middle of the whole step
 
     PatchMove(const VectorXd& d, const PatchStep<K>& patch) : normal(patch.normal)
     {
@@ -148,8 +148,7 @@ void move_point(const PatchMove<K>& move, const PatchStep<K>& patch, PointStep<K
     if constexpr (!K::deformable) of_a += 0.5 * move.l_a * of_a;  // the rotation is done exactly
     const Vector apart = move.u_a + of_a - move.u_b;
     p.linear = p.predicted + move.u_a - move.u_b + move.l_a * p.lever_a - move.l_b * p.lever_b;
-    p.displacement =
-        p.predicted + apart - move.l_b * (p.lever_b + 0.5 * apart) - 0.5 * patch.chord_b * apart;
+    p.displacement = p.predicted + apart - move.l_b * (p.lever_b + 0.5 * apart) - 0.5 * patch.chord_b * apart;
     p.gap = p.gap_start + move.normal.dot(p.displacement);
 }
 
@@ -177,8 +176,8 @@ void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const 
         const typename K::Vector of_centroid = block.velocity.template head<K::dimension>();
         return block.rotation_held() ? of_centroid : typename K::Vector(of_centroid + block.spin_velocity(lever));
     };
-    const typename K::Vector slip = tangential(
-        typename K::Vector(velocity(a, p.lever_a) - velocity(b, p.lever_b)), normal);
+    const typename K::Vector slip =
+        tangential(typename K::Vector(velocity(a, p.lever_a) - velocity(b, p.lever_b)), normal);
     p.speed = slip.norm();
     if (p.speed < least_sliding * braking) p.speed = 0;
     if (p.speed > 0) p.heading = slip / p.speed;
@@ -276,6 +275,19 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
             p.shear = p.status == ContactStatus::sliding ? p.trial : Vector(Vector::Zero());
         }
     }
+}
+
+template <class K>
+void scale_stiffness(double factor, ContactStep<K>& step)
+{
+    for (const PatchStep<K>& patch : step.patches)
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            PointStep<K::dimension>& p = step.points[i];
+            p.normal_stiffness *= factor;
+            p.shear_stiffness *= factor;
+            p.slip_start /= factor;
+            if (p.gap_start < 0 || patch.intact) p.gap_start /= factor;
+        }
 }
 
 template <class K>
@@ -384,6 +396,7 @@ ContactEnergies contact_energies(const ContactStep<K>& step)
 #define VOUSSOIR_INSTANTIATE(K)                                                                         \
     template void begin_contacts(const Model&, const Stage&, double, const ContactSetIn<K::dimension>&, \
                                  const std::vector<BlockStep<K>>&, ContactStep<K>&);                    \
+    template void scale_stiffness(double, ContactStep<K>&);                                             \
     template void evaluate_contacts(const VectorXd&, FrictionBound, int, ContactStep<K>&);              \
     template void evaluate_published(const VectorXd&, ContactStep<K>&);                                 \
     template bool switch_published(ContactStep<K>&);                                                    \

@@ -32,7 +32,7 @@ struct PointStep {
     VectorIn<D> linear;                                                  // m, the same as the forces measure it
     VectorIn<D> trial;                                                   // N, shear force if it all stuck
     VectorIn<D> shear;                                                   // N, resisting
-    bool turns_round = false;                     // the sliding of the start ends within the step
+    bool turns_round = false;                      // the sliding of the start ends within the step
     double tangent_along = 0, tangent_across = 0;  // N/m, of the shear force then
 };
 
@@ -49,8 +49,8 @@ struct PatchStep {
     double dashpot_over_h = 0;                    // -
     bool intact = false;
     typename K::Matrix chord_b = K::Matrix::Zero();  // of block b
-    typename K::Unknowns force_a, force_b;  // generalised forces on the two blocks
-    typename K::Square aa, ab, bb;          // stiffness
+    typename K::Unknowns force_a, force_b;           // generalised forces on the two blocks
+    typename K::Square aa, ab, bb;                   // stiffness
 };
 
 /// How the friction bound follows the normal force.
@@ -70,6 +70,10 @@ struct ContactStep {
 template <class K>
 void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSetIn<K::dimension>& contacts,
                     const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step);
+
+/// Multiplies the stiffness of all contacts. The forces at the start of the step stay.
+template <class K>
+void scale_stiffness(double factor, ContactStep<K>& step);
 
 /// Forces at the iterate D (rows x unknowns), point by point and summed per patch.
 template <class K>

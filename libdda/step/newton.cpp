@@ -16,6 +16,13 @@ namespace
 
 constexpr int patience = 3;  // iterations that stall, or that overshoot, before the line search changes its ways
 
+// Stiff joints are first solved softened. Measured on walls of 40 stones at 100 E/L: 11 iterations a step instead
+// of 18.
+constexpr double softness = 1.0 / 32;      // of the stiffness; a power of two, which rounds nothing
+constexpr double soft_tolerance = 1e-2;    // unbalanced force / load: only the states of the contacts are wanted
+constexpr double many_changes = 0.05;      // of the points
+constexpr std::ptrdiff_t few_changes = 8;  // points
+
 struct Unbalance {
     double worst = 0;  // largest residual / tolerance of a block
     double ratio = 0;  // residual / load of that block
@@ -112,41 +119,62 @@ bool fail_inverted(const StepSystem<K>& system, StepReport& report)
     return fail(Trouble::inverted_block, report);
 }
 
-/// First guess: the solution of the linear problem in which every contact keeps the state it had at the end of the
-/// last step. Right when no state changes; kept only if it leaves less unbalanced force than the free flight D =
-/// 0.
-/// @param[out] evaluated whether contacts and residual are those of system.d
+/// Whether so many contacts have changed their state that the iteration would be long.
+template <int D>
+bool is_loose(const std::vector<ContactStatus>& before, const std::vector<PointStep<D>>& points)
+{
+    std::ptrdiff_t changes = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) changes += points[i].status != before[i];
+    return changes > few_changes &&
+           static_cast<double>(changes) > many_changes * static_cast<double>(points.size());
+}
+
+/// The solution of the linear problem in which every contact keeps its present state: system.direction.
 template <class K>
-bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report, bool& evaluated)
+bool solve_with_states(const StepControl& control, StepSystem<K>& system, StepReport& report)
 {
     evaluate_published(system.d, system.contacts);
     if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
     if (!solve_direction(control, true, system, report)) return fail(Trouble::singular_system, report);
     ++report.open_close_iterations;
+    return true;
+}
+
+struct Guess {
+    bool evaluated = false;  // contacts and residual are those of system.d
+    bool loose = false;
+};
+
+/// First guess: every contact keeps the state it had at the end of the last step. Right when no state changes;
+/// kept only if it leaves less unbalanced force than the free flight D = 0.
+template <class K>
+bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report, Guess& found)
+{
+    std::vector<ContactStatus>& before = system.statuses;
+    before.clear();
+    for (const auto& point : system.contacts.points) before.push_back(point.status);
+    if (!solve_with_states(control, system, report)) return false;
     evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
     if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
     const double flight = unbalance(system, control.force_tolerance).worst;
     system.trial = system.direction;
     evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
-    evaluated =
+    found.evaluated =
         evaluate_residual(system.trial, system) && unbalance(system, control.force_tolerance).worst < flight;
-    if (evaluated) system.d = system.trial;
+    if (found.evaluated) system.d = system.trial;
+    found.loose = is_loose(before, system.contacts.points);
     return true;
 }
 
-}  // namespace
-
+/// Newton iteration from system.d until every block is in equilibrium within the tolerance.
+/// @param evaluated whether contacts and residual are those of system.d
 template <class K>
-bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
-                    StepSystem<K>& system, StepReport& report)
+bool descend(const StepControl& control, double tolerance, bool evaluated, StepSystem<K>& system,
+             StepReport& report)
 {
-    const StepControl& control = stage.control;
     double last = std::numeric_limits<double>::infinity();
     double last_slope = -std::numeric_limits<double>::infinity();
     int stalled = 0, rises = 0;
-    report.trouble = Trouble::none;
-    bool evaluated = false;
-    if (!system.contacts.patches.empty() && !guess(control, system, report, evaluated)) return false;
     for (int iteration = 0;; ++iteration) {
         if (!evaluated) {
             evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
@@ -154,20 +182,10 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
         }
         evaluated = false;
         if (!system.residual.allFinite()) return fail(Trouble::inaccurate_solution, report);
-        const Unbalance now = unbalance(system, control.force_tolerance);
+        const Unbalance now = unbalance(system, tolerance);
         report.unbalanced = now.ratio;
         report.worst_block = now.block;
-        if (now.worst <= 1) {
-            const int broken = break_weakest_patch(model, contacts, system.contacts);
-            if (broken < 0) return true;
-            system.fracture += tension_energy(system.contacts, broken);
-            // Another structure, which has not been iterated on yet: any number of joints may break in a step.
-            last = std::numeric_limits<double>::infinity();
-            last_slope = -std::numeric_limits<double>::infinity();
-            stalled = rises = 0;
-            iteration = -1;
-            continue;
-        }
+        if (now.worst <= 1) return true;
         if (iteration >= control.max_open_close) return fail(Trouble::chatter, report);
         stalled = now.worst > 0.7 * last ? stalled + 1 : 0;
         last = now.worst;
@@ -183,6 +201,46 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
         const double s = line_search(slope, bound, stalled >= patience, control.threads, system);
         system.d += s * system.direction;
     }
+}
+
+/// Of nearly rigid stones every corner that opens shifts the load to others, and the iteration would try them one
+/// after the other. Joints softened at the same forces let stones yield enough to find nearly all of them at once;
+/// the states found then make the next guess. That the soft problem is not solved is no failure.
+template <class K>
+bool find_states_softened(const StepControl& control, StepSystem<K>& system, StepReport& report)
+{
+    scale_stiffness(softness, system.contacts);
+    descend(control, soft_tolerance, false, system, report);
+    scale_stiffness(1 / softness, system.contacts);
+    report.trouble = Trouble::none;
+    if (!system.residual.allFinite()) system.d.setZero();
+    if (!solve_with_states(control, system, report)) return false;
+    system.d += system.direction;
+    return true;
+}
+
+}  // namespace
+
+template <class K>
+bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
+                    StepSystem<K>& system, StepReport& report)
+{
+    const StepControl& control = stage.control;
+    report.trouble = Trouble::none;
+    Guess found;
+    if (!system.contacts.patches.empty() && !guess(control, system, report, found)) return false;
+    if (found.loose) {
+        if (!find_states_softened(control, system, report)) return false;
+        found.evaluated = false;
+    }
+    while (descend(control, control.force_tolerance, found.evaluated, system, report)) {
+        const int broken = break_weakest_patch(model, contacts, system.contacts);
+        if (broken < 0) return true;
+        // Another structure, which has not been iterated on yet: any number of joints may break in a step.
+        system.fracture += tension_energy(system.contacts, broken);
+        found.evaluated = false;
+    }
+    return false;
 }
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                                 \

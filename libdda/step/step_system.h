@@ -29,6 +29,7 @@ struct StepSystem {
     solve::BlockMatrix matrix;
     std::vector<std::pair<int, int>> pairs;  // scratch of the pattern
     Eigen::VectorXd direction, trial;        // scratch
+    std::vector<ContactStatus> statuses;     // scratch, per contact point
     std::unique_ptr<solve::LinearSolver> solver;
     LinearSolverKind solver_kind = LinearSolverKind::automatic;
     double solver_tolerance = 0;

@@ -42,7 +42,7 @@ namespace
 /// Times E/L.
 double rule_of(const SceneSetting& setting)
 {
-    if (!setting.papers_joints) return contact::default_stiffness_factor(setting.kinematics);
+    if (!setting.papers_joints) return contact::default_stiffness_factor;
     return is_deformable(setting.kinematics) ? 10 : 1;
 }
 
@@ -58,7 +58,7 @@ JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
     if (!setting.papers_joints) return joint;
     joint.restitution.reset();
     if (joint.stiffness.kind == ContactStiffness::Kind::from_modulus)
-        joint.stiffness.factor *= rule_of(setting) / contact::default_stiffness_factor(setting.kinematics);
+        joint.stiffness.factor *= rule_of(setting) / contact::default_stiffness_factor;
     return joint;
 }
 
