@@ -16,7 +16,7 @@ namespace
 
 constexpr int patience = 3;  // iterations that stall, or that overshoot, before the line search changes its ways
 
-// Stiff joints are first solved softened. Measured on walls of 40 stones at 100 E/L: 11 iterations a step instead
+// Many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
 // of 18.
 constexpr double softness = 1.0 / 32;      // of the stiffness; a power of two, which rounds nothing
 constexpr double soft_tolerance = 1e-2;    // unbalanced force / load: only the states of the contacts are wanted
