@@ -83,7 +83,7 @@ class Landing
 
  private:
     int body(int block);
-    Meeting<K> meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point);
+    Meeting<K> meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double flight);
     void reach(int body);
     double act(Meeting<K>& meeting);
     std::vector<double> fractions() const;
@@ -147,14 +147,17 @@ int Landing<K>::body(int block)
     return body_of_[block];
 }
 
+/// @param flight until they meet [s]: both blows act where the point of a is then, or angular momentum would be lost
 template <class K>
-Meeting<K> Landing<K>::meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point)
+Meeting<K> Landing<K>::meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double flight)
 {
     Meeting<K> m;
     m.a = body(patch.block_a);
     m.b = body(patch.block_b);
-    m.lever_a = point.position - bodies_[m.a].centroid;
-    m.lever_b = point.position - bodies_[m.b].centroid;
+    const Body<K>&a = bodies_[m.a], &b = bodies_[m.b];
+    m.lever_a = point.position - a.centroid;
+    m.lever_b = point.position - b.centroid + flight * (a.velocity_at(m.lever_a) - b.velocity);
+    m.lever_a += flight * (a.velocity_at(m.lever_a) - a.velocity);
     m.normal = patch.normal;
     m.friction = model_.friction_factor(patch.block_a, patch.block_b) *
                  std::tan(model_.joint_between(patch.block_a, patch.block_b).friction_angle);
@@ -182,10 +185,11 @@ bool Landing<K>::find(const Stage& stage, double h, const std::vector<int>& also
             if (!(approach > slow)) continue;
             const bool known = std::binary_search(also.begin(), also.end(), i);
             if (point.gap > h * approach && !known) continue;
-            Meeting<K> m = meeting(patch, point);
+            const double fraction = std::min(1.0, point.gap / (h * approach));
+            Meeting<K> m = meeting(patch, point, h * fraction);
             if (m.mobility == 0) continue;
             m.lands = true;
-            m.fraction = std::min(1.0, point.gap / (h * approach));
+            m.fraction = fraction;
             m.target = *model_.joint_between(patch.block_a, patch.block_b).restitution * approach;
             m.target_slip.setZero();
             fastest_ = std::max(fastest_, approach);
@@ -217,7 +221,7 @@ void Landing<K>::reach(int index)
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const ContactPointIn<D>& point = contacts_.points[i];
             if (point.gap >= 0 && !patch.intact) continue;
-            Meeting<K> m = meeting(patch, point);
+            Meeting<K> m = meeting(patch, point, 0);
             // As it was before the impulses.
             Body<K> a = bodies_[m.a], b = bodies_[m.b];
             a.velocity = a.start_velocity;
