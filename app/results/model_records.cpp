@@ -106,7 +106,8 @@ void write_joints(const Model& model, Hdf5File& file)
     file.write("/model/joint_materials/stiffness_factor", factor);
     file.write("/model/joint_materials/shear_to_normal_stiffness", shear);
     file.write("/model/joint_materials/dashpot", dashpot);
-    file.write("/model/joint_materials/restitution", restitution);  // NaN: impacts are left to springs and dashpots
+    file.write("/model/joint_materials/restitution",
+               restitution);  // NaN: impacts are left to springs and dashpots
     write_friction_at_speed(model, file);
     std::vector<std::int32_t> of_groups(model.joint_of_groups.begin(), model.joint_of_groups.end());
     file.write("/model/joint_of_groups", of_groups, {model.groups.size(), model.groups.size()});

@@ -22,8 +22,8 @@ void ledger_fields(Archive& archive, Ledger& ledger)
            damping_static, damping_contact, fracture, impact, algorithmic, algorithmic_rotation, redetection,
            start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given] = ledger;
     archive.fields(kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
-                   damping_static, damping_contact, fracture, impact, algorithmic, algorithmic_rotation, redetection,
-                   start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given);
+                   damping_static, damping_contact, fracture, impact, algorithmic, algorithmic_rotation,
+                   redetection, start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given);
 }
 
 template <typename Archive, typename SomeDiagnosis>

@@ -49,8 +49,8 @@ Json modes(const NaturalModes& found)
 Json shares(const EnergyShares& shares)
 {
     return {{"put_in_J", shares.put_in},   {"integrator", shares.integrator}, {"redetection", shares.contacts},
-            {"friction", shares.friction}, {"impact", shares.impact}, {"damping", shares.damping},       {"dashpots", shares.dashpots},
-            {"fracture", shares.fracture}};
+            {"friction", shares.friction}, {"impact", shares.impact},         {"damping", shares.damping},
+            {"dashpots", shares.dashpots}, {"fracture", shares.fracture}};
 }
 
 }  // namespace

@@ -32,14 +32,14 @@ enum class LinearSolverKind {
 
 /// Time step, integrator, tolerances.
 struct StepControl {
-    double time_step = 1e-3;                      // s, nominal; cut steps return to this grid
-    double min_time_step = 1e-9;                  // s; below it the run gives up
+    double time_step = 1e-3;                              // s, nominal; cut steps return to this grid
+    double min_time_step = 1e-9;                          // s; below it the run gives up
     Integrator integrator = Integrator::energy_decaying;  // of the step
     // 0..1, of energy_decaying; none: as much as keeps the method second order, 10/s x time_step, at most 0.1
     std::optional<double> dissipation;
-    OpenClose open_close = OpenClose::newton;     // the published one is for comparison
-    // Steps end just before stones land, and the rest of the step follows, in scenes of at most this many blocks with
-    // unknowns. In a large structure something lands in nearly every step, and none of it decides.
+    OpenClose open_close = OpenClose::newton;  // the published one is for comparison
+    // Steps end just before stones land, and the rest of the step follows, in scenes of at most this many blocks
+    // with unknowns. In a large structure something lands in nearly every step, and none of it decides.
     int divide_up_to_blocks = 10;
     int max_open_close = 40;        // Newton iterations (published: 6) before the step is cut
     double force_tolerance = 1e-5;  // unbalanced force of a block / (its weight + its contact forces)

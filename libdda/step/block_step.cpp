@@ -125,7 +125,8 @@ void fly(const BlockStep<K>& step, double t, Flight<K>& flight)
 {
     constexpr int dimension = K::dimension;
     flight.pose.centroid += t * flight.velocity;
-    flight.turn = t * midpoint_spin<dimension>(flight.pose.map, step.density_second, flight.spin, flight.momentum, t);
+    flight.turn =
+        t * midpoint_spin<dimension>(flight.pose.map, step.density_second, flight.spin, flight.momentum, t);
     const typename K::Matrix rotation = rotation_by(flight.turn);
     if constexpr (K::deformable) {
         flight.pose.map = rotation * (flight.pose.map + t * flight.stretching);
@@ -145,8 +146,10 @@ void predict(const State& state, int block, double h, const Jump<K>* jump, Block
     constexpr int dimension = K::dimension;
     const typename K::Matrix rate = read_velocities(state, block, step);
     step.start_kinetic = kinetic_energy(step, step.start_velocity, rate);
-    Flight<K> flight{step.start,          {},        step.stretching, step.start_velocity, step.start_spin,
-                     step.momentum,       K::Spin::Zero(), K::Matrix::Identity()};
+    Flight<K> flight{step.start,      {},
+                     step.stretching, step.start_velocity,
+                     step.start_spin, step.momentum,
+                     K::Spin::Zero(), K::Matrix::Identity()};
     if constexpr (!K::deformable) {
         const double* x = state.coordinates.data() + block * coordinates_per_block(K::kinematics);
         flight.orientation = OrientationIn<dimension>::read(x + dimension);
@@ -269,8 +272,8 @@ void add_body_accelerations(const Stage& stage, double h, double end_time, std::
     for (const BodyAcceleration& load : stage.body_accelerations) {
         BlockStep<K>& step = blocks[load.block];
         const GroundMotion& motion = *load.motion;
-        const double acceleration =
-            at_end ? motion.acceleration(end_time) : (motion.velocity(end_time) - motion.velocity(end_time - h)) / h;
+        const double acceleration = at_end ? motion.acceleration(end_time)
+                                           : (motion.velocity(end_time) - motion.velocity(end_time - h)) / h;
         for (int k = 0; k < K::dimension; ++k)
             if (load.component == axis_in_space<K::dimension>(k)) step.body_force[k] += step.mass * acceleration;
         step.steady.template head<K::dimension>() = step.body_force;
@@ -358,8 +361,8 @@ typename K::Matrix rotation_of_step(const BlockStep<K>& step, const typename K::
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                               \
     template struct BlockStep<K>;                                                                             \
-    template void begin_block(const Model&, const Stage&, const State&, int, double, double, const Jump<K>*,   \
-                              BlockStep<K>&);                                                             \
+    template void begin_block(const Model&, const Stage&, const State&, int, double, double, const Jump<K>*,  \
+                              BlockStep<K>&);                                                                 \
     template void add_body_accelerations(const Stage&, double, double, std::vector<BlockStep<K>>&);           \
     template InternalForce<K> internal_force(const BlockStep<K>&, const K::Unknowns&);                        \
     template void update_block(const BlockStep<K>&, const K::Unknowns&, const K::Spin&, double, int, State&); \

@@ -42,11 +42,11 @@ struct BlockStep {
     Matrix density_second = Matrix::Zero();  // kg m2, reference configuration
     Matrix spread = Matrix::Zero();          // kg m2, predicted configuration
     PoseIn<dimension> start, predicted;
-    Matrix step_rotation = Matrix::Identity();                   // of the prediction
-    Matrix half_rotation = Matrix::Identity();                   // its half: to the middle of the step
-    bool turns = false;                                          // the prediction is no mere translation
-    Matrix flow = Matrix::Identity();   // F of the prediction: the lever y of the start goes to F y
-    Matrix chord = Matrix::Zero();      // C with (F - 1) y = C (y + F y)/2: of a rotation, 2 tan(angle/2) axis x
+    Matrix step_rotation = Matrix::Identity();  // of the prediction
+    Matrix half_rotation = Matrix::Identity();  // its half: to the middle of the step
+    bool turns = false;                         // the prediction is no mere translation
+    Matrix flow = Matrix::Identity();           // F of the prediction: the lever y of the start goes to F y
+    Matrix chord = Matrix::Zero();  // C with (F - 1) y = C (y + F y)/2: of a rotation, 2 tan(angle/2) axis x
     OrientationIn<dimension> predicted_orientation;              // rigid
     Vector start_velocity, predicted_velocity, ground_velocity;  // m/s
     Spin start_spin, predicted_spin, momentum;                   // rad/s, Nms
@@ -54,9 +54,9 @@ struct BlockStep {
     double start_kinetic = 0, predicted_kinetic = 0;  // J, of components that are not held
     bool jumps = false;                               // it lands, or is struck by what does
     double impact = 0;                                // J, taken by that
-    Vector ballistic = Vector::Zero();                // m, h v^ minus the predicted move of the centroid: of a jump
-    Vector body_force = Vector::Zero();               // N, gravity and body accelerations
-    Vector gravity = Vector::Zero();                  // N, the gravity part of it
+    Vector ballistic = Vector::Zero();   // m, h v^ minus the predicted move of the centroid: of a jump
+    Vector body_force = Vector::Zero();  // N, gravity and body accelerations
+    Vector gravity = Vector::Zero();     // N, the gravity part of it
     Elasticity elasticity;
     Matrix start_strain = Matrix::Zero();  // Green
     double elastic_blend = 1;              // theta of the integrator

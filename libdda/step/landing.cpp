@@ -13,22 +13,22 @@ namespace voussoir::step
 namespace
 {
 
-constexpr double least_part = 0.02;     // of a step, that is worth one of its own
-constexpr int max_sweeps = 200;         // over the contacts that impulses have reached
-constexpr double still = 1e-6;          // of the largest approach speed: a smaller change has not reached a block
+constexpr double least_part = 0.02;  // of a step, that is worth one of its own
+constexpr int max_sweeps = 200;      // over the contacts that impulses have reached
+constexpr double still = 1e-6;       // of the largest approach speed: a smaller change has not reached a block
 
 /// A block as impulses move it: rigid, for what a deformable one stores in a blow is no motion.
 template <class K>
 struct Body {
     using Vector = typename K::Vector;
     using Spin = typename K::Spin;
-    Vector centroid, velocity;      // m, m/s
-    Spin spin;                      // rad/s
-    Vector inverse_mass;            // 1/kg, 0 of held components
+    Vector centroid, velocity;  // m, m/s
+    Spin spin;                  // rad/s
+    Vector inverse_mass;        // 1/kg, 0 of held components
     Eigen::Matrix<double, Spin::RowsAtCompileTime, Spin::RowsAtCompileTime> inverse_inertia;  // 1/(kg m2)
     Vector start_velocity;
     Spin start_spin;
-    bool reached = false;           // by an impulse: its joints take part
+    bool reached = false;  // by an impulse: its joints take part
 
     Vector velocity_at(const Vector& lever) const { return velocity + skew(spin) * lever; }
     void push(const Vector& lever, const Vector& impulse)
@@ -48,18 +48,18 @@ struct Body {
 template <class K>
 struct Meeting {
     using Vector = typename K::Vector;
-    int a = 0, b = 0;               // blocks
-    Vector lever_a, lever_b;        // m
-    Vector normal;                  // unit
-    double friction = 0;            // -
-    double target = 0;              // m/s, least normal speed afterwards
-    Vector target_slip;             // m/s, tangential velocity that sticking keeps
+    int a = 0, b = 0;         // blocks
+    Vector lever_a, lever_b;  // m
+    Vector normal;            // unit
+    double friction = 0;      // -
+    double target = 0;        // m/s, least normal speed afterwards
+    Vector target_slip;       // m/s, tangential velocity that sticking keeps
     bool bonded = false;
     bool lands = false;
-    double fraction = 0;            // of the step, if it lands
-    double mobility = 0;            // 1/kg, along the normal
-    double pressed = 0;             // Ns, so far
-    Vector rubbed = Vector::Zero(); // Ns, so far
+    double fraction = 0;             // of the step, if it lands
+    double mobility = 0;             // 1/kg, along the normal
+    double pressed = 0;              // Ns, so far
+    Vector rubbed = Vector::Zero();  // Ns, so far
 };
 
 template <class K>
@@ -95,9 +95,9 @@ class Landing
     std::vector<int> blocks_;   // by body
     std::vector<Body<K>> bodies_;
     std::vector<Meeting<K>> meetings_;
-    std::vector<char> takes_part_;                  // by patch: its closed points do
-    std::vector<std::vector<int>> patches_of_;      // by block, made when first needed
-    double fastest_ = 0;                            // m/s
+    std::vector<char> takes_part_;              // by patch: its closed points do
+    std::vector<std::vector<int>> patches_of_;  // by block, made when first needed
+    double fastest_ = 0;                        // m/s
 };
 
 /// Moves as the part of its motion does that carries momentum.
@@ -113,7 +113,8 @@ Body<K> body_of(const Model& model, const State& state, int block)
     const auto second = from_space<D>(model.mass_second(block));
     const typename K::Matrix spread = pose.map * second * pose.map.transpose();
     if constexpr (K::deformable)
-        body.spin = spin_of<D>(spread, axial(typename K::Matrix(typename K::Matrix(v + D) * second * pose.map.transpose())));
+        body.spin = spin_of<D>(
+            spread, axial(typename K::Matrix(typename K::Matrix(v + D) * second * pose.map.transpose())));
     else
         for (int k = 0; k < body.spin.size(); ++k) body.spin[k] = v[D + k];
     body.inverse_mass.setConstant(1 / model.mass(block));
@@ -147,7 +148,8 @@ int Landing<K>::body(int block)
     return body_of_[block];
 }
 
-/// @param flight until they meet [s]: both blows act where the point of a is then, or angular momentum would be lost
+/// @param flight until they meet [s]: both blows act where the point of a is then, or angular momentum would be
+/// lost
 template <class K>
 Meeting<K> Landing<K>::meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double flight)
 {
@@ -165,8 +167,7 @@ Meeting<K> Landing<K>::meeting(const ContactPatchIn<D>& patch, const ContactPoin
     const Vector velocity = relative_velocity(bodies_[m.a], bodies_[m.b], point.position);
     m.target = patch.normal.dot(velocity);
     m.target_slip = velocity - m.target * patch.normal;
-    m.mobility =
-        bodies_[m.a].mobility(m.lever_a, patch.normal) + bodies_[m.b].mobility(m.lever_b, patch.normal);
+    m.mobility = bodies_[m.a].mobility(m.lever_a, patch.normal) + bodies_[m.b].mobility(m.lever_b, patch.normal);
     return m;
 }
 
@@ -199,8 +200,8 @@ bool Landing<K>::find(const Stage& stage, double h, const std::vector<int>& also
     return !meetings_.empty();
 }
 
-/// Lets the closed joints of a body that an impulse has reached take part: they are not closed any further, and a bond
-/// is not opened either.
+/// Lets the closed joints of a body that an impulse has reached take part: they are not closed any further, and a
+/// bond is not opened either.
 template <class K>
 void Landing<K>::reach(int index)
 {
@@ -374,11 +375,11 @@ std::vector<int> missed_landings(const Model& model, const Stage& stage, const S
     return missed;
 }
 
-#define VOUSSOIR_INSTANTIATE(K)                                                                                  \
-    template std::vector<Jump<K>> find_jumps(const Model&, const Stage&, const State&,                           \
+#define VOUSSOIR_INSTANTIATE(K)                                                                                   \
+    template std::vector<Jump<K>> find_jumps(const Model&, const Stage&, const State&,                            \
                                              const ContactSetIn<K::dimension>&, double, const std::vector<int>&); \
-    template std::optional<double> step_to_landing(const Stage&, const std::vector<Jump<K>>&, double);           \
-    template std::vector<int> missed_landings(const Model&, const Stage&, const State&,                          \
+    template std::optional<double> step_to_landing(const Stage&, const std::vector<Jump<K>>&, double);            \
+    template std::vector<int> missed_landings(const Model&, const Stage&, const State&,                           \
                                               const ContactSetIn<K::dimension>&, const StepSystem<K>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE

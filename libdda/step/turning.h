@@ -1,10 +1,11 @@
 // A sliding joint that comes to rest or turns round inside a step.
 //
-// Friction is constant between reversals and the step exact; a reversal inside a step that keeps the friction of one
-// direction for all of it costs up to mu g h of velocity. Here the friction of the step is its mean over the time
-// before and after the joint has stopped, contact by contact: the sliding speed w falls from w0 at the start to zero
-// at the fraction s of the step. With b = mu N h / m, the speed that friction takes in a step, what drives the stones
-// is then m (w0 / s - b) / h, and afterwards either friction holds it (the joint sticks: w1 = 0) or it slides back:
+// Friction is constant between reversals and the step exact; a reversal inside a step that keeps the friction of
+// one direction for all of it costs up to mu g h of velocity. Here the friction of the step is its mean over the
+// time before and after the joint has stopped, contact by contact: the sliding speed w falls from w0 at the start
+// to zero at the fraction s of the step. With b = mu N h / m, the speed that friction takes in a step, what drives
+// the stones is then m (w0 / s - b) / h, and afterwards either friction holds it (the joint sticks: w1 = 0) or it
+// slides back:
 //
 //   t / (mu N) = 2 s - 1,   w1 = (1 - s) (2 b - w0 / s) < 0.
 //
@@ -52,14 +53,17 @@ void turn_round(const typename K::Vector& move, const PatchStep<K>& patch, Point
     const double share = std::min(sticks ? stuck : back.share, 1.0);
     p.status = sticks ? ContactStatus::locked : ContactStatus::sliding;
     p.tangent_along = sticks ? p.shear_stiffness : p.bound * back.slope * 2 / patch.h;
-    // What crosses the heading bends the force, as it does of a joint that slides on.
-    const Vector bent = share * rest * p.heading + (move - along * p.heading);
-    p.tangent_across = p.bound / std::max(bent.norm(), rest);
+    // What crosses the heading bends the force, as it does of a joint that slides on: the less, the longer the way
+    // there and back is.
+    const double way =
+        std::max(rest + (sticks ? 0 : 0.5 * (1 - share) * (rest - along)), p.bound / p.shear_stiffness);
+    const Vector bent = share * way * p.heading + (move - along * p.heading);
+    p.tangent_across = p.bound / std::max(bent.norm(), way);
     p.shear = p.trial = p.tangent_across * bent;
 }
 
-/// Elastic slip at the end of a step in which the joint turned round [m]. One that sticks is left with the friction
-/// that holds it, not with the mean of the step.
+/// Elastic slip at the end of a step in which the joint turned round [m]. One that sticks is left with the
+/// friction that holds it, not with the mean of the step.
 template <class K>
 typename K::Vector slip_after_turning(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
 {
