@@ -258,6 +258,17 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
     if (step.rotation_held()) step.steady.template tail<K::unknowns - dimension>().setZero();
 }
 
+template <class K>
+void take_elasticity_at_end(BlockStep<K>& step)
+{
+    if constexpr (K::deformable) {
+        if (step.elastic_blend == 1) return;
+        step.elastic_blend = 1;
+        step.base = step.inertia;
+        add_elastic_stiffness<K::dimension>(step.elasticity, step.predicted.map, 1, step.base);
+    }
+}
+
 double end_share(const Stage& stage)
 {
     const bool at_end = stage.control.integrator == Integrator::newmark || stage.type != StageType::dynamic ||
@@ -361,6 +372,7 @@ typename K::Matrix rotation_of_step(const BlockStep<K>& step, const typename K::
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                               \
     template struct BlockStep<K>;                                                                             \
+    template void take_elasticity_at_end(BlockStep<K>&);                                                      \
     template void begin_block(const Model&, const Stage&, const State&, int, double, double, const Jump<K>*,  \
                               BlockStep<K>&);                                                                 \
     template void add_body_accelerations(const Stage&, double, double, std::vector<BlockStep<K>>&);           \

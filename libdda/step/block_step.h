@@ -102,6 +102,10 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
 template <class K>
 void add_body_accelerations(const Stage& stage, double h, double end_time, std::vector<BlockStep<K>>& blocks);
 
+/// Makes the elastic force of a block that of the end of the step, whatever the integrator blends.
+template <class K>
+void take_elasticity_at_end(BlockStep<K>& step);
+
 template <class K>
 InternalForce<K> internal_force(const BlockStep<K>& step, const typename K::Unknowns& d);
 

@@ -8,6 +8,38 @@ namespace voussoir::step
 
 using Eigen::VectorXd;
 
+namespace
+{
+
+/// Whether all that is closed of a joint slides.
+template <int D>
+bool slides(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
+{
+    bool any = false;
+    for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+        const ContactPointIn<D>& point = contacts.points[i];
+        if (point.gap >= 0) continue;
+        if (point.status != ContactStatus::sliding) return false;
+        any = true;
+    }
+    return any;
+}
+
+/// An elastic stone that slides with constant friction is unstable without damping: its strains and its friction
+/// feed each other, at a rate that does not depend on the step, until it chatters and its mean friction falls.
+/// While a stone slides its elastic force is therefore that of the end of the step. Source: docs/numerics.md 5.
+template <class K>
+void damp_sliding_blocks(const Stage& stage, const ContactSetIn<K::dimension>& contacts,
+                         std::vector<BlockStep<K>>& blocks)
+{
+    if (!K::deformable || end_share(stage) == 1) return;
+    for (const ContactPatchIn<K::dimension>& patch : contacts.patches)
+        if (slides(contacts, patch))
+            for (const int b : {patch.block_a, patch.block_b}) take_elasticity_at_end(blocks[b]);
+}
+
+}  // namespace
+
 template <class K>
 void assemble_blocks(const Model& model, const Stage& stage, const State& state,
                      const ContactSetIn<K::dimension>& contacts, double h, const std::vector<Jump<K>>& jumps,
@@ -29,6 +61,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         block.row = all_held ? -1 : static_cast<int>(system.block_of_row.size());
         if (!all_held) system.block_of_row.push_back(b);
     }
+    damp_sliding_blocks<K>(stage, contacts, system.blocks);
     add_body_accelerations(stage, h, end_time, system.blocks);
     begin_contacts(model, stage, h, contacts, system.blocks, system.contacts);
 

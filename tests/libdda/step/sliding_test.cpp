@@ -31,6 +31,31 @@ TEST_P(Sliding, InclineFollowsTheClosedForm)
     EXPECT_LT(report.energy.relative_residual(), 1e-6);
 }
 
+// Undamped, an elastic block that slides near the friction angle flutters at any step until it slides four times
+// as far.
+TEST_P(Sliding, AnElasticBlockNearTheFrictionAngleDoesNotFlutter)
+{
+    constexpr double friction = 29.9, angle = 30;  // degrees
+    const double along = std::cos(angle * degrees) * std::tan(friction * degrees);
+    const double drive = gravity * (std::sin(angle * degrees) - along);
+    for (const double h : {4e-3, 1e-3, 2.5e-4}) {
+        Model model = make_model(GetParam(), stone(), dry(friction));
+        hold(model, add_box(model, "base", {-3, -2, -1}, {6, 2, 0}));
+        add_box(model, "block", {-1, -0.5, 0}, {1, 0.5, 1});
+        State state = initial_state(model);
+        // The plane is let go with its friction mobilised.
+        const Eigen::Vector3d held(0.99999 * along * gravity, 0, -gravity * std::cos(angle * degrees));
+        ASSERT_EQ(run_quietly(model, {static_stage(0.1, held)}, state).outcome, Outcome::completed);
+        begin_stage(model, 0, state);
+        const double x0 = centroid(model, state, 1).x();
+        run_quietly(model, {dynamic_stage(2, h, inclined_gravity(angle))}, state);
+        const double exact = 0.5 * drive * 4;
+        const double error = std::abs(centroid(model, state, 1).x() - x0 - exact) / exact;
+        std::printf("friction angle 29.9 of 30 degrees, %g ms: relative error %.1e\n", 1e3 * h, error);
+        EXPECT_LT(error, 1e-4);
+    }
+}
+
 // mu = m0 + c v gives v' = d - r v with d = g (sin a - m0 cos a), r = c g cos a:
 // s = d / r (t - (1 - e^{-rt}) / r). It may weaken (c < 0) as well.
 TEST_P(Sliding, FrictionFollowsTheSpeedOfSlipToSecondOrder)
@@ -84,7 +109,7 @@ TEST_P(Sliding, BlockThatMustStickDoesNotCreep)
     State state = initial_state(model);
     Stage first = dynamic_stage(1, 1e-3, inclined_gravity(45)), rest = first;
     rest.duration = 9;
-    run_quietly(model, {first}, state);
+    run_quietly(model, {static_stage(0.1, inclined_gravity(45)), first}, state);
     const Eigen::Vector3d before = centroid(model, state, 1);
     State later = state;
     begin_stage(model, 0, later);
