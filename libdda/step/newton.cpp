@@ -18,7 +18,7 @@ constexpr int patience = 3;  // iterations that stall, or that overshoot, before
 
 // Many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
 // of 18.
-constexpr double softness = 1.0 / 32;      // of the stiffness; a power of two, which rounds nothing
+constexpr double softness = 1.0 / 128;     // of the stiffness; a power of two, which rounds nothing
 constexpr double soft_tolerance = 1e-2;    // unbalanced force / load: only the states of the contacts are wanted
 constexpr double many_changes = 0.05;      // of the points
 constexpr std::ptrdiff_t few_changes = 8;  // points
