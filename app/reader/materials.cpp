@@ -82,7 +82,8 @@ std::optional<double> read_restitution(YamlCursor& map, bool has_dashpot)
     if (given->is_scalar() && given->as_text() == "none") return std::nullopt;
     const double restitution = given->as_quantity(words::dimension::number, {0, 1, true, true});
     if (has_dashpot)
-        given->fault("restitution beside a relaxation_time", "a joint has one or the other; or write restitution: none");
+        given->fault("restitution beside a relaxation_time",
+                     "a joint has one or the other; or write restitution: none");
     return restitution;
 }
 

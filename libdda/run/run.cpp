@@ -104,7 +104,7 @@ bool run_stage(const Stage& stage, driver::RunProgress& progress)
     const bool done =
         is_static(stage) ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
     progress.position.stage_done = done;
-    // How far joints are open on the way to rest is no result: a run that is stopped there and goes on is the same.
+    // How far joints are open on the way to rest is no result, nor may it matter that a run was stopped there.
     if (is_static(stage) && progress.report.outcome != Outcome::interrupted)
         note_joints(progress.model, progress.joints, progress.state, progress.report);
     if (done && is_static(stage)) {

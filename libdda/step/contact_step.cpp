@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr double least_sliding = 0.1;  // of the speed that friction takes in a step
-constexpr double touching = 16 * std::numeric_limits<double>::epsilon();  // of the distances that a gap follows from
+constexpr double touching = 16 * std::numeric_limits<double>::epsilon();  // of the distances that make a gap
 
 template <class Vector>
 Vector tangential(const Vector& v, const Vector& normal)

@@ -95,8 +95,8 @@ TEST_F(CaseSchema, HasNoKeyThatTheReaderRefusesAsUnknown)
     EXPECT_FALSE(faults_.empty()) << "the samples make no sense";
 }
 
-/// Where the words are no choice of YamlCursor, the tests below, those of joint records and those of joints in case
-/// files hold them.
+/// Where the words are no choice of YamlCursor, the tests below, those of joint records and those of joints in
+/// case files hold them.
 const std::set<std::string> read_by_hand{"processing[]", "integrate", "differentiate", "type",
                                          "azimuths[]",   "axes[]",    "restitution"};
 

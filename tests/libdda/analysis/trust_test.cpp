@@ -97,7 +97,7 @@ void set_joint_factor(Model& model, double f, double young, double depth)
     model.joints[0].stiffness.factor = f * young / depth / now;
 }
 
-/// Wide courses on rigid ground, which shear and do not bend. @param f of their joints; by default that of the rule
+/// Wide courses on rigid ground, which shear and do not bend. @param f of their joints; that of the rule if none
 Model layer(Kinematics kinematics, std::optional<double> f = {})
 {
     Model model = make_model(kinematics, stone(2e8), dry(35));
@@ -132,8 +132,8 @@ TEST(Trust, WarnsOfTheOldSettingsAndNotOfTheNewOnes)
     }
 }
 
-// Joints of f E / L add a share of 1/f to the compliance of the stones, which is 1 / (2f) of a frequency; that on the
-// held base adds half as much.
+// Joints of f E / L add a share of 1/f to the compliance of the stones, which is 1 / (2f) of a frequency; that on
+// the held base adds half as much.
 TEST(Trust, AllowsTheJointsOfTheRuleAndNoneMuchSofter)
 {
     for (const Kinematics kinematics : {Kinematics::spatial_deformable, Kinematics::planar_rigid}) {

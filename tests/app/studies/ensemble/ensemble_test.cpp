@@ -88,7 +88,8 @@ TEST(Ensemble, TellsAStepThatIsSmallEnoughFromOneThatIsNot)
     const EnsembleStudy fine = study_of(testing::shaken_stone(testing::gentle_wave, "1 ms"));
     EXPECT_TRUE(fine.agrees()) << verdict_of(fine);
     EXPECT_EQ(measure(fine, "peak drift").ranges[1], 0);
-    const EnsembleStudy coarse = study_of(testing::shaken_stone(testing::gentle_wave, "40 ms\n    integrator: newmark"));
+    const EnsembleStudy coarse =
+        study_of(testing::shaken_stone(testing::gentle_wave, "40 ms\n    integrator: newmark"));
     EXPECT_FALSE(measure(coarse, "peak drift").agrees);
     EXPECT_FALSE(coarse.agrees());
     EXPECT_NE(verdict_of(coarse).find("top: peak drift"), std::string::npos) << verdict_of(coarse);
@@ -151,8 +152,8 @@ TEST(Ensemble, ARunThatGivesUpLeavesNothingToJudge)
     EXPECT_TRUE(json["measures"][0]["medians"][0].is_null());
 }
 
-// A wave that presses the stone more than 10 mm into its soft joint before it lifts it: what a run says of itself is not lost among
-// the others.
+// A wave that presses the stone more than 10 mm into its soft joint before it lifts it: what a run says of itself
+// is not lost among the others.
 TEST(Ensemble, PassesOnWhatItsRunsWarnOf)
 {
     const EnsembleStudy study =
