@@ -79,7 +79,7 @@ std::optional<double> read_restitution(YamlCursor& map, bool has_dashpot)
 {
     const std::optional<YamlCursor> given = map.find("restitution");
     if (!given) return has_dashpot ? std::nullopt : JointMaterial{}.restitution;
-    if (given->found() == "none") return std::nullopt;
+    if (given->is_scalar() && given->as_text() == "none") return std::nullopt;
     const double restitution = given->as_quantity(words::dimension::number, {0, 1, true, true});
     if (has_dashpot)
         given->fault("restitution beside a relaxation_time",

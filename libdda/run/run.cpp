@@ -104,7 +104,9 @@ bool run_stage(const Stage& stage, driver::RunProgress& progress)
     const bool done =
         is_static(stage) ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
     progress.position.stage_done = done;
-    if (is_static(stage)) note_joints(progress.model, progress.joints, progress.state, progress.report);
+    // How far joints are open on the way to rest is no result, nor may it matter that a run was stopped there.
+    if (is_static(stage) && progress.report.outcome != Outcome::interrupted)
+        note_joints(progress.model, progress.joints, progress.state, progress.report);
     if (done && is_static(stage)) {
         if (progress.judges_crushing) note_crushing(progress.model, progress.state, 0, progress.report);
         driver::show(progress);

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "libdda/step/turning.h"
 
@@ -15,11 +16,19 @@ namespace
 {
 
 constexpr double least_sliding = 0.1;  // of the speed that friction takes in a step
+constexpr double touching = 16 * std::numeric_limits<double>::epsilon();  // of the distances that make a gap
 
 template <class Vector>
 Vector tangential(const Vector& v, const Vector& normal)
 {
     return v - normal.dot(v) * normal;
+}
+
+/// Whether a point presses when the step begins. Faces that touch as drawn do so, or not, by rounding alone.
+template <int D>
+bool is_pressed(const ContactPointIn<D>& point, const PointStep<D>& p)
+{
+    return point.gap < -touching * (point.position.norm() + p.lever_a.norm() + p.lever_b.norm());
 }
 
 /// Elastic normal force and its derivative by the gap, d <= 0. A blend of one is k <-g> at the end of the step;
@@ -261,8 +270,9 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
             p.normal_stiffness = found.stiffness * point.area;
             p.shear_stiffness = joint.shear_to_normal_stiffness * p.normal_stiffness;
             // A contact that was open or sliding keeps the end-of-step force: impacts and slips dissipate.
-            p.normal_blend = point.gap < 0 || found.intact ? blend : 1;
-            p.shear_blend = found.intact || (point.gap < 0 && point.status == ContactStatus::locked) ? blend : 1;
+            const bool pressed = is_pressed(point, p);
+            p.normal_blend = pressed || found.intact ? blend : 1;
+            p.shear_blend = found.intact || (pressed && point.status == ContactStatus::locked) ? blend : 1;
             p.turns_round = false;
             p.speed = 0;
             if (looks_for_turning && point.gap < 0 && point.status == ContactStatus::sliding)

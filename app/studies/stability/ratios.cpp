@@ -11,6 +11,7 @@
 #include "app/studies/stability/families.h"
 #include "app/studies/stability/one_block.h"
 #include "app/studies/stability/run_down.h"
+#include "libdda/contact/normal_stiffness.h"
 
 namespace voussoir::app::studies::stability
 {
@@ -26,7 +27,7 @@ constexpr double cube = 0.5;  // m
 constexpr int cubes = 10;
 
 /// Uniaxial St Venant-Kirchhoff stretch a of each cube under the weight above it and half its own,
-/// E a (a^2 - 1) / 2 = -p, and the joints k = 2 f / (L/E + L/E), f = 10, twice that on the base.
+/// E a (a^2 - 1) / 2 = -p, and the joints k = 2 f / (L/E + L/E), f of the default rule, twice that on the base.
 double settlement(double young, double density)
 {
     double sum = 0;
@@ -37,7 +38,7 @@ double settlement(double young, double density)
         double a = 1;
         for (int n = 0; n < 50; ++n) a -= (a * (a * a - 1) / 2 + p / young) / ((3 * a * a - 1) / 2);
         sum += (1 - a) * cube * (i + 1 == cubes ? 0.5 : 1);
-        sum += (above + own) / (10 * young / cube * (i == 0 ? 2 : 1));
+        sum += (above + own) / (contact::default_stiffness_factor * young / cube * (i == 0 ? 2 : 1));
     }
     return sum;
 }

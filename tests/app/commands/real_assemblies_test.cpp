@@ -54,9 +54,10 @@ INSTANTIATE_TEST_SUITE_P(
     Meshes, RealAssemblies,
     ::testing::Values(std::pair("arch_assembly.json", "completed"), std::pair("bridge.json", "completed"),
                       std::pair("concave-long.json", "completed"), std::pair("cubes.json", "completed"),
-                      std::pair("shelf-s1.json", "completed"), std::pair("shelf.json", "completed"),
                       std::pair("type-a.json", "completed"), std::pair("type-b.json", "completed"),
                       std::pair("wall.obj", "completed"), std::pair("wall_assembly.json", "completed"),
+                      // Stones of the shelf lie on faces that fall by 51 degrees; let go, they end 0.4 m lower.
+                      std::pair("shelf-s1.json", "collapsed"), std::pair("shelf.json", "collapsed"),
                       // A stone between two legs that nothing ties, and a stack that leans.
                       std::pair("A.json", "collapsed"), std::pair("H.json", "collapsed"),
                       std::pair("stack_assembly.json", "collapsed"),

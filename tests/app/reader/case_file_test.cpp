@@ -248,7 +248,7 @@ TEST(CaseFile, JointsHaveARestitutionOrADashpot)
     EXPECT_EQ(restitution("relaxation_time: 1 ms"), std::nullopt);
     EXPECT_EQ(restitution("relaxation_time: 1 ms, restitution: none"), std::nullopt);
     EXPECT_EQ(faults_of(with_joint("restitution: 1.2")),
-              "case.yaml:5: joints.dry.restitution: 1.2; must be 0 to 1");
+              "case.yaml:5: joints.dry.restitution: 1.2; must be >= 0 and <= 1");
     EXPECT_EQ(faults_of(with_joint("relaxation_time: 1 ms, restitution: 0.3")),
               "case.yaml:5: joints.dry.restitution: restitution beside a relaxation_time; a joint has one or the "
               "other; or write restitution: none");

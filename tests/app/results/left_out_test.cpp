@@ -37,6 +37,8 @@ TEST(LeftOut, WhatACaseListsIsNotLeftOut)
     full.stages[1].damping.rate = 1;
     full.model.joints[0].tensile_strength = 1e3;
     full.model.joints[0].relaxation_time = 1e-4;
+    full.model.joints.push_back(full.model.joints[0]);  // a joint has a dashpot or a law of impacts
+    full.model.joints[1].relaxation_time = 0;
     full.output.snapshots.emplace();
     EXPECT_EQ(left_out(full), std::vector<std::string>{"viscous boundaries (not in this model)"});
     full.model.foundations.clear();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "libdda/analysis/integrator_accuracy.h"
 #include "libdda/contact/initial_contacts.h"
@@ -96,13 +97,13 @@ void set_joint_factor(Model& model, double f, double young, double depth)
     model.joints[0].stiffness.factor = f * young / depth / now;
 }
 
-/// Wide courses on rigid ground, which shear and do not bend.
-Model layer(Kinematics kinematics, double f)
+/// Wide courses on rigid ground, which shear and do not bend. @param f of their joints; that of the rule if none
+Model layer(Kinematics kinematics, std::optional<double> f = {})
 {
     Model model = make_model(kinematics, stone(2e8), dry(35));
     hold(model, add_box(model, "base", {-20, -20, -1}, {20, 20, 0}));
     for (int i = 0; i < 8; ++i) add_box(model, "stone", {-20, -20, 0.5 * i}, {20, 20, 0.5 * (i + 1)});
-    set_joint_factor(model, f, 2e8, 0.5);
+    if (f) set_joint_factor(model, *f, 2e8, 0.5);
     return model;
 }
 
@@ -125,9 +126,26 @@ TEST(Trust, WarnsOfTheOldSettingsAndNotOfTheNewOnes)
         EXPECT_TRUE(old.of_modes);
         EXPECT_TRUE(has(old, Kind::algorithmic_damping)) << name_of(kinematics);
         EXPECT_TRUE(has(old, Kind::soft_joints)) << name_of(kinematics);
-        const Trust now = trust_before(layer(kinematics, 300), Integrator::energy_decaying, 0.02, 2e-3);
+        const Trust now = trust_before(layer(kinematics), Integrator::energy_decaying, 0.02, 2e-3);
         EXPECT_TRUE(now.findings.empty()) << name_of(kinematics);
         EXPECT_FALSE(now.start.modes.modes.empty());
+    }
+}
+
+// Joints of f E / L add a share of 1/f to the compliance of the stones, which is 1 / (2f) of a frequency; that on
+// the held base adds half as much.
+TEST(Trust, AllowsTheJointsOfTheRuleAndNoneMuchSofter)
+{
+    for (const Kinematics kinematics : {Kinematics::spatial_deformable, Kinematics::planar_rigid}) {
+        for (const double f : {100, 60, 35, 10}) {
+            const bool is_default = f == 100;
+            const Model model = is_default ? layer(kinematics) : layer(kinematics, f);
+            const Trust trust = trust_before(model, Integrator::energy_decaying, 0.02, 2e-3);
+            const double lowered = trust.start.modes.modes.at(0).lowered_by_joints;
+            EXPECT_LT(lowered, 0.5 / f) << name_of(kinematics);
+            EXPECT_GT(lowered, 0.75 * 0.5 / f) << name_of(kinematics);
+            EXPECT_EQ(has(trust, Kind::soft_joints), f < 50) << name_of(kinematics) << ", f " << f;
+        }
     }
 }
 

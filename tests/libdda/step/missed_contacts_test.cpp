@@ -18,7 +18,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, MissedContacts, every_kinematics(), test_na
 
 constexpr double side = 0.5;
 
-/// A stone in the air above a held shelf, thinner than it falls in one static step of a second.
+/// A stone in the air above a held shelf, thinner than it falls in one step of a second.
 Model stone_above_shelf(Kinematics kinematics, double gap)
 {
     Model model = make_model(kinematics, stone(), dry(35));
@@ -32,13 +32,38 @@ Model stone_above_shelf(Kinematics kinematics, double gap)
 
 TEST_P(MissedContacts, AStoneAboveAShelfComesToRestOnIt)
 {
-    for (const double gap : {1e-4, 1e-3, 5e-3, 0.2, 3.0}) {
+    for (const double gap : {1e-4, 1e-3, 5e-3, 0.04}) {
         const Model model = stone_above_shelf(GetParam(), gap);
         State state = initial_state(model);
         const RunReport report = run_quietly(model, {static_stage(1)}, state);
         ASSERT_EQ(report.outcome, Outcome::completed) << gap << ": " << ::testing::PrintToString(report.diagnosis);
         EXPECT_NEAR(centroid(model, state, 1).z(), side / 2, 1e-5) << gap;
         EXPECT_LT(report.deepest.share, 0.01) << gap;
+    }
+}
+
+// What goes farther than a tenth of its size before it meets something does not settle, it falls: a static stage
+// says so, a dynamic one lets it land, however many shelves deep one of its steps reaches.
+TEST_P(MissedContacts, AStoneHighAboveAShelfFallsAndLandsOnIt)
+{
+    for (const double gap : {0.2, 3.0}) {
+        const Model model = stone_above_shelf(GetParam(), gap);
+        State state = initial_state(model);
+        const RunReport resting = run_quietly(model, {static_stage(1)}, state);
+        EXPECT_EQ(resting.outcome, Outcome::collapsed) << gap;
+        ASSERT_TRUE(resting.diagnosis.has_value());
+        EXPECT_EQ(resting.diagnosis->blocks, std::vector<int>{1}) << gap;
+        EXPECT_GT(centroid(model, state, 1).z(), side / 2) << gap << ": nothing met it yet";
+
+        for (const double step : {0.01, 0.25}) {
+            state = initial_state(model);
+            const RunReport landing = run_quietly(model, {dynamic_stage(2, step), static_stage(1)}, state);
+            // What has gone by more than its size has fallen, wherever it lies.
+            ASSERT_EQ(landing.outcome, gap > side ? Outcome::collapsed : Outcome::completed)
+                << gap << ": " << ::testing::PrintToString(landing.diagnosis);
+            EXPECT_NEAR(centroid(model, state, 1).z(), side / 2, 1e-5) << gap << ", step " << step;
+            EXPECT_LT(landing.deepest.share, 0.01) << gap << ", step " << step;
+        }
     }
 }
 
