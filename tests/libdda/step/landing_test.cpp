@@ -41,8 +41,8 @@ double rebound(Kinematics kinematics, std::optional<double> restitution, double 
     return highest;
 }
 
-/// A block 1 m wide and 3 m high that begins to rock with a lean of 0.1. @returns by how much each of the first four
-/// impacts reduces the angular speed
+/// A block 1 m wide and 3 m high that begins to rock with a lean of 0.1. @returns by how much each of the first
+/// four impacts reduces the angular speed
 std::vector<double> rocking_ratios(Kinematics kinematics, double h)
 {
     constexpr double width = 1, height = 3, lean = 0.1;
@@ -85,7 +85,8 @@ TEST_P(Landing, ABoxRisesByTheSquareOfTheRestitution)
             for (const double h : {2e-3, 3e-4}) {
                 RunReport report;
                 const double height = rebound(GetParam(), e, factor, h, report);
-                std::printf("restitution %g, stiffness x %g, %g ms: %.4f m of 0.2 m\n", e, factor, 1e3 * h, height);
+                std::printf("restitution %g, stiffness x %g, %g ms: %.4f m of 0.2 m\n", e, factor, 1e3 * h,
+                            height);
                 EXPECT_NEAR(height, 0.2 * e * e, 2e-3) << e << " " << factor << " " << h;
                 EXPECT_LT(report.energy.relative_residual(), 1e-6);
             }
@@ -145,7 +146,8 @@ TEST_P(Landing, AJointThatStaysClosedLosesNothing)
 {
     Model model = make_model(GetParam(), stone(), dry(40));
     hold(model, add_box(model, "floor", {-1, -1, -1}, {1, 1, 0}));
-    for (int i = 0; i < 4; ++i) add_box(model, std::to_string(i), {-0.3, -0.3, 0.4 * i}, {0.3, 0.3, 0.4 * (i + 1)});
+    for (int i = 0; i < 4; ++i)
+        add_box(model, std::to_string(i), {-0.3, -0.3, 0.4 * i}, {0.3, 0.3, 0.4 * (i + 1)});
     State state = initial_state(model);
     ASSERT_EQ(run_quietly(model, {static_stage(0.1)}, state).outcome, Outcome::completed);
     for (int i = 1; i <= 4; ++i) set_velocity(model, state, i, {0, 0, -1e-5 * i});

@@ -122,14 +122,15 @@ TEST_P(Sliding, BoxPassesTheJointOfAFlushFloor)
     }
 }
 
-// Thrown along a level floor a box stops after v^2 / (2 mu g), wherever in a step that is, and stays; one alone and one of
-// many alike, and no step is divided.
+// Thrown along a level floor a box stops after v^2 / (2 mu g), wherever in a step that is, and stays; one alone
+// and one of many alike, and no step is divided.
 TEST_P(Sliding, BoxStopsInsideAStep)
 {
     for (const int count : {1, 12}) {
         Model model = make_model(GetParam(), stone(), dry(std::atan(0.3) / degrees));
         hold(model, add_box(model, "floor", {-1, -1, -1}, {30, 1, 0}));
-        for (int i = 0; i < count; ++i) add_box(model, std::to_string(i), {2.0 * i, -0.5, 0}, {2.0 * i + 1, 0.5, 0.3});
+        for (int i = 0; i < count; ++i)
+            add_box(model, std::to_string(i), {2.0 * i, -0.5, 0}, {2.0 * i + 1, 0.5, 0.3});
         State state = initial_state(model);
         ASSERT_EQ(run_quietly(model, {static_stage(0.1)}, state).outcome, Outcome::completed);
         for (int i = 1; i <= count; ++i) set_velocity(model, state, i, {1, 0, 0});
@@ -139,7 +140,8 @@ TEST_P(Sliding, BoxStopsInsideAStep)
         const double exact = 1 / (2 * 0.3 * gravity);
         const double error = std::abs(centroid(model, state, 1).x() - x0 - exact) / exact;
         const double speed = velocity_of(model.kinematics, state, 1).norm();
-        std::printf("stopping box, 1 of %d, 10 ms: relative error %.1e, speed left %.1e m/s\n", count, error, speed);
+        std::printf("stopping box, 1 of %d, 10 ms: relative error %.1e, speed left %.1e m/s\n", count, error,
+                    speed);
         EXPECT_EQ(state.stage_time, 0.5);
         EXPECT_LT(report.energy.relative_residual(), 1e-6);
         EXPECT_EQ(report.divided_steps, 0);
@@ -148,8 +150,8 @@ TEST_P(Sliding, BoxStopsInsideAStep)
     }
 }
 
-// Drawn back and forth by its floor a box turns round inside steps: with a step of a thirtieth of the period the error is
-// a few thousandths of the way, and falls with the square of the step.
+// Drawn back and forth by its floor a box turns round inside steps: with a step of a thirtieth of the period the
+// error is a few thousandths of the way, and falls with the square of the step.
 TEST_P(Sliding, TurningRoundInsideAStepIsOfSecondOrder)
 {
     const auto way = [&](double h) {
@@ -161,7 +163,9 @@ TEST_P(Sliding, TurningRoundInsideAStepIsOfSecondOrder)
         std::vector<double> places;
         RunObserver observer;
         observer.every = 0.05;
-        observer.frame = [&](const State& now, const RunReport&) { places.push_back(centroid(model, now, 1).x()); };
+        observer.frame = [&](const State& now, const RunReport&) {
+            places.push_back(centroid(model, now, 1).x());
+        };
         run(model, {static_stage(0.1), stage}, state, observer);
         return places;
     };
