@@ -53,12 +53,13 @@ void turn_round(const typename K::Vector& move, const PatchStep<K>& patch, Point
     const double share = std::min(sticks ? stuck : back.share, 1.0);
     p.status = sticks ? ContactStatus::locked : ContactStatus::sliding;
     p.tangent_along = sticks ? p.shear_stiffness : p.bound * back.slope * 2 / patch.h;
-    // What crosses the heading bends the force, as it does of a joint that slides on: the less, the longer the way
-    // there and back is.
-    const double way =
-        std::max(rest + (sticks ? 0 : 0.5 * (1 - share) * (rest - along)), p.bound / p.shear_stiffness);
-    const Vector bent = share * way * p.heading + (move - along * p.heading);
-    p.tangent_across = p.bound / std::max(bent.norm(), way);
+    // What crosses the heading bends the force, as it does of a joint that slides on: by as much where it just does not
+    // turn, and the less, the longer the way there and back is.
+    const Vector path = p.slip_start + move;
+    const double back_way = sticks ? 0 : 0.5 * (1 - share) * (rest - along);
+    const double reach = p.heading.dot(p.slip_start) + rest + back_way;
+    const Vector bent = share * reach * p.heading + (path - p.heading.dot(path) * p.heading);
+    p.tangent_across = p.bound / std::max(bent.norm(), reach);
     p.shear = p.trial = p.tangent_across * bent;
 }
 

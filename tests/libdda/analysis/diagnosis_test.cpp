@@ -69,8 +69,12 @@ TEST_P(Diagnosing, OfAContactTooSoftForItsLoad)
     state = initial_state(model);
     const RunReport stiffer = run_quietly(model, {static_stage(0.01)}, state);
     EXPECT_EQ(stiffer.outcome, Outcome::completed);
-    // At 7.4 mm of 300 it is still part of the answer, and the run says so; ten times stiffer it is not.
-    EXPECT_NEAR(stiffer.deepest.depth, 2500 * gravity * 0.3 / 1e6, 2e-4);
+    // At 7.4 mm of 300 it is still part of the answer, and the run says so; ten times stiffer it is not. On its
+    // way there the stone swings, as under a sudden load, through up to twice the depth.
+    const double depth = 2500 * gravity * 0.3 / 1e6;
+    EXPECT_NEAR(0.15 - pose_of(model.kinematics, state, 1).centroid.z(), depth, 1e-3 * depth);
+    EXPECT_GE(stiffer.deepest.depth, 0.999 * depth);
+    EXPECT_LE(stiffer.deepest.depth, 2 * depth);
     ASSERT_EQ(stiffer.warnings.size(), 1u);
     expect_kind(stiffer.warnings[0], DiagnosisKind::overlap);
     EXPECT_EQ(stiffer.warnings[0].blocks, (std::vector{1, 0}));

@@ -90,8 +90,9 @@ TEST_P(Energy, OfABlockLiftedByItsBase)
     EXPECT_GT(lift, 0.2);
     EXPECT_NEAR(report.energy.gravity_work, -work, 1e-9 * work);
     EXPECT_NEAR(report.energy.foundation_work, work, 1e-3 * work);
-    // What went in on the whole is nothing, so the measure is the work that went through.
-    EXPECT_LT(std::abs(report.energy.residual()), 1e-12 * work);
+    // What went in on the whole is nothing, so the measure is the work that went through. Joints of 2e12 N/m make
+    // 2e-4 N of the rounding of a gap.
+    EXPECT_LT(std::abs(report.energy.residual()), 1e-11 * work);
 }
 
 // A held block on springs stores W^2 / (2 K) when gravity has come on slowly.

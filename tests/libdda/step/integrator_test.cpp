@@ -47,6 +47,7 @@ Eigen::Vector2d oscillate(Integrator integrator, int axis, double omega_h, int s
     set_velocity(model, state, block, velocity * omega * Eigen::Vector3d::Unit(axis));
     Stage stage = with_integrator(dynamic_stage(steps * h, h, Eigen::Vector3d::Zero()), integrator);
     stage.control.force_tolerance = 1e-12;
+    stage.control.dissipation = 0.1;  // of energy_decaying; its rule's falls with the step
     run_quietly(model, {stage}, state);
     return {(centroid(model, state, block) - start)[axis],
             velocity_of(model.kinematics, state, block)[axis] / omega};

@@ -21,15 +21,21 @@ struct Ending {
     int touching = 0;
 };
 
-Ending end_of(Kinematics kinematics, const Telling& telling, LinearSolverKind solver = LinearSolverKind::cholmod)
+enum class Impacts { land, are_sprung };
+
+Ending end_of(Kinematics kinematics, const Telling& telling, LinearSolverKind solver = LinearSolverKind::cholmod,
+              Impacts impacts = Impacts::land)
 {
     FewBlocks scene(kinematics, telling);
+    const bool sprung = impacts == Impacts::are_sprung;
+    if (sprung) scene.model.joints[0].restitution.reset();
     std::vector<Vector3d> start;
     for (int b = 0; b < 5; ++b) start.push_back(centroid(scene.model, scene.state, scene.place[b]));
     Stage stage = dynamic_stage(steps * step_length, step_length,
                                 telling.scale * telling.rotation * Vector3d(0, 0, -gravity));
     stage.control.force_tolerance = 1e-11;
     stage.control.linear_solver = solver;
+    if (sprung) stage.control.integrator = Integrator::newmark;
     const RunReport report = run_quietly(scene.model, {stage}, scene.state);
     EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
     Ending end;
@@ -40,7 +46,8 @@ Ending end_of(Kinematics kinematics, const Telling& telling, LinearSolverKind so
     }
     // Energy is told in kg (unit of length)^2 / s2, mass in kg.
     end.friction = report.energy.friction / (telling.scale * telling.scale);
-    for (const ContactPoint& p : scene.state.contacts.points) end.touching += p.status != ContactStatus::open;
+    // Closed, or open while the stones tremble.
+    for (const ContactPoint& p : scene.state.contacts.points) end.touching += p.gap < 1e-5 * telling.scale;
     return end;
 }
 
@@ -104,12 +111,17 @@ TEST_P(Invariance, OfTheOrderOfTheBlocks)
 }
 
 // Of two touching blocks that claim the reference face with equal right the first has it: another first block is
-// another, equally good discretisation. The difference is one of method, not of rounding.
+// another, equally good discretisation. The difference is one of method, not of rounding. Impacts are left to
+// damped springs here: which corners of a stone that falls nearly flat land in one blow, and which after one
+// another, may change with any small difference, and what they leave of its motion with it.
 TEST_P(Invariance, OfTheOrderOfTheBlocksUpToTheChoiceOfReferenceFaces)
 {
     Telling shuffled;
     shuffled.order = {3, 1, 4, 0, 2};
-    expect_same(end_of(GetParam(), {}), end_of(GetParam(), shuffled), 1e-3, "blocks in an order that swaps faces");
+    const auto told = [](const Telling& telling) {
+        return end_of(GetParam(), telling, LinearSolverKind::cholmod, Impacts::are_sprung);
+    };
+    expect_same(told({}), told(shuffled), 1e-3, "blocks in an order that swaps faces");
 }
 
 TEST_P(Invariance, OfTheLinearSolver)

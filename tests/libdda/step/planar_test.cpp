@@ -49,7 +49,9 @@ struct Wall {
     State state;
     RunReport report;
 
-    Wall(Kinematics kinematics, PlaneCondition plane, double duration) : model(running_bond(kinematics, 4, 3))
+    Wall(Kinematics kinematics, PlaneCondition plane, double duration,
+         Integrator integrator = StepControl().integrator)
+        : model(running_bond(kinematics, 4, 3))
     {
         if (is_planar(kinematics)) set_thickness(model, 0.3);
         model.plane = plane;
@@ -58,6 +60,7 @@ struct Wall {
         Stage stage = shaking(duration, 1e-3);
         stage.motions.erase(stage.motions.begin() + 1);  // across the plane
         stage.control.force_tolerance = 1e-8;
+        stage.control.integrator = integrator;
         report = run_quietly(model, {static_stage(0.1), stage}, state);
     }
 };
@@ -162,10 +165,12 @@ TEST(SegmentContact, EndsBeyondTheMarginAndBesideTheEdge)
 }
 
 // Two points of half the length are the four corners of the spatial block seen from the side: the same equations.
+// Until the first slide has nearly ended; then rounding decides in which step a joint slides so little that it
+// counts as sticking.
 TEST(Planar, RigidWallMovesLikeTheSpatialOne)
 {
-    const Wall plane(Kinematics::planar_rigid, PlaneCondition::strain, 0.4);
-    const Wall space(Kinematics::spatial_rigid, PlaneCondition::strain, 0.4);
+    const Wall plane(Kinematics::planar_rigid, PlaneCondition::strain, 0.12);
+    const Wall space(Kinematics::spatial_rigid, PlaneCondition::strain, 0.12);
     ASSERT_EQ(plane.report.outcome, Outcome::completed);
     ASSERT_EQ(space.report.outcome, Outcome::completed) << ::testing::PrintToString(space.report.diagnosis);
     const double apart = largest_distance(plane, space), slid = largest_slide(plane);
@@ -176,15 +181,17 @@ TEST(Planar, RigidWallMovesLikeTheSpatialOne)
     EXPECT_NEAR(plane.report.energy.kinetic, space.report.energy.kinetic, 1e-6 * space.report.energy.kinetic);
 }
 
-// A spatial wall one block thick is free to bulge: plane stress, up to its inertia across.
+// A spatial wall one block thick is free to bulge: plane stress, up to its inertia across. Newmark damps what
+// bulging sets ringing; undamped, the phase of it decides when which joint begins to slide, of one wall as between
+// two.
 TEST(Planar, DeformableWallInPlaneStressMovesLikeTheSpatialOne)
 {
-    const Wall stress(Kinematics::planar_deformable, PlaneCondition::stress, 0.4);
-    const Wall space(Kinematics::spatial_deformable, PlaneCondition::strain, 0.4);
+    const Wall stress(Kinematics::planar_deformable, PlaneCondition::stress, 0.3, Integrator::newmark);
+    const Wall space(Kinematics::spatial_deformable, PlaneCondition::strain, 0.3, Integrator::newmark);
     const double apart = largest_distance(stress, space), slid = largest_slide(stress);
     std::printf("deformable wall, plane stress against spatial: %.1e m apart, %.1e m slid\n", apart, slid);
     EXPECT_GT(slid, 1e-4);
-    EXPECT_LT(apart, 0.02 * slid);
+    EXPECT_LT(apart, 0.01 * slid);
 }
 
 // Pressed between two plates by its weight: e_zz = (1 - nu^2) s/E in plane strain, s/E in plane stress; the stress

@@ -140,7 +140,10 @@ TEST_P(Strength, HungBlockHangsStillAndThenFallsFreely)
     const double start = centroid(model, state, block).z(), g = 1.2 * limit;
     begin_stage(model, 0, state);
     const RunReport falling = run_quietly(model, {dynamic_stage(0.5, 1e-3, {0, 0, -g})}, state);
-    EXPECT_EQ(falling.outcome, Outcome::completed);
+    EXPECT_EQ(falling.outcome, Outcome::collapsed);
+    ASSERT_TRUE(falling.diagnosis);
+    EXPECT_EQ(falling.diagnosis->blocks, std::vector{block});
+    EXPECT_EQ(falling.simulated_time, 0.5);
     EXPECT_NEAR(start - centroid(model, state, block).z(), 0.5 * g * 0.25, 1e-3 * g);
     const double stored = 0.5 * pull * pull / (1e10 * 0.8);
     EXPECT_NEAR(falling.energy.fracture, stored, 1e-3 * stored);
