@@ -34,7 +34,8 @@ double stiffness_from_modulus(const Model& model, const std::vector<bool>& fully
         const Block& block = model.blocks[part->block];
         compliance += depth_along(model, *part, normal) / model.materials[block.material].young;
     }
-    return 2 * default_stiffness_factor / compliance;
+    const JointMaterial& joint = model.joint_between(first.block, second.block);
+    return 2 * default_stiffness_factor(model.kinematics, joint) / compliance;
 }
 
 double face_measure(const PlacedPart& part, int face)
@@ -93,6 +94,12 @@ double stiffness_as_given(const Model& model, const std::vector<bool>& fully_hel
 }
 
 }  // namespace
+
+double default_stiffness_factor(Kinematics kinematics, const JointMaterial& joint)
+{
+    if (!is_deformable(kinematics)) return 10;
+    return joint.has_strength() ? 300 : 30;
+}
 
 template <int D>
 double normal_stiffness(const Model& model, const std::vector<bool>& fully_held,

@@ -41,7 +41,7 @@ struct StepControl {
     // Steps end just before stones land, and the rest of the step follows, in scenes of at most this many blocks
     // with unknowns. In a large structure something lands in nearly every step, and none of it decides.
     int divide_up_to_blocks = 10;
-    int max_open_close = 40;        // Newton iterations (published: 6) before the step is cut
+    int max_open_close = 80;        // Newton iterations (published: 6) before the step is cut
     double force_tolerance = 1e-5;  // unbalanced force of a block / (its weight + its contact forces)
     LinearSolverKind linear_solver = LinearSolverKind::automatic;  // who solves
     double linear_tolerance =

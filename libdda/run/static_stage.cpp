@@ -15,8 +15,9 @@ namespace
 
 // Residual that a static step may keep. Its contact forces obey friction whatever it is, so all that it costs is
 // that the way to rest bends a little.
-constexpr double inexactness = 0.1;   // share of the unbalanced force of the step before
-constexpr double loosening = 1000;    // times the force_tolerance, at most
+constexpr double inexactness = 0.1;  // share of the unbalanced force of the step before
+constexpr double loosening = 1000;   // times the force_tolerance, at most
+constexpr int patience = 3;          // times the iterations of a dynamic step: one that is cut for them costs more
 constexpr double longest_step = 0.2;  // of a stone's size, that a corner of it may go in one step
 // Motion of a corner since the stage began, as shares of its stone's size.
 constexpr double settled = 0.1;     // what settles goes no farther; what does, and goes on, falls
@@ -252,6 +253,7 @@ bool run_static(const Stage& stage, RunProgress& progress)
 {
     RunPosition& at = progress.position;
     Stage loaded = stage;
+    if (stage.control.open_close == OpenClose::newton) loaded.control.max_open_close *= patience;
     for (; at.load_increments < stage.gravity_increments; ++at.load_increments) {
         loaded.gravity = stage.gravity * (at.load_increments + 1) / stage.gravity_increments;
         while (!is_at_rest(at)) {

@@ -148,7 +148,8 @@ struct PatchMove {
 
 /// Displacement and gap of a point, second order in the turning of both blocks. The forces' own measure of the
 /// displacement leaves out terms that are small in the turning of a step, but not beside the yielding of a stiff
-/// joint, whose gap would otherwise jump whenever contacts are found anew.
+/// joint, whose gap would otherwise jump whenever contacts are found anew. In static steps they are left out:
+/// those are long, the terms large in iterates on the way to the solution, and the potential not convex any more.
 template <class K>
 void move_point(const PatchMove<K>& move, const PatchStep<K>& patch, PointStep<K::dimension>& p)
 {
@@ -157,6 +158,11 @@ void move_point(const PatchMove<K>& move, const PatchStep<K>& patch, PointStep<K
     if constexpr (!K::deformable) of_a += 0.5 * move.l_a * of_a;  // the rotation is done exactly
     const Vector apart = move.u_a + of_a - move.u_b;
     p.linear = p.predicted + move.u_a - move.u_b + move.l_a * p.lever_a - move.l_b * p.lever_b;
+    if (!patch.follows_turning) {
+        p.displacement = p.linear;
+        p.gap = p.gap_start + patch.normal.dot(p.linear);
+        return;
+    }
     p.displacement = p.predicted + apart - move.l_b * (p.lever_b + 0.5 * apart) - 0.5 * patch.chord_b * apart;
     p.gap = p.gap_start + move.normal.dot(p.displacement);
 }
@@ -261,6 +267,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         patch.braking = looks_for_turning ? braking_of<K>(contacts, found, patch, a, b) : 0;
         patch.intact = found.intact;
         patch.chord_b = b.chord;
+        patch.follows_turning = stage.type == StageType::dynamic;
         for (int i = found.first_point; i < found.first_point + found.point_count; ++i) {
             const ContactPointIn<K::dimension>& point = contacts.points[i];
             PointStep<K::dimension>& p = step.points[i];

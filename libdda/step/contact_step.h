@@ -49,6 +49,7 @@ struct PatchStep {
     double dashpot_over_h = 0;                    // -
     bool intact = false;
     typename K::Matrix chord_b = K::Matrix::Zero();  // of block b
+    bool follows_turning = true;                     // gaps and slips to second order in the turning of the step
     typename K::Unknowns force_a, force_b;           // generalised forces on the two blocks
     typename K::Square aa, ab, bb;                   // stiffness
 };

@@ -17,8 +17,9 @@ namespace
 constexpr int patience = 3;  // iterations that stall, or that overshoot, before the line search changes its ways
 
 // Many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
-// of 18.
 constexpr double softness = 1.0 / 128;     // of the stiffness; a power of two, which rounds nothing
+constexpr double softest = 1.0 / 65536;    // the same in a static step, in which hardly any inertia helps
+constexpr double hardening = 4;            // from there, each time by this
 constexpr double soft_tolerance = 1e-2;    // unbalanced force / load: only the states of the contacts are wanted
 constexpr double many_changes = 0.05;      // of the points
 constexpr std::ptrdiff_t few_changes = 8;  // points
@@ -205,17 +206,26 @@ bool descend(const StepControl& control, double tolerance, bool evaluated, StepS
 
 /// Of nearly rigid stones every corner that opens shifts the load to others, and the iteration would try them one
 /// after the other. Joints softened at the same forces let stones yield enough to find nearly all of them at once;
-/// the states found then make the next guess. That the soft problem is not solved is no failure.
+/// the states found then make the next guess. That the soft problem is not solved is no failure. A static step
+/// goes from very soft joints to the true ones, each guess made by the one before.
 template <class K>
-bool find_states_softened(const StepControl& control, StepSystem<K>& system, StepReport& report)
+bool find_states_softened(const Stage& stage, StepSystem<K>& system, StepReport& report)
 {
-    scale_stiffness(softness, system.contacts);
-    descend(control, soft_tolerance, false, system, report);
-    scale_stiffness(1 / softness, system.contacts);
-    report.trouble = Trouble::none;
-    if (!system.residual.allFinite()) system.d.setZero();
-    if (!solve_with_states(control, system, report)) return false;
-    system.d += system.direction;
+    const StepControl& control = stage.control;
+    const bool is_static = stage.type == StageType::static_equilibrium;
+    for (double share = is_static ? softest : softness; share < 1;) {
+        const double next = is_static ? hardening * share : 1;
+        scale_stiffness(share, system.contacts);
+        descend(control, soft_tolerance, false, system, report);
+        scale_stiffness(next / share, system.contacts);
+        report.trouble = Trouble::none;
+        if (!system.residual.allFinite()) system.d.setZero();
+        const bool solved = solve_with_states(control, system, report);
+        scale_stiffness(1 / next, system.contacts);
+        if (!solved) return false;
+        system.d += system.direction;
+        share = next;
+    }
     return true;
 }
 
@@ -230,7 +240,7 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
     Guess found;
     if (!system.contacts.patches.empty() && !guess(control, system, report, found)) return false;
     if (found.loose) {
-        if (!find_states_softened(control, system, report)) return false;
+        if (!find_states_softened(stage, system, report)) return false;
         found.evaluated = false;
     }
     while (descend(control, control.force_tolerance, found.evaluated, system, report)) {

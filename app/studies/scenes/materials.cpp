@@ -40,17 +40,18 @@ namespace
 {
 
 /// Times E/L.
-double rule_of(const SceneSetting& setting)
+double rule_of_papers(Kinematics kinematics)
 {
-    if (!setting.papers_joints) return contact::default_stiffness_factor;
-    return is_deformable(setting.kinematics) ? 10 : 1;
+    return is_deformable(kinematics) ? 10 : 1;
 }
 
 }  // namespace
 
 double default_stiffness(const SceneSetting& setting, double compliance)
 {
-    return 2 * rule_of(setting) / compliance;
+    const double factor = setting.papers_joints ? rule_of_papers(setting.kinematics)
+                                                : contact::default_stiffness_factor(setting.kinematics, {});
+    return 2 * factor / compliance;
 }
 
 JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
@@ -58,7 +59,8 @@ JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
     if (!setting.papers_joints) return joint;
     joint.restitution.reset();
     if (joint.stiffness.kind == ContactStiffness::Kind::from_modulus)
-        joint.stiffness.factor *= rule_of(setting) / contact::default_stiffness_factor;
+        joint.stiffness.factor *=
+            rule_of_papers(setting.kinematics) / contact::default_stiffness_factor(setting.kinematics, joint);
     return joint;
 }
 

@@ -30,6 +30,7 @@ constexpr int cubes = 10;
 /// E a (a^2 - 1) / 2 = -p, and the joints k = 2 f / (L/E + L/E), f of the default rule, twice that on the base.
 double settlement(double young, double density)
 {
+    const double factor = contact::default_stiffness_factor(Kinematics::spatial_deformable, {});
     double sum = 0;
     for (int i = 0; i < cubes; ++i) {
         const double above = (cubes - 1 - i) * density * scenes::papers_gravity * cube,
@@ -38,7 +39,7 @@ double settlement(double young, double density)
         double a = 1;
         for (int n = 0; n < 50; ++n) a -= (a * (a * a - 1) / 2 + p / young) / ((3 * a * a - 1) / 2);
         sum += (1 - a) * cube * (i + 1 == cubes ? 0.5 : 1);
-        sum += (above + own) / (contact::default_stiffness_factor * young / cube * (i == 0 ? 2 : 1));
+        sum += (above + own) / (factor * young / cube * (i == 0 ? 2 : 1));
     }
     return sum;
 }
