@@ -1,14 +1,13 @@
 #include "libdda/analysis/overlaps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
 
 #include "libdda/contact/contact_history.h"
 #include "libdda/contact/initial_contacts.h"
-#include "libdda/geometry/extent.h"
+#include "libdda/contact/strips.h"
 
 namespace voussoir
 {
@@ -16,11 +15,8 @@ namespace voussoir
 namespace
 {
 
-using Eigen::Vector3d;
-
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-9;   // of the smaller block's size
-constexpr double opposite = -0.99;  // cosine: two sides of a strip, within 8 degrees
+constexpr double rounding = 1e-9;  // of the smaller block's size
 
 /// Extent of all parts along a direction [m].
 template <class Part, class Direction>
@@ -57,48 +53,6 @@ double least_width_of(const std::vector<ConvexPolygon>& outlines)
     return least;
 }
 
-/// A side of a contact polygon: its direction, as the polygon is walked round, and whose edge it is.
-struct Side {
-    Vector3d along;  // unit
-    bool of_incident = false;
-};
-
-/// Sides without length are left out.
-std::vector<Side> sides_of(const Model& model, const ContactPatch& patch, std::span<const ContactPoint> points)
-{
-    const std::size_t own_edges = model.blocks[patch.block_a].parts[patch.part_a].faces[patch.feature_a].size();
-    std::vector<Side> sides;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vector3d along = points[(i + 1) % points.size()].position - points[i].position;
-        // The lower half of a label is the edge that leaves the corner: the incident face's own ones come first.
-        if (along.squaredNorm() > 0)
-            sides.push_back({along.normalized(), (points[i].feature & 0xffff) < own_edges});
-    }
-    return sides;
-}
-
-/// Width of the strip that a contact is, between an edge of either stone [m]; infinite when it is none.
-double strip_width(const Model& model, const ContactPatch& patch, std::span<const ContactPoint> points)
-{
-    if (patch.edge_edge) return infinite;
-    double width = infinite;
-    const std::vector<Side> sides = sides_of(model, patch, points);
-    for (const Side& own : sides)
-        for (const Side& other : sides) {
-            if (!own.of_incident || other.of_incident || own.along.dot(other.along) > opposite) continue;
-            const Vector3d across = patch.normal.cross(own.along).normalized();
-            width = std::min(width, extent_along(across, points, &ContactPoint::position));
-        }
-    return width;
-}
-
-/// Of a segment: its ends are the incident edge's own, 0 and 1, or where the reference edge ends, 2 and 3.
-double strip_width(const Model&, const ContactPatchIn<2>&, std::span<const ContactPointIn<2>> points)
-{
-    const bool first_is_own = points[0].feature < 2, second_is_own = points[1].feature < 2;
-    return first_is_own == second_is_own ? infinite : (points[1].position - points[0].position).norm();
-}
-
 /// How deep a corner of a patch is in the other block beyond the fit [m]; @param enough smaller depths may be
 /// larger than they are
 template <int D>
@@ -106,7 +60,7 @@ double depth_at(const Model& model, const ContactPatchIn<D>& patch, const Contac
                 std::span<const ContactPointIn<D>> points, double enough)
 {
     const double depth = contact::depth_beyond_fit(model, point);
-    return depth <= enough ? depth : std::min(depth, strip_width(model, patch, points));
+    return depth <= enough ? depth : std::min(depth, contact::strip_width(model, patch, points));
 }
 
 template <int D>

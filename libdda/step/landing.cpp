@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "libdda/contact/find_contacts.h"
+#include "libdda/contact/strips.h"
 
 namespace voussoir::step
 {
@@ -53,7 +53,7 @@ struct Meeting {
     Vector normal;            // unit
     double friction = 0;      // -
     double target = 0;        // m/s, least normal speed afterwards
-    Vector target_slip;       // m/s, tangential velocity that sticking keeps
+    Vector target_slip;       // m/s, tangential velocity that sticking keeps: that of a bond, else none
     bool bonded = false;
     bool lands = false;
     double fraction = 0;             // of the step, if it lands
@@ -166,7 +166,7 @@ Meeting<K> Landing<K>::meeting(const ContactPatchIn<D>& patch, const ContactPoin
     m.bonded = patch.intact;
     const Vector velocity = relative_velocity(bodies_[m.a], bodies_[m.b], point.position);
     m.target = patch.normal.dot(velocity);
-    m.target_slip = velocity - m.target * patch.normal;
+    m.target_slip.setZero();
     m.mobility = bodies_[m.a].mobility(m.lever_a, patch.normal) + bodies_[m.b].mobility(m.lever_b, patch.normal);
     return m;
 }
@@ -175,6 +175,7 @@ template <class K>
 bool Landing<K>::find(const Stage& stage, double h, const std::vector<int>& also)
 {
     const double slow = stage.gravity.norm() * h;  // what a step at rest may gain
+    contact::Strips<D> strips(model_, contacts_);
     for (const ContactPatchIn<D>& patch : contacts_.patches) {
         if (patch.intact || !model_.joint_between(patch.block_a, patch.block_b).has_landing_law()) continue;
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
@@ -186,13 +187,13 @@ bool Landing<K>::find(const Stage& stage, double h, const std::vector<int>& also
             if (!(approach > slow)) continue;
             const bool known = std::binary_search(also.begin(), also.end(), i);
             if (point.gap > h * approach && !known) continue;
+            if (strips.is_of_yielding(patch)) break;
             const double fraction = std::min(1.0, point.gap / (h * approach));
             Meeting<K> m = meeting(patch, point, h * fraction);
             if (m.mobility == 0) continue;
             m.lands = true;
             m.fraction = fraction;
             m.target = *model_.joint_between(patch.block_a, patch.block_b).restitution * approach;
-            m.target_slip.setZero();
             fastest_ = std::max(fastest_, approach);
             meetings_.push_back(m);
         }
@@ -231,7 +232,8 @@ void Landing<K>::reach(int index)
             b.spin = b.start_spin;
             const Vector velocity = relative_velocity(a, b, point.position);
             m.target = patch.normal.dot(velocity);
-            m.target_slip = velocity - m.target * patch.normal;
+            // Friction opposes what slip there is, also that of a joint that slides already.
+            if (patch.intact) m.target_slip = velocity - m.target * patch.normal;
             if (m.mobility > 0) meetings_.push_back(m);
         }
     }
@@ -362,6 +364,7 @@ std::vector<int> missed_landings(const Model& model, const Stage& stage, const S
 {
     std::vector<int> missed;
     const double slow = stage.gravity.norm() * system.h;
+    contact::Strips<K::dimension> strips(model, contacts);
     for (const auto& patch : contacts.patches) {
         if (patch.intact || !model.joint_between(patch.block_a, patch.block_b).has_landing_law()) continue;
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
@@ -369,7 +372,9 @@ std::vector<int> missed_landings(const Model& model, const Stage& stage, const S
             if (point.gap < 0 || system.contacts.points[i].normal == 0) continue;
             const Body<K> a = body_of<K>(model, state, patch.block_a), b = body_of<K>(model, state, patch.block_b);
             const double approach = -patch.normal.dot(relative_velocity(a, b, point.position));
-            if (approach > slow && point.gap > system.h * approach) missed.push_back(i);
+            if (!(approach > slow) || point.gap <= system.h * approach) continue;
+            if (strips.is_of_yielding(patch)) break;
+            missed.push_back(i);
         }
     }
     return missed;

@@ -11,6 +11,14 @@ using Eigen::VectorXd;
 namespace
 {
 
+/// Whether stones rub on one another at all.
+bool has_friction(const Model& model, int block_a, int block_b)
+{
+    const JointMaterial& joint = model.joint_between(block_a, block_b);
+    return model.friction_factor(block_a, block_b) > 0 &&
+           (joint.friction_angle > 0 || !joint.friction_at_speed.empty());
+}
+
 /// Whether all that is closed of a joint slides.
 template <int D>
 bool slides(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
@@ -27,14 +35,15 @@ bool slides(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
 
 /// An elastic stone that slides with constant friction is unstable without damping: its strains and its friction
 /// feed each other, at a rate that does not depend on the step, until it chatters and its mean friction falls.
-/// While a stone slides its elastic force is therefore that of the end of the step. Source: docs/numerics.md 5.
+/// While a stone slides its elastic force is therefore that of the end of the step. On a joint without friction
+/// nothing feeds anything, and it keeps its energy. Source: docs/numerics.md 5.
 template <class K>
-void damp_sliding_blocks(const Stage& stage, const ContactSetIn<K::dimension>& contacts,
+void damp_sliding_blocks(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
                          std::vector<BlockStep<K>>& blocks)
 {
     if (!K::deformable || end_share(stage) == 1) return;
     for (const ContactPatchIn<K::dimension>& patch : contacts.patches)
-        if (slides(contacts, patch))
+        if (has_friction(model, patch.block_a, patch.block_b) && slides(contacts, patch))
             for (const int b : {patch.block_a, patch.block_b}) take_elasticity_at_end(blocks[b]);
 }
 
@@ -61,7 +70,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         block.row = all_held ? -1 : static_cast<int>(system.block_of_row.size());
         if (!all_held) system.block_of_row.push_back(b);
     }
-    damp_sliding_blocks<K>(stage, contacts, system.blocks);
+    damp_sliding_blocks<K>(model, stage, contacts, system.blocks);
     add_body_accelerations(stage, h, end_time, system.blocks);
     begin_contacts(model, stage, h, contacts, system.blocks, system.contacts);
 

@@ -26,8 +26,10 @@ constexpr double degrees = std::numbers::pi / 180;
 constexpr double half_diagonal = 30, thickness = 15;  // m
 constexpr double density = 2500, young = 1e16;
 constexpr double ramp = 12e-3, watched = 30e-3;  // s
-// Accelerations below ten times the share of the load that the step's force tolerance leaves unbalanced are none.
-constexpr double smallest = 10 * 1e-5;  // of force / mass
+// Of the forces of a block, what a step may leave unbalanced: less than the kinematics are to agree to.
+constexpr double tightness = 1e-7;
+// Accelerations below this are none: there is some vibration on the contact springs.
+constexpr double smallest = 1e-4;  // of force / mass
 
 /// The load per mass as the plane sees it: x down the slope, z out of it.
 Vector3d gravity_on(const ChartCase& point)
@@ -77,6 +79,7 @@ scenes::StagedScene chart_scene(const scenes::SceneSetting& setting, const Chart
     }
     freed.body_accelerations = {body_load(0, samples, interval), body_load(2, {push.z(), push.z()}, forever)};
     scene.stages = {held, freed};
+    for (Stage& stage : scene.stages) stage.control.force_tolerance = tightness;
     return scene;
 }
 

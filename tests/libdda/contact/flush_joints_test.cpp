@@ -17,7 +17,8 @@ class FlushJoints : public ::testing::TestWithParam<Kinematics>
 INSTANTIATE_TEST_SUITE_P(Kinematics, FlushJoints, every_kinematics(), test_name);
 
 struct Slide {
-    Eigen::Vector3d end;  // m, centroid
+    Eigen::Vector3d end;     // m, centroid
+    double mean_height = 0;  // m, of the centroid over the last 0.2 s, when it has come to rest
     RunReport report;
 };
 
@@ -37,8 +38,17 @@ Slide slide_over(Kinematics kinematics, int paving, double stiffness)
     set_velocity(model, state, block, {2, 0, 0});
     state.stage_time = 0;
     state.grid = 0;
+    const double start = state.time;
     Slide result;
-    result.report = run_quietly(model, {dynamic_stage(0.8, 1e-3)}, state);
+    int steps = 0;
+    RunObserver observer;
+    observer.step = [&](const State& now, const StepReport&, const RunReport&) {
+        if (now.time - start < 0.6) return;
+        ++steps;
+        result.mean_height += centroid(model, now, block).z();
+    };
+    result.report = run(model, {dynamic_stage(0.8, 1e-3)}, state, observer);
+    result.mean_height /= steps;
     result.end = centroid(model, state, block);
     return result;
 }
@@ -53,7 +63,10 @@ TEST_P(FlushJoints, OfAPavementNeitherHoldAStoneNorLetItSink)
         const double way = smooth.end.x() - 0.263, energy = smooth.report.energy.start_kinetic;
         EXPECT_NEAR(way, 2 * 2 / (2 * gravity * std::tan(20 * degrees)), 2e-3 * way) << stiffness;
         EXPECT_NEAR(paved.end.x(), smooth.end.x(), 5e-4 * way) << stiffness;
-        EXPECT_NEAR(paved.end.z(), smooth.end.z(), 1e-8) << stiffness;
+        // At rest it trembles on its springs, which almost nothing damps. Of its weight they yield by 2.5 t/m3 x
+        // 0.3 m.
+        const double yielding = 2500 * gravity * 0.3 / stiffness;
+        EXPECT_NEAR(paved.mean_height, smooth.mean_height, 0.02 * yielding) << stiffness;
         EXPECT_NEAR(paved.report.energy.redetection, 0, 1e-3 * energy) << stiffness;
         EXPECT_GE(paved.report.energy.peak_given, -paved.report.energy.redetection) << stiffness;
         EXPECT_GT(paved.report.energy.peak_given, 0) << "contacts gave a little, and took it again";

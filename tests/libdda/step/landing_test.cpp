@@ -157,4 +157,29 @@ TEST_P(Landing, AJointThatStaysClosedLosesNothing)
     EXPECT_EQ(report.energy.impact, 0);
 }
 
+// A step in a pavement stops a stone if it is higher than what the stone's own bed yields; a lower one is none.
+TEST_P(Landing, AStoneThatSlidesLandsOnAStepOfItsPavement)
+{
+    JointMaterial joint = dry(20);
+    joint.stiffness = {ContactStiffness::Kind::per_area, 1e8};  // of its weight it yields by 0.07 mm
+    // Of a rigid stone that goes on about its toe: the angular momentum about that stays.
+    const double tipping = 0.75 * 0.15 * 0.15 / (0.2 * 0.2 + 0.15 * 0.15);
+    for (const double step : {0.0, 1e-3}) {
+        Model model = make_model(GetParam(), stone(), joint);
+        const int block = add_box(model, "stone", {-0.5, -0.35, 0}, {-0.1, 0.35, 0.3});
+        hold(model, add_box(model, "before", {-2, -1, -0.3}, {0, 1, 0}));
+        hold(model, add_box(model, "behind", {0, -1, -0.3}, {2, 1, step}));
+        State state = initial_state(model);
+        run_quietly(model, {static_stage(1e-2)}, state);
+        set_velocity(model, state, block, {2, 0, 0});
+        begin_stage(model, 0, state);
+        run_quietly(model, {dynamic_stage(0.06, 1e-3)}, state);
+        const double speed = velocity_of(model.kinematics, state, block).x();
+        if (step == 0)
+            EXPECT_NEAR(speed, 2 - gravity * std::tan(20 * degrees) * 0.06, 2e-3);
+        else
+            EXPECT_NEAR(speed, tipping * std::sqrt(4 - 2 * gravity * std::tan(20 * degrees) * 0.1), 0.03);
+    }
+}
+
 }  // namespace voussoir::testing
