@@ -47,10 +47,10 @@ double rule_of_papers(Kinematics kinematics)
 
 }  // namespace
 
-double default_stiffness(const SceneSetting& setting, double compliance)
+double default_stiffness(const SceneSetting& setting, double compliance, const JointMaterial& joint)
 {
     const double factor = setting.papers_joints ? rule_of_papers(setting.kinematics)
-                                                : contact::default_stiffness_factor(setting.kinematics, {});
+                                                : contact::default_stiffness_factor(setting.kinematics, joint);
     return 2 * factor / compliance;
 }
 
@@ -64,10 +64,10 @@ JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
     return joint;
 }
 
-ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance)
+ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance, const JointMaterial& joint)
 {
     if (!setting.stiffness_factor) return {};
-    return {ContactStiffness::Kind::per_area, *setting.stiffness_factor * default_stiffness(setting, compliance)};
+    return {ContactStiffness::Kind::per_area, *setting.stiffness_factor * default_stiffness(setting, compliance, joint)};
 }
 
 }  // namespace voussoir::app::studies::scenes

@@ -130,7 +130,7 @@ VerifyResult run_tower_vibration(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     RunReport report;
-    const Swing first = swing_of(setting, 2, result, report);
+    const Swing first = swing_of(setting, 6, result, report);
     const double frequency = frequency_of(first.times, first.tops), period = 1 / frequency;
     const Swing swing = swing_of(setting, cycles * period, result, report);
     if (!result.failure.empty()) return result;

@@ -17,6 +17,21 @@ namespace voussoir::app::studies::verify
 constexpr double shear_to_normal = 0.5;  // the documented default
 constexpr double unbreakable = 1e15;     // Pa, strength of a bonded joint
 
+namespace
+{
+
+JointMaterial bond()
+{
+    JointMaterial joint;
+    joint.name = "bond";
+    joint.friction_angle = 0.5;
+    joint.cohesion = joint.tensile_strength = unbreakable;
+    joint.shear_to_normal_stiffness = shear_to_normal;
+    return joint;
+}
+
+}  // namespace
+
 double young_of(const Column& column, const Layer& layer)
 {
     return 2 * (1 + column.poisson) * column.density * layer.speed * layer.speed;
@@ -27,12 +42,7 @@ scenes::StagedScene column_scene(const scenes::SceneSetting& setting, const Colu
 {
     scenes::StagedScene scene;
     Model& model = scene.model;
-    JointMaterial bond;
-    bond.name = "bond";
-    bond.friction_angle = 0.5;
-    bond.cohesion = bond.tensile_strength = unbreakable;
-    bond.shear_to_normal_stiffness = shear_to_normal;
-    model = scenes::make_scene_model(setting, {"base", column.density, 1e10, column.poisson}, bond, 1);
+    model = scenes::make_scene_model(setting, {"base", column.density, 1e10, column.poisson}, bond(), 1);
     const double half = 0.5 * column.width;
     scenes::hold(model, scenes::add_box(model, "base", {-half, -0.5, -1}, {half, 0.5, 0}));
     double z = 0;
@@ -47,7 +57,7 @@ scenes::StagedScene column_scene(const scenes::SceneSetting& setting, const Colu
     if (setting.stiffness_factor) {  // one stiffness for all joints, of the first layer's
         const Layer& first = column.layers.front();
         const double depth = first.thickness / first.blocks;
-        model.joints[0].stiffness = scenes::stiffness_by_rule(setting, 2 * depth / young_of(column, first));
+        model.joints[0].stiffness = scenes::stiffness_by_rule(setting, 2 * depth / young_of(column, first), bond());
     }
     Stage shaking = scenes::dynamic_stage(setting, duration, Eigen::Vector3d::Zero());
     shaking.motions = {{0, 0, std::make_shared<const GroundMotion>(base)}};
@@ -67,8 +77,8 @@ std::vector<references::SiteLayer> site_of(const scenes::SceneSetting& setting, 
         for (int i = 0; i < layer.blocks; ++i) {
             const double normal =
                 setting.stiffness_factor
-                    ? *setting.stiffness_factor * scenes::default_stiffness(setting, first_compliance)
-                    : scenes::default_stiffness(setting, below + compliance);
+                    ? *setting.stiffness_factor * scenes::default_stiffness(setting, first_compliance, bond())
+                    : scenes::default_stiffness(setting, below + compliance, bond());
             site.push_back(
                 {depth, column.density, column.density * layer.speed * layer.speed, shear_to_normal * normal});
             below = compliance;
