@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "libdda/contact/initial_contacts.h"
+
 namespace voussoir
 {
 
@@ -52,6 +54,26 @@ Vector3d centroid(const Model& model, const State& state, int block)
     return pose_of(model.kinematics, state, block).centroid;
 }
 
+template <int D>
+void note_touched(const ContactSetIn<D>& contacts, std::vector<bool>& touched)
+{
+    for (const ContactPatchIn<D>& patch : contacts.patches)
+        if (patch.point_count > 0) touched[patch.block_a] = touched[patch.block_b] = true;
+}
+
+/// Blocks that move of their own in the model as it begins, or touch nothing there.
+std::vector<bool> in_flight_at_start(const Model& model)
+{
+    State start = initial_state(model);
+    find_initial_contacts(model, start);
+    std::vector<bool> touched(model.blocks.size(), false);
+    note_touched(start.contacts, touched);
+    note_touched(start.planar_contacts, touched);
+    for (const InitialMotion& motion : model.initial_motions) touched[motion.block] = false;
+    touched.flip();
+    return touched;
+}
+
 /// How far the ground has moved since the start; where supports moved differently, their mean [m].
 Vector3d ground_displacement(const Model& model, const CollapseWatch& watch, const State& state)
 {
@@ -94,6 +116,15 @@ void note_fallen(const Model& model, const CollapseWatch& watch, const Vector3d&
         if (!is_supported[b]) more.push_back({b, state.time, left});
     }
     report.fallen.insert(report.fallen.end(), more.begin(), more.end());
+}
+
+bool structure_has_fallen(const Model& model, const State& state, const RunReport& report)
+{
+    if (report.fallen.empty()) return false;
+    const std::vector<bool> flew = in_flight_at_start(model), lies = supported(model, state);
+    return std::any_of(report.fallen.begin(), report.fallen.end(), [&](const FallenBlock& fallen) {
+        return fallen.left || !flew[fallen.block] || !lies[fallen.block];
+    });
 }
 
 bool all_have_left(const Model& model, const RunReport& report)

@@ -88,14 +88,16 @@ void enter_stage(int stage, const std::vector<Stage>& stages, driver::RunProgres
 }
 
 /// A structure of which stones have fallen has collapsed, whatever came afterwards. Where the numerics failed in
-/// the ruins, that is told beside it.
-void settle_outcome(RunReport& report)
+/// the ruins, that is told beside it. @returns whether it has
+bool settle_outcome(driver::RunProgress& progress)
 {
+    RunReport& report = progress.report;
     const bool open = report.outcome == Outcome::completed || report.outcome == Outcome::gave_up;
-    if (!open || report.fallen.empty()) return;
+    if (!open || !structure_has_fallen(progress.model, progress.state, report)) return false;
     if (report.diagnosis) report.warnings.push_back(std::move(*report.diagnosis));
     report.outcome = Outcome::collapsed;
     report.diagnosis = diagnosis_of_fallen(report);
+    return true;
 }
 
 /// Runs a stage to its end; false when the run ends in it.
@@ -112,7 +114,7 @@ bool run_stage(const Stage& stage, driver::RunProgress& progress)
         driver::show(progress);
     }
     if (!done) {
-        settle_outcome(progress.report);
+        settle_outcome(progress);
         driver::show_end(progress);
     }
     return done;
@@ -150,10 +152,7 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
         if (s != state.stage || state.stage_time == 0) enter_stage(s, stages, progress);
         if (!run_stage(stages[s], progress)) break;
     }
-    if (progress.report.outcome == Outcome::completed && !progress.report.fallen.empty()) {
-        settle_outcome(progress.report);
-        driver::show_end(progress);
-    }
+    if (progress.report.outcome == Outcome::completed && settle_outcome(progress)) driver::show_end(progress);
     add_last_warnings(progress.report);
     return std::move(progress.report);
 }

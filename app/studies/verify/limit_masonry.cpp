@@ -23,7 +23,7 @@ namespace patterns = importers::patterns;
 using Eigen::Vector3d;
 
 constexpr double gravity = scenes::papers_gravity, young = 1e10;  // m/s2, Pa
-constexpr double stiffness_factor = 300;                          // times E/L: a joint yields like 3 mm of a stone
+constexpr double stiffness_factor = 100;                          // times E/L: a joint yields like 1 % of a stone
 
 /// Even numbers from a generator whose answers the standard fixes.
 class Draw

@@ -75,6 +75,42 @@ TEST_P(Collapse, IsNotUndoneByNumericsThatFailAfterwards)
     EXPECT_NEAR(ruin.state.time, 0.6, 1e-12);
 }
 
+// A stone that is thrown, or let fall, and lands has fallen, but no structure has.
+TEST_P(Collapse, IsNotTheLandingOfWhatFlewAtTheStart)
+{
+    for (const bool is_thrown : {false, true}) {
+        SCOPED_TRACE(is_thrown);
+        Model model = make_model(GetParam(), stone(), dry(30));
+        hold(model, add_box(model, "ground", {-2, -0.5, -1}, {4, 0.5, 0}));
+        add_box(model, "step", {-0.5, -0.5, 0}, {0.5, 0.5, 1});
+        const double x = is_thrown ? 0.3 : 1;  // m: on the step, or beside it
+        const int flying = add_box(model, "flying", {x, -0.5, 1}, {x + 0.2, 0.5, 1.2});
+        if (is_thrown) model.initial_motions = {{flying, {3, 0, 0}}};
+        State state = initial_state(model);
+        const RunReport report = run_quietly(model, {dynamic_stage(2, 1e-3)}, state);
+        ASSERT_EQ(report.fallen.size(), 1);
+        EXPECT_EQ(report.fallen[0].block, flying);
+        EXPECT_EQ(report.outcome, Outcome::completed);
+        EXPECT_FALSE(report.diagnosis);
+        ASSERT_EQ(report.warnings.size(), 1) << "that it fell is told";
+        EXPECT_EQ(report.warnings[0].kind, DiagnosisKind::fallen) << report.warnings[0];
+    }
+}
+
+// Pushed off, without a velocity of its own, the same stone has fallen from the structure.
+TEST_P(Collapse, IsALandingOfWhatStoodAtTheStart)
+{
+    Model model = make_model(GetParam(), stone(), dry(30));
+    hold(model, add_box(model, "ground", {-2, -0.5, -1}, {4, 0.5, 0}));
+    hold(model, add_box(model, "step", {-0.5, -0.5, 0}, {0.5, 0.5, 1}));
+    const int over_edge = add_box(model, "over the edge", {0.4, -0.5, 1}, {0.9, 0.5, 1.2});
+    State state = initial_state(model);
+    const RunReport report = run_quietly(model, {dynamic_stage(3, 1e-3)}, state);
+    EXPECT_EQ(report.outcome, Outcome::collapsed);
+    ASSERT_EQ(report.fallen.size(), 1);
+    EXPECT_EQ(report.fallen[0].block, over_edge);
+}
+
 TEST_P(Collapse, EndsTheRunWhenTheStageSaysSo)
 {
     Ruin ruin(GetParam());
