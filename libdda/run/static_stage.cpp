@@ -29,8 +29,10 @@ constexpr int enough_steady = 3;    // steps on one way that show that stones do
 constexpr double same_way = 0.7;   // cosine between them, at least
 constexpr double no_slower = 0.7;  // of the acceleration, at least
 constexpr double let_go = 1e-4;  // of a stone's size, since the stage began: more than what settles by elasticity
-constexpr double motionless = 1e-6;   // of a stone's size in a step
-constexpr int enough_idle = 5;        // negligible steps, after which contacts that still take turns do not matter
+constexpr double nearly_balanced = 1e-5;  // unbalanced force / load
+constexpr double motionless = 1e-6;       // of a stone's size in a step of the nominal length
+constexpr double longer = 100;  // times that, at most, in steps so much longer: what falls goes with their square
+constexpr int enough_idle = 5;  // negligible steps, after which contacts that still take turns do not matter
 constexpr double longest_time = 1e4;  // times the nominal time step: of steps of stones on one way
 
 bool is_at_rest(const RunPosition& at)
@@ -71,7 +73,9 @@ void note_step(const Stage& stage, const StepReport& step, RunProgress& progress
             product_of(model, last, previous) > same_way * scale && acceleration > no_slower * course.acceleration;
     }
     course.steady = goes_on ? course.steady + 1 : 0;
-    const bool idle = step.inertia_ratio <= stage.unbalanced_tolerance && largest_share(model, last) <= motionless;
+    const double length = std::clamp(step.time_step / stage.control.time_step, 1.0, longer);
+    const bool idle =
+        step.inertia_ratio <= stage.unbalanced_tolerance && largest_share(model, last) <= motionless * length;
     course.idle = idle ? course.idle + 1 : 0;
     course.acceleration = acceleration;
     course.before = progress.before.coordinates;
@@ -83,7 +87,10 @@ double next_step(const StepReport& step, double share, const StaticCourse& cours
     const double growth = step.cuts > 0 || step.open_close_iterations > 25 ? 1.2
                           : step.open_close_iterations > 12                ? 1.6
                                                                            : 3.0;
-    const double most = course.steady >= enough_steady ? longest_time * nominal : nominal;
+    const bool nearly_still =
+        step.cuts == 0 && step.open_close_iterations <= 12 && step.inertia_ratio < nearly_balanced;
+    const double most = nearly_still || course.steady >= enough_steady ? longest_time * nominal
+                                                                       : std::max(nominal, 0.3 * step.time_step);
     const double jump = share > 0 ? 0.9 * std::sqrt(longest_step / share) : growth;
     return std::min(step.time_step * std::min(growth, jump), most);
 }
