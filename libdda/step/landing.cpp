@@ -35,6 +35,7 @@ class Landing
 
  private:
     std::vector<double> fractions() const;
+    std::vector<double> ground_works() const;
 
     const Model& model_;
     const ContactSetIn<D>& contacts_;
@@ -99,10 +100,32 @@ std::vector<double> Landing<K>::fractions() const
     return result;
 }
 
+/// What foundations that move do in the blows, for they push at their own speed; booked with a body that they
+/// strike [J].
+template <class K>
+std::vector<double> Landing<K>::ground_works() const
+{
+    const std::vector<Body<K>>& bodies = impulses_.bodies();
+    std::vector<double> works(bodies.size(), 0.0);
+    const auto is_struck = [](const Body<K>& body) {
+        return body.velocity != body.start_velocity || body.spin != body.start_spin;
+    };
+    for (const Meeting<K>& m : impulses_.meetings()) {
+        const Vector impulse = m.pressed * m.normal + m.rubbed;  // on a
+        const Vector &of_a = bodies[m.a].inverse_mass, &of_b = bodies[m.b].inverse_mass;
+        double& work = works[is_struck(bodies[m.a]) ? m.a : m.b];
+        for (int k = 0; k < D; ++k) {
+            if (of_a[k] == 0) work -= impulse[k] * bodies[m.a].velocity[k];
+            if (of_b[k] == 0) work += impulse[k] * bodies[m.b].velocity[k];
+        }
+    }
+    return works;
+}
+
 template <class K>
 std::vector<Jump<K>> Landing<K>::jumps() const
 {
-    const std::vector<double> when = fractions();
+    const std::vector<double> when = fractions(), works = ground_works();
     std::vector<Jump<K>> result;
     for (std::size_t i = 0; i < impulses_.bodies().size(); ++i) {
         const Body<K>& body = impulses_.bodies()[i];
@@ -113,6 +136,7 @@ std::vector<Jump<K>> Landing<K>::jumps() const
         if (!body.inverse_inertia.isZero(0)) jump.momentum = body.inverse_inertia.inverse() * turned;
         jump.block = impulses_.block_of(static_cast<int>(i));
         jump.fraction = when[i];
+        jump.ground_work = works[i];
         result.push_back(jump);
     }
     std::sort(result.begin(), result.end(), [](const Jump<K>& a, const Jump<K>& b) { return a.block < b.block; });
