@@ -11,7 +11,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 13\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 14\n";  // its number rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -87,7 +87,7 @@ template <typename Archive, typename Start>
 void trust_fields(Archive& archive, Start& start)
 {
     auto& [at_rest, modes, energy] = start;
-    archive.fields(at_rest, modes.outcome, modes.loose);
+    archive.fields(at_rest, modes.outcome, modes.loose, modes.rigid);
     archive.list(modes.modes, [](auto& to, auto& mode) {
         auto& [frequency, mass_share, joint_share, lowered_by_joints, raised_by_stones, dashpot_time] = mode;
         to.field(frequency);

@@ -54,11 +54,12 @@ std::string remedy_of_damping(const TrustFinding& finding, const Stage& stage)
 }
 
 /// How many times as stiff joints must be for the lowering to be the limit.
-double stiffer_by(const TrustFinding& finding)
+/// @param rigid stones: joints are all that yields
+double stiffer_by(const TrustFinding& finding, bool rigid)
 {
-    const auto softness = [](double lowered) {
+    const auto softness = [&](double lowered) {
         const double stiff = std::pow(1 - std::min(lowered, 0.999), 2);
-        return (1 - stiff) / stiff;
+        return (rigid ? 1 : 1 - stiff) / stiff;
     };
     return rounded_up(softness(finding.worst * finding.limit) / softness(finding.limit));
 }
@@ -88,7 +89,7 @@ std::string in_words(const TrustFinding& finding, const Trust& trust, const std:
                 "a "
                 "rule, no measurement; give the measured contact_stiffness in Pa/m, or a "
                 "contact_stiffness_factor {:g} times as large",
-                finding.frequency, percent(finding.value), limit, stiffer_by(finding));
+                finding.frequency, percent(finding.value), limit, stiffer_by(finding, trust.start.modes.rigid));
         case Kind::stiff_stones:
             return fmt::format(
                 "stones of uniform strain do not bend: if these did, the vibration of {:.3g} Hz would have some "

@@ -93,6 +93,15 @@ double raised_by(double stored_in_stones, double would_be_stored, double joints)
     return std::sqrt(softer / (joints + stored_in_stones)) - 1;
 }
 
+/// By how much joints of a rule lower the frequency, against that of stones and measured joints alone. The joints
+/// of rigid stones stand for the elasticity of these: they lower nothing unless they yield more than it would.
+double lowered_by(const ModeEnergies& twice, double stored_in_stones, bool rigid)
+{
+    const double stones = std::max(stored_in_stones, twice.stones), real = twice.measured + stones;
+    const double computed = twice.measured + twice.ruled + (rigid ? 0 : stones);
+    return computed > real ? 1 - std::sqrt(real / computed) : 0;
+}
+
 /// @param eigenvalue omega^2 of a shape with unit modal mass
 template <class K>
 NaturalMode mode_of(double eigenvalue, const Eigen::VectorXd& shape, const Vibration<K>& vibration)
@@ -104,9 +113,8 @@ NaturalMode mode_of(double eigenvalue, const Eigen::VectorXd& shape, const Vibra
     const double joints = twice.measured + twice.ruled;
     mode.joint_share = std::min(1.0, joints / eigenvalue);
     // Stones bend less than a continuum does, and rigid ones not at all: their joints tell what they would store.
-    const double stored = std::max(0.0, eigenvalue - joints), stones = std::max(stored, twice.stones);
-    const double share = joints + stones > 0 ? twice.ruled / (joints + stones) : 0;
-    mode.lowered_by_joints = 1 - std::sqrt(1 - share);
+    const double stored = K::deformable ? std::max(0.0, eigenvalue - joints) : 0;
+    mode.lowered_by_joints = lowered_by(twice, stored, !K::deformable);
     if (K::deformable) mode.raised_by_stones = raised_by(stored, twice.stones, joints);
     mode.dashpot_time = twice.dashpots / eigenvalue;
     return mode;
@@ -125,6 +133,7 @@ template <class K>
 NaturalModes modes_about(const Model& model, const State& state, const ModesSearch& search)
 {
     NaturalModes found;
+    found.rigid = !K::deformable;
     const Vibration<K> vibration = vibration_about<K>(model, state);
     if (vibration.stiffness.rows() == 0) return found;
     solve::CholmodFactor factor;

@@ -16,8 +16,8 @@ struct NaturalMode {
     double frequency = 0;                                  // Hz
     Eigen::Vector3d mass_share = Eigen::Vector3d::Zero();  // effective mass along x, y, z / mass of all that moves
     double joint_share = 0;                                // of the strain energy, in joints
-    // By how much joints whose stiffness is a rule, not a measurement, lower the frequency: what they add to the
-    // compliance of stones and measured joints.
+    // By how much joints whose stiffness is a rule, not a measurement, lower the frequency against that of stones
+    // and measured joints. Of deformable stones they add to the compliance, of rigid ones they are all of it.
     double lowered_by_joints = 0;
     // Deformable scenes: by how much elastic stones would lower it, for those of uniform strain do not bend;
     // roughly.
@@ -37,6 +37,7 @@ struct NaturalModes {
     ModesOutcome outcome = ModesOutcome::nothing_closed;
     std::vector<NaturalMode> modes;  // rising frequencies, none of them 0
     int loose = 0;                   // modes of frequency 0 that were met: stones that nothing holds
+    bool rigid = false;              // the stones are: joints stand for their elasticity
 };
 
 struct ModesSearch {

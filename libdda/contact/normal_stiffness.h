@@ -7,10 +7,10 @@
 namespace voussoir::contact
 {
 
-/// The default stiffness of a joint, in E / L of the stones on its sides. A joint that is f E / L stiff adds 1/f to the
-/// compliance of elastic stones and takes 1/(2f) from the frequencies of the structure: 0.17 % if bonded, 1.7 % if dry.
-/// Dry joints as stiff as bonded ones would cost ten times the iterations where many of them open and close in a step;
-/// those of rigid stones, which rock harder, are softer still.
+/// The default stiffness of a joint, in E / L of the stones on its sides. A joint that is f E / L stiff adds 1/f
+/// to the compliance of elastic stones and takes 1/(2f) from the frequencies of the structure: 0.17 % if
+/// bonded, 1.7 % if dry. Dry joints as stiff as bonded ones would cost ten times the iterations where many of them
+/// open and close in a step; those of rigid stones, which rock harder, are softer still.
 double default_stiffness_factor(Kinematics kinematics, const JointMaterial& joint);
 
 /// What turns a measure of a contact into an area [m]: lengths of a planar scene count times its thickness.

@@ -155,7 +155,7 @@ void predict(const State& state, int block, double h, const Jump<K>* jump, Block
         flight.orientation = OrientationIn<dimension>::read(x + dimension);
     }
     step.jumps = jump != nullptr;
-    step.impact = 0;
+    step.impact = step.ground_work = 0;
     double left = h;
     if (jump) {
         fly(step, jump->fraction * h, flight);
@@ -166,6 +166,9 @@ void predict(const State& state, int block, double h, const Jump<K>* jump, Block
         flight.spin = spin_of<dimension>(spread_of(flight.pose.map, step.density_second), flight.momentum);
         step.impact -= kinetic_energy(step, flight);
         step.start_kinetic -= step.impact;
+        // What the ground gave is in the kinetic energy afterwards: the impulses took that much more.
+        step.ground_work = jump->ground_work;
+        step.impact += step.ground_work;
     }
     fly(step, left, flight);
 

@@ -23,6 +23,7 @@ struct Jump {
     typename K::Vector velocity = K::Vector::Zero();  // m/s, change
     typename K::Spin momentum = K::Spin::Zero();      // Nms, change of the angular momentum about its centroid
     double fraction = 0;                              // of the step, when it happens
+    double ground_work = 0;                           // J, done by moving foundations through its impulses
 };
 
 /// A block in a step of length h. "Predicted" is where it comes to rest relative to the step: q^ = q + h v with
@@ -54,6 +55,7 @@ struct BlockStep {
     double start_kinetic = 0, predicted_kinetic = 0;  // J, of components that are not held
     bool jumps = false;                               // it lands, or is struck by what does
     double impact = 0;                                // J, taken by that
+    double ground_work = 0;                           // J, done by moving foundations in it
     Vector ballistic = Vector::Zero();   // m, h v^ minus the predicted move of the centroid: of a jump
     Vector body_force = Vector::Zero();  // N, gravity and body accelerations
     Vector gravity = Vector::Zero();     // N, the gravity part of it

@@ -117,6 +117,7 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
         (block.jumps ? energy.impact : energy.algorithmic_rotation) -=
             rotation_gain(block, internal, d, moment, system.h) + block.body_force.dot(block.ballistic);
         energy.impact += block.impact;
+        energy.foundation_work += block.ground_work;
         energy.strain += strain_energy_of(block, state, b);
         energy.kinetic += kinetic_energy_of(block, state, b);
     }

@@ -53,8 +53,8 @@ void turn_round(const typename K::Vector& move, const PatchStep<K>& patch, Point
     const double share = std::min(sticks ? stuck : back.share, 1.0);
     p.status = sticks ? ContactStatus::locked : ContactStatus::sliding;
     p.tangent_along = sticks ? p.shear_stiffness : p.bound * back.slope * 2 / patch.h;
-    // What crosses the heading bends the force, as it does of a joint that slides on: by as much where it just does not
-    // turn, and the less, the longer the way there and back is.
+    // What crosses the heading bends the force, as it does of a joint that slides on: by as much where it just
+    // does not turn, and the less, the longer the way there and back is.
     const Vector path = p.slip_start + move;
     const double back_way = sticks ? 0 : 0.5 * (1 - share) * (rest - along);
     const double reach = p.heading.dot(p.slip_start) + rest + back_way;

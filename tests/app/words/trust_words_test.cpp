@@ -86,6 +86,13 @@ TEST(TrustWords, NameTheLimitAndTheRemedy)
               "joints lower the frequency of 4.31 Hz by 4.7 % against that of the stones (limit 1 %): their "
               "stiffness is a rule, no measurement; give the measured contact_stiffness in Pa/m, or a "
               "contact_stiffness_factor 5 times as large");
+    // Of rigid stones half as stiff as they should be.
+    trust.start.modes.rigid = true;
+    EXPECT_EQ(said({Kind::soft_joints, 4.314, 0.293, 0.02, 14.65}),
+              "joints lower the frequency of 4.31 Hz by 29 % against that of the stones (limit 2 %): their "
+              "stiffness is a rule, no measurement; give the measured contact_stiffness in Pa/m, or a "
+              "contact_stiffness_factor 2 times as large");
+    trust.start.modes.rigid = false;
     EXPECT_EQ(said({Kind::stiff_stones, 10.6, 2.4, 0.5, 4.8}),
               "stones of uniform strain do not bend: if these did, the vibration of 10.6 Hz would have some 3.1 "
               "Hz; divide "

@@ -61,16 +61,24 @@ TEST(ContactStiffness, PerAreaIsKTimesArea)
     }
 }
 
-// k = 2 f / (L_a/E + L_b/E), f = 100 in all kinematics; a held floor adds no compliance.
+// k = 2 f / (L_a/E + L_b/E), f = 30 between dry deformable stones, 300 bonded ones and 10 between rigid ones; a
+// held floor adds no compliance.
 TEST(ContactStiffness, DefaultFollowsModulusAndDepths)
 {
     const ContactStiffness rule;
     const double young = 2e9, box = 0.4, floor = 1.2, area = 2;
     for (const Kinematics kinematics : {Kinematics::spatial_deformable, Kinematics::spatial_rigid}) {
-        constexpr double factor = 100;
+        const double factor = is_deformable(kinematics) ? 30 : 10;
         const double held = 2 * factor * young / box * area, free = 2 * factor * young / (box + floor) * area;
         EXPECT_NEAR(Floor(kinematics, rule, true).total(), held, 1e-12 * held);
         EXPECT_NEAR(Floor(kinematics, rule, false).total(), free, 1e-12 * free);
+        Floor bonded(kinematics, rule, false);
+        bonded.model.joints[0].cohesion = 1e6;
+        bonded.model.joints[0].tensile_strength = 1e5;
+        bonded.state = initial_state(bonded.model);
+        find_initial_contacts(bonded.model, bonded.state);
+        const double bonds = is_deformable(kinematics) ? 10 * free : free;
+        EXPECT_NEAR(bonded.total(), bonds, 1e-12 * bonds);
     }
 }
 

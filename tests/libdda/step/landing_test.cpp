@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 #include "tests/libdda/poses.h"
 #include "tests/libdda/scenes.h"
@@ -17,6 +18,12 @@ class Landing : public ::testing::TestWithParam<Kinematics>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Kinematics, Landing, every_kinematics(), test_name);
+
+/// Ground that moves at one speed [m/s].
+std::shared_ptr<const GroundMotion> steady(double speed)
+{
+    return std::make_shared<GroundMotion>(GroundMotion::from_velocity({speed, speed}, 10, "steady"));
+}
 
 /// A box that falls flat on a floor. @returns its highest rise after the first impact [m]
 double rebound(Kinematics kinematics, std::optional<double> restitution, double stiffness_factor, double h,
@@ -100,6 +107,41 @@ TEST_P(Landing, TakesTheEnergyOfTheApproach)
     EXPECT_NEAR(report.energy.impact, report.energy.gravity_work, 0.02 * report.energy.gravity_work);
     rebound(GetParam(), std::nullopt, 1, 1e-3, report);
     EXPECT_EQ(report.energy.impact, 0);
+}
+
+// A base that moves pushes at its own speed: the blow takes what it takes in the base's own frame, and the ledger
+// knows who gave it.
+TEST_P(Landing, TakesOnAMovingBaseWhatItTakesInTheFrameOfTheBase)
+{
+    const Eigen::Vector3d along =
+        is_planar(GetParam()) ? Eigen::Vector3d(0.4, 0, 0.6) : Eigen::Vector3d(0.4, -0.2, 0.6);
+    double taken[2], work[2], mass = 0;
+    for (const bool moves : {false, true}) {
+        JointMaterial joint = dry(30);
+        joint.restitution = 0.3;
+        Model model = make_model(GetParam(), stone(), joint);
+        hold(model, add_box(model, "base", {-2, -2, -1}, {2, 2, 0}));
+        const int box = add_box(model, "box", {-0.3, -0.3, 0.1}, {0.3, 0.3, 0.6});
+        const Eigen::Vector3d base = moves ? along : Eigen::Vector3d::Zero();
+        Stage stage = dynamic_stage(0.2, 1e-3);
+        for (int k = 0; k < 3; ++k)
+            if (base[k] != 0) stage.motions.push_back({0, k, steady(base[k])});
+        State state = initial_state(model);
+        set_velocity(model, state, 0, base);
+        set_velocity(model, state, box, base + Eigen::Vector3d(0.5, 0, -1));
+        const RunReport report = run_quietly(model, {stage}, state);
+        EXPECT_EQ(report.outcome, Outcome::completed);
+        EXPECT_LT(report.energy.relative_residual(), 1e-6);
+        taken[moves] = report.energy.impact;
+        work[moves] = report.energy.foundation_work;
+        mass = model.mass(box);
+    }
+    std::printf("impact %.4f and %.4f J, work of the base %.4f and %.4f J\n", taken[0], taken[1], work[0],
+                work[1]);
+    EXPECT_GT(taken[0], 0.3 * mass);
+    EXPECT_NEAR(taken[1], taken[0], 1e-4 * taken[0]);
+    EXPECT_EQ(work[0], 0);
+    EXPECT_GT(work[1], 0.5 * mass * 0.6);
 }
 
 // A rocking block's edge lands without bouncing: Housner's ratio of angular speeds, 1 - 1.5 sin^2(alpha).

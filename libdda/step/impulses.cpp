@@ -1,0 +1,179 @@
+#include "libdda/step/impulses.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir::step
+{
+
+namespace
+{
+
+constexpr int max_sweeps = 200;  // over the contacts that impulses have reached
+constexpr double still = 1e-6;   // of the largest approach speed: a smaller change has not reached a block
+
+}  // namespace
+
+template <class K>
+Body<K> body_of(const Model& model, const State& state, int block)
+{
+    constexpr int D = K::dimension;
+    Body<K> body;
+    const PoseIn<D> pose = pose_in<D>(K::kinematics, state, block);
+    const double* v = state.velocities.data() + block * K::unknowns;
+    body.centroid = pose.centroid;
+    body.velocity = typename K::Vector(v);
+    const auto second = from_space<D>(model.mass_second(block));
+    const typename K::Matrix spread = pose.map * second * pose.map.transpose();
+    if constexpr (K::deformable)
+        body.spin = spin_of<D>(
+            spread, axial(typename K::Matrix(typename K::Matrix(v + D) * second * pose.map.transpose())));
+    else
+        for (int k = 0; k < body.spin.size(); ++k) body.spin[k] = v[D + k];
+    body.inverse_mass.setConstant(1 / model.mass(block));
+    body.inverse_inertia = inertia_tensor(spread).inverse();
+    for (const Foundation& foundation : model.foundations) {
+        if (foundation.block != block) continue;
+        for (int k = 0; k < D; ++k)
+            if (foundation.translation_held[axis_in_space<D>(k)]) body.inverse_mass[k] = 0;
+        if (foundation.rotation_held) body.inverse_inertia.setZero();
+    }
+    body.start_velocity = body.velocity;
+    body.start_spin = body.spin;
+    return body;
+}
+
+template <class K>
+int Impulses<K>::body(int block)
+{
+    if (body_of_[block] < 0) {
+        body_of_[block] = static_cast<int>(bodies_.size());
+        bodies_.push_back(body_of<K>(model_, state_, block));
+        blocks_.push_back(block);
+    }
+    return body_of_[block];
+}
+
+template <class K>
+Meeting<K> Impulses<K>::meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double flight)
+{
+    Meeting<K> m;
+    m.a = body(patch.block_a);
+    m.b = body(patch.block_b);
+    const Body<K>&a = bodies_[m.a], &b = bodies_[m.b];
+    m.lever_a = point.position - a.centroid;
+    m.lever_b = point.position - b.centroid + flight * (a.velocity_at(m.lever_a) - b.velocity);
+    m.lever_a += flight * (a.velocity_at(m.lever_a) - a.velocity);
+    m.normal = patch.normal;
+    m.friction = model_.friction_factor(patch.block_a, patch.block_b) *
+                 std::tan(model_.joint_between(patch.block_a, patch.block_b).friction_angle);
+    m.bonded = patch.intact;
+    const Vector velocity = relative_velocity(bodies_[m.a], bodies_[m.b], point.position);
+    m.target = patch.normal.dot(velocity);
+    m.target_slip.setZero();
+    m.mobility = bodies_[m.a].mobility(m.lever_a, patch.normal) + bodies_[m.b].mobility(m.lever_b, patch.normal);
+    return m;
+}
+
+template <class K>
+void Impulses<K>::add(const Meeting<K>& meeting, double approach)
+{
+    fastest_ = std::max(fastest_, approach);
+    meetings_.push_back(meeting);
+}
+
+/// Lets the closed joints of a body that an impulse has reached take part: they are not closed any further, and a
+/// bond is not opened either.
+template <class K>
+void Impulses<K>::reach(int index)
+{
+    if (bodies_[index].reached || bodies_[index].mobility(Vector::Zero(), Vector::Ones()) == 0) return;
+    bodies_[index].reached = true;
+    if (patches_of_.empty()) {
+        patches_of_.resize(model_.blocks.size());
+        takes_part_.assign(contacts_.patches.size(), 0);
+        for (int k = 0; k < static_cast<int>(contacts_.patches.size()); ++k) {
+            patches_of_[contacts_.patches[k].block_a].push_back(k);
+            patches_of_[contacts_.patches[k].block_b].push_back(k);
+        }
+    }
+    for (const int k : patches_of_[blocks_[index]]) {
+        if (takes_part_[k]) continue;
+        takes_part_[k] = 1;
+        const ContactPatchIn<D>& patch = contacts_.patches[k];
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+            const ContactPointIn<D>& point = contacts_.points[i];
+            if (point.gap >= 0 && !patch.intact) continue;
+            Meeting<K> m = meeting(patch, point, 0);
+            // As it was before the impulses.
+            Body<K> a = bodies_[m.a], b = bodies_[m.b];
+            a.velocity = a.start_velocity;
+            a.spin = a.start_spin;
+            b.velocity = b.start_velocity;
+            b.spin = b.start_spin;
+            const Vector velocity = relative_velocity(a, b, point.position);
+            m.target = patch.normal.dot(velocity);
+            // Friction opposes what slip there is, also that of a joint that slides already.
+            if (patch.intact) m.target_slip = velocity - m.target * patch.normal;
+            if (m.mobility > 0) meetings_.push_back(m);
+        }
+    }
+}
+
+/// One impulse at one point. @returns by how much it changed the velocity there [m/s]
+template <class K>
+double Impulses<K>::act(Meeting<K>& m)
+{
+    Body<K>&a = bodies_[m.a], &b = bodies_[m.b];
+    const auto push = [&](const Vector& impulse) {
+        a.push(m.lever_a, impulse);
+        b.push(m.lever_b, -impulse);
+    };
+    const auto velocity = [&] { return Vector(a.velocity_at(m.lever_a) - b.velocity_at(m.lever_b)); };
+    double press = (m.target - m.normal.dot(velocity())) / m.mobility;
+    if (!m.bonded) press = std::max(press, -m.pressed);
+    m.pressed += press;
+    push(press * m.normal);
+    Vector slip = velocity() - m.target_slip;
+    slip -= m.normal.dot(slip) * m.normal;
+    const double speed = slip.norm();
+    double rubbed = 0;
+    if (speed > 0) {
+        const Vector along = slip / speed;
+        const double mobility = a.mobility(m.lever_a, along) + b.mobility(m.lever_b, along);
+        const Vector before = m.rubbed;
+        if (mobility > 0) m.rubbed -= slip / mobility;
+        const double bound = m.friction * m.pressed, size = m.rubbed.norm();
+        if (!m.bonded && size > bound) m.rubbed *= bound / size;
+        const Vector rub = m.rubbed - before;
+        push(rub);
+        rubbed = rub.norm() * mobility;
+    }
+    return std::max(std::abs(press) * m.mobility, rubbed);
+}
+
+template <class K>
+void Impulses<K>::solve()
+{
+    for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+        double most = 0;
+        for (std::size_t i = 0; i < meetings_.size(); ++i) {  // grows
+            const double change = act(meetings_[i]);
+            most = std::max(most, change);
+            if (change <= still * fastest_) continue;
+            const int a = meetings_[i].a, b = meetings_[i].b;
+            reach(a);
+            reach(b);
+        }
+        if (most <= still * fastest_) return;
+    }
+}
+
+#define VOUSSOIR_INSTANTIATE(K)                                \
+    template Body<K> body_of(const Model&, const State&, int); \
+    template class Impulses<K>
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir::step

@@ -1,0 +1,111 @@
+// Impulses between stones: bodies, the contacts at which they meet, and the impulses there.
+#pragma once
+
+#include <vector>
+
+#include "libdda/step/step_system.h"
+
+namespace voussoir::step
+{
+
+/// A block as impulses move it: rigid, for what a deformable one stores in a blow is no motion.
+template <class K>
+struct Body {
+    using Vector = typename K::Vector;
+    using Spin = typename K::Spin;
+    Vector centroid, velocity;  // m, m/s
+    Spin spin;                  // rad/s
+    Vector inverse_mass;        // 1/kg, 0 of held components
+    Eigen::Matrix<double, Spin::RowsAtCompileTime, Spin::RowsAtCompileTime> inverse_inertia;  // 1/(kg m2)
+    Vector start_velocity;
+    Spin start_spin;
+    bool reached = false;  // by an impulse: its joints take part
+
+    Vector velocity_at(const Vector& lever) const { return velocity + skew(spin) * lever; }
+    void push(const Vector& lever, const Vector& impulse)
+    {
+        velocity += inverse_mass.cwiseProduct(impulse);
+        spin += inverse_inertia * moment_about(lever, impulse);
+    }
+    /// Velocity that a unit impulse along u gives its own point, along u.
+    double mobility(const Vector& lever, const Vector& u) const
+    {
+        const Spin moment = moment_about(lever, u);
+        return u.dot(inverse_mass.cwiseProduct(u)) + moment.dot(inverse_inertia * moment);
+    }
+};
+
+/// A contact point that takes part.
+template <class K>
+struct Meeting {
+    using Vector = typename K::Vector;
+    int a = 0, b = 0;         // blocks
+    Vector lever_a, lever_b;  // m
+    Vector normal;            // unit
+    double friction = 0;      // -
+    double target = 0;        // m/s, least normal speed afterwards
+    Vector target_slip;       // m/s, tangential velocity that sticking keeps: that of a bond, else none
+    bool bonded = false;
+    bool lands = false;
+    double fraction = 0;             // of the step, if it lands
+    double mobility = 0;             // 1/kg, along the normal
+    double pressed = 0;              // Ns, so far
+    Vector rubbed = Vector::Zero();  // Ns, so far
+};
+
+/// Moves as the part of its motion does that carries momentum.
+template <class K>
+Body<K> body_of(const Model& model, const State& state, int block);
+
+/// Speed at which the stones of a point part, as rigid bodies [m/s].
+template <class K>
+typename K::Vector relative_velocity(const Body<K>& a, const Body<K>& b, const typename K::Vector& place)
+{
+    return a.velocity_at(place - a.centroid) - b.velocity_at(place - b.centroid);
+}
+
+/// What impulses do to the blocks that they reach: found contact by contact (projected Gauss-Seidel).
+template <class K>
+class Impulses
+{
+ public:
+    using Vector = typename K::Vector;
+    using Spin = typename K::Spin;
+    static constexpr int D = K::dimension;
+
+    Impulses(const Model& model, const State& state, const ContactSetIn<D>& contacts)
+        : model_(model), state_(state), contacts_(contacts), body_of_(model.blocks.size(), -1)
+    {
+    }
+
+    /// @returns the index of a block's body, which is made when first asked for
+    int body(int block);
+    /// @param flight until they meet [s]: both blows act where the point of a is then, or angular momentum would
+    /// be lost
+    Meeting<K> meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double flight);
+    /// Adds one that lands. @param approach speed [m/s]
+    void add(const Meeting<K>& meeting, double approach);
+    /// Lets impulses act until every landing point has its speed and no joint is closed any further.
+    void solve();
+
+    const std::vector<Body<K>>& bodies() const { return bodies_; }
+    const std::vector<Meeting<K>>& meetings() const { return meetings_; }
+    int block_of(int body) const { return blocks_[body]; }
+
+ private:
+    void reach(int body);
+    double act(Meeting<K>& meeting);
+
+    const Model& model_;
+    const State& state_;
+    const ContactSetIn<D>& contacts_;
+    std::vector<int> body_of_;  // by block
+    std::vector<int> blocks_;   // by body
+    std::vector<Body<K>> bodies_;
+    std::vector<Meeting<K>> meetings_;
+    std::vector<char> takes_part_;              // by patch: its closed points do
+    std::vector<std::vector<int>> patches_of_;  // by block, made when first needed
+    double fastest_ = 0;                        // m/s, of what lands
+};
+
+}  // namespace voussoir::step
