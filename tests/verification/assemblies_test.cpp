@@ -3,6 +3,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <set>
 
@@ -18,11 +19,11 @@ namespace
 using nlohmann::json;
 
 enum class Verdict {
-    stands,    // rests on its lowest stones, and is shaken
-    topples,   // the same, after a stone has toppled on to others under its own weight, as statics says
-    falls,     // accepted; statics says that it falls
-    cured,     // refused as it is; with the cure it rests and is shaken
-    no_stone,  // refused; there is no solid in it
+    stands,     // rests on its lowest stones, and is shaken
+    gives_way,  // accepted; a stone topples or slides on to others under its own weight, as statics says
+    falls,      // accepted; statics says that it falls
+    cured,      // refused as it is; with the cure it rests and is shaken
+    no_stone,   // refused; there is no solid in it
 };
 
 struct Assembly {
@@ -35,14 +36,14 @@ struct Assembly {
 const std::map<std::string, Assembly> assemblies{
     {"masonry/wall.obj", {Verdict::stands, "", ""}},
     {"masonry/crossvault.obj", {Verdict::stands, "", ""}},
-    {"masonry/ursula.obj", {Verdict::topples, "", "Mesh 1"}},
+    {"masonry/ursula.obj", {Verdict::gives_way, "", "Mesh 1"}},
     {"masonry/bridge.json", {Verdict::stands, "", ""}},
     {"masonry/A.json", {Verdict::falls, "", ""}},
     {"masonry/H.json", {Verdict::falls, "", ""}},
     {"masonry/cubes.json", {Verdict::stands, "", ""}},
     {"masonry/concave-long.json", {Verdict::stands, "", ""}},
-    {"masonry/shelf.json", {Verdict::stands, "", ""}},
-    {"masonry/shelf-s1.json", {Verdict::stands, "", ""}},
+    {"masonry/shelf.json", {Verdict::gives_way, "", "11"}},
+    {"masonry/shelf-s1.json", {Verdict::gives_way, "", "11"}},
     {"masonry/type-a.json", {Verdict::stands, "", ""}},
     {"masonry/type-b.json", {Verdict::stands, "", ""}},
     {"masonry/stack_assembly.json", {Verdict::falls, "", ""}},
@@ -158,6 +159,20 @@ std::string expect_collapse(const TemporaryFolder& folder, const Scene& scene)
     return "collapsed: " + told;
 }
 
+std::string expect_giving_way(const TemporaryFolder& folder, const Scene& scene, const std::string& stone)
+{
+    const Outcome resting = started(folder, "run", scene.text(rest));
+    EXPECT_EQ(resting.word(), "collapsed") << resting.said;
+    EXPECT_EQ(resting.unconverged(), 0);
+    const std::string message = resting.summary.value("message", "");
+    EXPECT_NE(message.find("'" + stone + "'"), std::string::npos) << message;
+    const auto why = [](const Model& model, int block) {
+        const std::string topples = why_it_topples(model, block);
+        return topples.empty() ? why_it_slides(model, block, 37 * std::numbers::pi / 180) : topples;
+    };
+    return "collapsed: " + cause_of(model_of(scene.mesh), stone, why);
+}
+
 std::string expect_refusal(const TemporaryFolder& folder, const Scene& scene, const std::string& words)
 {
     const Outcome checked = started(folder, "check", scene.text(std::string(rest) + shaking));
@@ -195,9 +210,7 @@ TEST(Assemblies, OfTheDataRunFromMeshToShakingOrFallAsStaticsSays)
             told += ", then " + expect_rest_and_shaking(folder, scene);
         }
         if (assembly.verdict == Verdict::stands) told = expect_rest_and_shaking(folder, scene);
-        if (assembly.verdict == Verdict::topples)
-            told = expect_rest_and_shaking(folder, scene) + "; " +
-                   cause_of(model_of(scene.mesh), assembly.words, why_it_topples);
+        if (assembly.verdict == Verdict::gives_way) told = expect_giving_way(folder, scene, assembly.words);
         if (assembly.verdict == Verdict::falls) told = expect_collapse(folder, scene);
         std::printf("%-42s %6zu %8d  %-30s %s\n", name.c_str(), certificate.value("stones", json::array()).size(),
                     repairs_in(certificate), assembly.cure.c_str(), told.c_str());

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -77,6 +79,28 @@ inline std::string why_group_falls(const Model& model, const ContactSet& contact
     const auto stones = std::count(group.begin(), group.end(), true);
     return fmt::format("the centroid of {} stone{} lies {:.4f} m {} the edge of the support", stones,
                        stones == 1 ? "" : "s", std::abs(outside), outside < 0 ? "inside" : "outside");
+}
+
+/// Why a stone by itself slides: the face that bears it falls by more than the angle of friction [rad], and
+/// nothing stands in its way there. Empty: statics does not say so.
+inline std::string why_it_slides(const Model& model, int stone, double friction_angle)
+{
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    std::vector<Eigen::Vector3d> faces;  // normals, towards the stone
+    for (const ContactPatch& patch : state.contacts.patches) {
+        if (patch.block_a != stone && patch.block_b != stone) continue;
+        faces.push_back(patch.block_a == stone ? patch.normal : Eigen::Vector3d(-patch.normal));
+    }
+    const Eigen::Vector3d down(0, 0, -1);
+    for (const Eigen::Vector3d& bearing : faces) {
+        const double slope = std::acos(std::clamp(bearing.z(), -1.0, 1.0));
+        if (bearing.z() < 1e-6 || slope < friction_angle) continue;
+        const Eigen::Vector3d way = (down - down.dot(bearing) * bearing).normalized();
+        if (std::all_of(faces.begin(), faces.end(), [&](const Eigen::Vector3d& n) { return n.dot(way) > -1e-3; }))
+            return fmt::format("it slides down a face of {:.0f} degrees", slope * 180 / std::numbers::pi);
+    }
+    return "";
 }
 
 /// Why a stone that lies on others may topple: its centroid lies outside its support, or inside by less than 1 %

@@ -183,9 +183,11 @@ const std::pair<const char*, Maker> makers[] = {
 
 }  // namespace
 
-TEST_P(AcceptedModels, ComeToRest)
+// Where stones are drawn so far off that they fall into place, gathering speed, a static stage says so.
+TEST_P(AcceptedModels, ComeToRestUnlessTheyAreDrawnFarOff)
 {
-    int refused = 0;
+    constexpr double far_off = 0.02;  // m, rad
+    int refused = 0, falling = 0;
     for (const auto& [kind, make] : makers)
         for (int seed = 0; seed < assemblies_of_a_kind; ++seed) {
             Draughtsman hand(seed);
@@ -196,12 +198,16 @@ TEST_P(AcceptedModels, ComeToRest)
                 continue;
             }
             const RunReport report = brought_to_rest(model);
-            EXPECT_EQ(report.outcome, Outcome::completed)
-                << kind << " " << seed << ", off by " << hand.shift << " and " << hand.tilt << ", fit_tolerance "
-                << model.fit_tolerance << ": " << *report.diagnosis;
+            if (report.outcome == Outcome::completed) continue;
+            EXPECT_EQ(report.outcome, Outcome::collapsed) << kind << " " << seed << ": " << *report.diagnosis;
+            EXPECT_GT(std::max(hand.shift, hand.tilt), far_off)
+                << kind << " " << seed << ": " << *report.diagnosis;
+            ++falling;
         }
+    std::printf("%d refused, %d fall into place\n", refused, falling);
     EXPECT_GT(refused, 0);
     EXPECT_LT(refused, assemblies_of_a_kind / 2);
+    EXPECT_LT(falling, assemblies_of_a_kind / 4);
 }
 
 // Joints of any stiffness a user may give: where they are too soft the model is refused.

@@ -58,8 +58,8 @@ TEST_P(MissedContacts, AStoneHighAboveAShelfFallsAndLandsOnIt)
         for (const double step : {0.01, 0.25}) {
             state = initial_state(model);
             const RunReport landing = run_quietly(model, {dynamic_stage(2, step), static_stage(1)}, state);
-            // What has gone by more than its size has fallen, wherever it lies.
-            ASSERT_EQ(landing.outcome, gap > side ? Outcome::collapsed : Outcome::completed)
+            // It touched nothing at the start: that it lies lower now is no collapse.
+            ASSERT_EQ(landing.outcome, Outcome::completed)
                 << gap << ": " << ::testing::PrintToString(landing.diagnosis);
             EXPECT_NEAR(centroid(model, state, 1).z(), side / 2, 1e-5) << gap << ", step " << step;
             EXPECT_LT(landing.deepest.share, 0.01) << gap << ", step " << step;
