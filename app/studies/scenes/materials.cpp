@@ -67,7 +67,8 @@ JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
 ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance, const JointMaterial& joint)
 {
     if (!setting.stiffness_factor) return {};
-    return {ContactStiffness::Kind::per_area, *setting.stiffness_factor * default_stiffness(setting, compliance, joint)};
+    return {ContactStiffness::Kind::per_area,
+            *setting.stiffness_factor * default_stiffness(setting, compliance, joint)};
 }
 
 }  // namespace voussoir::app::studies::scenes

@@ -21,10 +21,11 @@ BlockMaterial stone(double density = 2000, double young = 1e10);
 
 /// The stiffness by the rule of the setting times `setting.stiffness_factor`; the rule itself when there is none.
 /// Source: docs/method.md. @param compliance L_a/E_a + L_b/E_b of the blocks that are not held [m/Pa]
-ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance, const JointMaterial& joint = {});
+ContactStiffness stiffness_by_rule(const SceneSetting& setting, double compliance,
+                                   const JointMaterial& joint = {});
 
-/// 2 f / compliance, f the default factor of the engine for the joint, a dry one unless given; with joints as in the papers 10 for deformable blocks and
-/// 1 for rigid ones [Pa/m].
+/// 2 f / compliance, f the default factor of the engine for the joint, a dry one unless given; with joints as in
+/// the papers 10 for deformable blocks and 1 for rigid ones [Pa/m].
 double default_stiffness(const SceneSetting& setting, double compliance, const JointMaterial& joint = {});
 
 /// Gives a joint whose stiffness is by the rule that of the setting, and its law of impacts to all.

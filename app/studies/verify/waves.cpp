@@ -57,7 +57,8 @@ scenes::StagedScene column_scene(const scenes::SceneSetting& setting, const Colu
     if (setting.stiffness_factor) {  // one stiffness for all joints, of the first layer's
         const Layer& first = column.layers.front();
         const double depth = first.thickness / first.blocks;
-        model.joints[0].stiffness = scenes::stiffness_by_rule(setting, 2 * depth / young_of(column, first), bond());
+        model.joints[0].stiffness =
+            scenes::stiffness_by_rule(setting, 2 * depth / young_of(column, first), bond());
     }
     Stage shaking = scenes::dynamic_stage(setting, duration, Eigen::Vector3d::Zero());
     shaking.motions = {{0, 0, std::make_shared<const GroundMotion>(base)}};
