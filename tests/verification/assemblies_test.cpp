@@ -159,6 +159,12 @@ std::string expect_collapse(const TemporaryFolder& folder, const Scene& scene)
     return "collapsed: " + told;
 }
 
+std::string why_it_gives_way(const Model& model, int stone)
+{
+    const std::string topples = why_it_topples(model, stone);
+    return topples.empty() ? why_it_slides(model, stone, 37 * std::numbers::pi / 180) : topples;
+}
+
 std::string expect_giving_way(const TemporaryFolder& folder, const Scene& scene, const std::string& stone)
 {
     const Outcome resting = started(folder, "run", scene.text(rest));
@@ -166,11 +172,7 @@ std::string expect_giving_way(const TemporaryFolder& folder, const Scene& scene,
     EXPECT_EQ(resting.unconverged(), 0);
     const std::string message = resting.summary.value("message", "");
     EXPECT_NE(message.find("'" + stone + "'"), std::string::npos) << message;
-    const auto why = [](const Model& model, int block) {
-        const std::string topples = why_it_topples(model, block);
-        return topples.empty() ? why_it_slides(model, block, 37 * std::numbers::pi / 180) : topples;
-    };
-    return "collapsed: " + cause_of(model_of(scene.mesh), stone, why);
+    return "collapsed: " + cause_of(model_of(scene.mesh), stone, why_it_gives_way);
 }
 
 std::string expect_refusal(const TemporaryFolder& folder, const Scene& scene, const std::string& words)
