@@ -204,7 +204,7 @@ VerifyResult run_bridge(const scenes::SceneSetting& setting)
 Benchmark limit_row(std::vector<Kinematics> also)
 {
     Benchmark row;
-    row.source = "limit analysis by linear programming over the engine's contacts (docs/numerics.md)";
+    row.source = "docs/numerics.md 6: limit analysis by linear programming over the engine's contacts";
     row.paper_error = "none: not from a paper";
     row.setting.kinematics = Kinematics::planar_rigid;
     row.setting.integrator = Integrator::energy_decaying;

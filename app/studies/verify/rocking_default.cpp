@@ -170,7 +170,7 @@ Benchmark row(const std::string& name, const std::string& title, double toleranc
     Benchmark benchmark;
     benchmark.name = name;
     benchmark.title = title;
-    benchmark.source = "Housner 1963, Makris and Roussos 2000; not from a paper on this method";
+    benchmark.source = "[Housner1963] and [MakrisRoussos2000]; not from a paper on this method";
     benchmark.setting.kinematics = Kinematics::spatial_rigid;
     benchmark.setting.time_step = 2e-3;
     benchmark.tolerance = tolerance;

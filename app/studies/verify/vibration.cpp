@@ -143,7 +143,7 @@ std::vector<Benchmark> vibration_benchmarks()
 
     row.name = "bonded-rod";
     row.title = "Free vibration of a bonded rod of 1 to 8 stones, at defaults";
-    row.source = "closed form of the chain of elements; not from a paper";
+    row.source = "docs/method.md (Integrators): closed form of the chain of elements; not from a paper";
     row.quantity = "largest |frequency / that of as many elements without joints - 1|";
     row.choices =
         "20 m high on a held base, 10 Hz as a rod of many stones. One stone of constant strain is 10 % too stiff, "
@@ -155,7 +155,7 @@ std::vector<Benchmark> vibration_benchmarks()
 
     row.name = "layer-resonance";
     row.title = "A layer at resonance with damping of 2 and 5 %, at defaults";
-    row.source = "closed form of the layer on a rigid base; not from a paper";
+    row.source = "docs/method.md (Integrators): closed form of the layer on a rigid base; not from a paper";
     row.quantity = "largest |amplitude of the surface / that of the closed form - 1|";
     row.choices =
         "20 m in 20 bonded stones, 2.5 and 5 Hz, shaken by its base at the frequency of the layer without joints "

@@ -157,7 +157,7 @@ std::vector<Benchmark> tower_vibration_rows()
     Benchmark row;
     row.name = "tower-vibration";
     row.title = "A tower of rigid stones under its weight in free vibration, at defaults";
-    row.source = "conservation of energy; not from a paper";
+    row.source = "docs/method.md (Integrators): conservation of energy; not from a paper";
     row.quantity = "|kinetic energy of the last of 20 cycles / first - what the integrator's damping leaves|";
     row.choices =
         "30 stones of 1 m, 2 GPa, pushed as a cantilever by 1 mm/s at the top: no joint opens, so that none lands "
