@@ -98,6 +98,12 @@ void clip(std::vector<ClipPoint>& polygon, const Vector3d& normal, double offset
     polygon.swap(scratch);
 }
 
+/// The tip of a needle touches with all of its face, diagonal neighbours with next to nothing of theirs.
+bool is_most_of_a_face(double area, const PlacedPart& reference, int face, const PlacedPart& incident, int opposed)
+{
+    return area > 0.5 * std::min(face_measure(reference, face), face_measure(incident, opposed));
+}
+
 std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const PlacedPart& incident, int face,
                                            int last_incident, double size, double margin)
 {
@@ -135,7 +141,8 @@ std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const Pl
     assign_tributary_areas(contact.points, n);
     double area = 0;
     for (const PolygonPoint& point : contact.points) area += point.area;
-    if (area < smallest_share * size * size) return std::nullopt;
+    if (area < smallest_share * size * size && !is_most_of_a_face(area, reference, face, incident, opposed))
+        return std::nullopt;
     return contact;
 }
 

@@ -38,21 +38,6 @@ double stiffness_from_modulus(const Model& model, const std::vector<bool>& fully
     return 2 * default_stiffness_factor(model.kinematics, joint) / compliance;
 }
 
-double face_measure(const PlacedPart& part, int face)
-{
-    const std::vector<int>& loop = part.shape->faces[face];
-    double twice = 0;
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-        twice += part.normals[face].dot((part.vertices[loop[i]] - part.vertices[loop[0]])
-                                            .cross(part.vertices[loop[i + 1]] - part.vertices[loop[0]]));
-    return twice / 2;
-}
-
-double face_measure(const PlacedOutline& part, int edge)
-{
-    return (part.vertices[(edge + 1) % part.vertices.size()] - part.vertices[edge]).norm();
-}
-
 std::size_t corners_of(const PlacedPart& part, int face)
 {
     return part.shape->faces[face].size();

@@ -66,6 +66,21 @@ void place_parts(const Model& model, const State& state, std::vector<PlacedPartI
     parts.resize(count);
 }
 
+double face_measure(const PlacedPart& part, int face)
+{
+    const std::vector<int>& loop = part.shape->faces[face];
+    double twice = 0;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+        twice += part.normals[face].dot((part.vertices[loop[i]] - part.vertices[loop[0]])
+                                            .cross(part.vertices[loop[i + 1]] - part.vertices[loop[0]]));
+    return twice / 2;
+}
+
+double face_measure(const PlacedOutline& part, int edge)
+{
+    return (part.vertices[(edge + 1) % part.vertices.size()] - part.vertices[edge]).norm();
+}
+
 template void place_parts(const Model&, const State&, std::vector<PlacedPart>&);
 template void place_parts(const Model&, const State&, std::vector<PlacedOutline>&);
 

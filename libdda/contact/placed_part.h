@@ -48,6 +48,10 @@ struct PlacedPartIn {
 using PlacedPart = PlacedPartIn<3>;
 using PlacedOutline = PlacedPartIn<2>;
 
+/// Area of a face [m2], length of an edge [m].
+double face_measure(const PlacedPart& part, int face);
+double face_measure(const PlacedOutline& part, int edge);
+
 /// All parts of all blocks, in order of block and part. Reuses the memory of `parts`.
 template <int D>
 void place_parts(const Model& model, const State& state, std::vector<PlacedPartIn<D>>& parts);

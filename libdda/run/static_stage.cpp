@@ -27,7 +27,7 @@ constexpr double overturned = 0.5;  // what has gone so far has fallen, though i
 constexpr int enough_steady = 3;    // steps on one way that show that stones do go on
 // Of two steps running that lead on one way:
 constexpr double same_way = 0.7;   // cosine between them, at least
-constexpr double no_slower = 0.7;  // of the acceleration, at least
+constexpr double no_slower = 0.7;  // of the largest acceleration on that way, at least
 constexpr double let_go = 1e-4;  // of a stone's size, since the stage began: more than what settles by elasticity
 constexpr double nearly_balanced = 1e-5;  // unbalanced force / load
 constexpr double motionless = 1e-6;       // of a stone's size in a step of the nominal length
@@ -77,7 +77,7 @@ void note_step(const Stage& stage, const StepReport& step, RunProgress& progress
     const bool idle =
         step.inertia_ratio <= stage.unbalanced_tolerance && largest_share(model, last) <= motionless * length;
     course.idle = idle ? course.idle + 1 : 0;
-    course.acceleration = acceleration;
+    course.acceleration = goes_on ? std::max(course.acceleration, acceleration) : acceleration;
     course.before = progress.before.coordinates;
 }
 

@@ -25,6 +25,17 @@ void book_redetection(const Stage& stage, const State& state, double given, Ener
         energy.redetection -= given;
 }
 
+/// A static step is solved no better than it deserves, and is long: what its residual and its integration did goes
+/// with what the stage takes from the stones.
+template <class K>
+void book_with_what_the_stage_takes(const StepSystem<K>& system, const EnergyLedger& before, EnergyLedger& energy)
+{
+    energy.damping_static += energy.algorithmic - before.algorithmic + energy.algorithmic_rotation -
+                             before.algorithmic_rotation - system.residual.dot(system.d);
+    energy.algorithmic = before.algorithmic;
+    energy.algorithmic_rotation = before.algorithmic_rotation;
+}
+
 void advance_clocks(const Stage& stage, double h, State& state)
 {
     if (stage.type == StageType::dynamic) state.time += h;
@@ -71,9 +82,9 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
     report.time_step = system.h;
     book_redetection(stage, state, contact::spring_energy(model, work.contacts) - energy.contact, energy);
     update_blocks(system, state);
+    const EnergyLedger before = energy;
     book_step(state, system, work.contacts, energy);
-    // A static step is solved no better than it deserves: what its residual did goes with what the stage takes.
-    if (stage.type == StageType::static_equilibrium) energy.damping_static -= system.residual.dot(system.d);
+    if (stage.type == StageType::static_equilibrium) book_with_what_the_stage_takes(system, before, energy);
     update_contacts(model, stage, system, work.contacts, state, report);
     advance_clocks(stage, system.h, state);
     damp_velocities(model, stage, system, state, energy);

@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr double least_sliding = 0.1;  // of the speed that friction takes in a step
+constexpr double followed = 4;         // (omega h)^2 of the shear vibration of two stones, at most
 constexpr double touching = 16 * std::numeric_limits<double>::epsilon();  // of the distances that make a gap
 
 template <class Vector>
@@ -200,15 +201,21 @@ void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const 
     if (p.speed > 0 && p.heading.dot(p.slip_start) <= 0) p.speed = 0;
 }
 
-/// What friction takes from the speed of two stones in the step, as if nothing else held them [m/s].
+/// What friction takes from the speed of two stones in the step, as if nothing else held them [m/s]. None where
+/// the joint is so soft that the step follows its shear vibration: it turns round by its own spring.
 template <class K>
 double braking_of(const ContactSetIn<K::dimension>& contacts, const ContactPatchIn<K::dimension>& found,
-                  const PatchStep<K>& patch, const BlockStep<K>& a, const BlockStep<K>& b)
+                  double shear_to_normal, const PatchStep<K>& patch, const BlockStep<K>& a, const BlockStep<K>& b)
 {
-    double pressing = 0;
-    for (int i = found.first_point; i < found.first_point + found.point_count; ++i)
-        pressing += found.stiffness * contacts.points[i].area * std::max(-contacts.points[i].gap, 0.0);
+    double pressing = 0, area = 0;
+    for (int i = found.first_point; i < found.first_point + found.point_count; ++i) {
+        const ContactPointIn<K::dimension>& point = contacts.points[i];
+        if (point.gap >= 0) continue;
+        pressing -= found.stiffness * point.area * point.gap;
+        area += point.area;
+    }
     const double mobility = (a.row < 0 ? 0 : 1 / a.mass) + (b.row < 0 ? 0 : 1 / b.mass);
+    if (shear_to_normal * found.stiffness * area * mobility * patch.h * patch.h < followed) return 0;
     return patch.friction * pressing * mobility * patch.h;
 }
 
@@ -264,7 +271,8 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         patch.friction_law = has_speeds ? &joint : nullptr;
         patch.h = h;
         patch.dashpot_over_h = joint.relaxation_time / h;
-        patch.braking = looks_for_turning ? braking_of<K>(contacts, found, patch, a, b) : 0;
+        patch.braking =
+            looks_for_turning ? braking_of<K>(contacts, found, joint.shear_to_normal_stiffness, patch, a, b) : 0;
         patch.intact = found.intact;
         patch.chord_b = b.chord;
         patch.follows_turning = stage.type == StageType::dynamic;
@@ -282,7 +290,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
             p.shear_blend = found.intact || (pressed && point.status == ContactStatus::locked) ? blend : 1;
             p.turns_round = false;
             p.speed = 0;
-            if (looks_for_turning && point.gap < 0 && point.status == ContactStatus::sliding)
+            if (patch.braking > 0 && point.gap < 0 && point.status == ContactStatus::sliding)
                 set_heading(patch.normal, a, b, patch.braking, p);
             p.status = point.gap > 0 && !found.intact
                            ? ContactStatus::open
