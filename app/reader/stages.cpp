@@ -179,6 +179,17 @@ void refuse_published_iteration_of(const std::vector<JointMaterial>& joints, Sta
                 "use newton, or joints with friction only");
 }
 
+/// Newmark's integrator leaves impacts to the springs: a rebound asked for would silently be left out.
+void refuse_rebound_by_newmark(const std::vector<JointMaterial>& joints, StageEntry& entry)
+{
+    if (entry.stage.control.integrator != Integrator::newmark || entry.stage.type != StageType::dynamic) return;
+    for (const JointMaterial& joint : joints)
+        if (joint.has_landing_law() && *joint.restitution > 0)
+            entry.written.fault("integrator: newmark leaves impacts to the springs, but joint " + joint.name +
+                                    " has a restitution",
+                                "use energy_decaying, or write restitution: none");
+}
+
 std::vector<StageEntry> read_entries(YamlCursor& section, const Eigen::Vector3d& gravity, Kinematics kinematics)
 {
     std::vector<StageEntry> stages;
@@ -215,6 +226,7 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
     }
     for (StageEntry& entry : entries) {
         refuse_published_iteration_of(model.joints, entry);
+        refuse_rebound_by_newmark(model.joints, entry);
         if (entry.motion)
             read_foundation_motions(*entry.motion, foundations, entry.duration, context, entry.stage);
         if (entry.body_acceleration) read_body_accelerations(entry, model, context);

@@ -42,6 +42,11 @@ std::vector<std::string> left_out(const Case& the_case)
               "contact damping (no joint has a relaxation time)");
     leave_out(!any_joint(the_case, [](const JointMaterial& j) { return j.has_landing_law(); }),
               "impulses of landing stones (no joint has a restitution)");
+    leave_out(any_stage(the_case,
+                        [](const Stage& s) {
+                            return s.type == StageType::dynamic && s.control.integrator == Integrator::newmark;
+                        }),
+              "impulses of landing stones where the integrator is newmark (impacts are left to the springs)");
     leave_out(
         !any_stage(the_case, [](const Stage& s) { return s.damping.rate != 0 || s.damping.factor_per_step != 1; }),
         "kinetic damping (no stage has any)");

@@ -31,7 +31,9 @@ bool may_divide(const Stage& stage, int moving)
 
 bool stones_land(const Stage& stage)
 {
-    return follows_motion(stage);
+    // The impulses belong to the motion of the whole step. Newmark's forces are those of its end alone: their work
+    // on the jumps in it would be a gain of energy, which grows with the stiffness of the joints.
+    return follows_motion(stage) && stage.control.integrator != Integrator::newmark;
 }
 
 }  // namespace voussoir::step

@@ -15,7 +15,8 @@ contact::NewOverlap new_overlaps_in(const Model& model, const Stage& stage, cons
 /// Whether a step may end before its stones land. @param moving blocks that have unknowns
 bool may_divide(const Stage& stage, int moving);
 
-/// Whether stones that land do it by impulses, where their joints have a law for it.
+/// Whether stones that land do it by impulses, where their joints have a law for it. With the integrator of the
+/// papers impacts are left to the springs, as in the papers.
 bool stones_land(const Stage& stage);
 
 }  // namespace voussoir::step

@@ -24,7 +24,7 @@ struct OneBlock {
     double pulse_end = 1;                      // s
     double duration = 1;                       // s
     double start_lean = 0;                     // rad, on its +x edge; 0: it stands
-    Integrator integrator = Integrator::newmark;
+    Integrator integrator = Integrator::energy_decaying;
 };
 
 /// What the engine and the reference found at the end of every accepted step.

@@ -207,6 +207,16 @@ TEST(CaseFile, KeysOfTheOtherKindOfStageSaySo)
               "--set stages[1].dissipation: has no meaning here; it belongs to integrator: energy_decaying");
 }
 
+TEST(CaseFile, NewmarkRefusesARestitutionThatItWouldLeaveOut)
+{
+    const std::string bouncing = with(two_boxes, "friction: 30 deg}", "friction: 30 deg, restitution: 0.3}");
+    EXPECT_EQ(faults_of(bouncing), "no fault");
+    EXPECT_NE(faults_of(bouncing, {"stages[1].integrator=newmark"})
+                  .find("integrator: newmark leaves impacts to the springs, but joint dry has a restitution"),
+              std::string::npos);
+    EXPECT_EQ(faults_of(two_boxes, {"stages[1].integrator=newmark"}), "no fault");  // 0, the default
+}
+
 // It would leave them out without a word.
 TEST(CaseFile, ThePublishedIterationRefusesWhatItDoesNotKnow)
 {
