@@ -6,6 +6,7 @@
 
 #include "libdda/analysis/block_shifts.h"
 #include "libdda/analysis/mechanism.h"
+#include "libdda/model/elasticity.h"
 
 namespace voussoir::driver
 {
@@ -20,14 +21,15 @@ constexpr double loosening = 1000;   // times the force_tolerance, at most
 constexpr int patience = 3;          // times the iterations of a dynamic step: one that is cut for them costs more
 constexpr double longest_step = 0.2;  // of a stone's size, that a corner of it may go in one step
 // Motion of a corner since the stage began, as shares of its stone's size.
-constexpr double settled = 0.1;     // what settles goes no farther; what does, and goes on, falls
-constexpr double creeping = 0.01;   // the same for stones that gather speed all the way, in many steps
-constexpr int long_steady = 20;     // as many
-constexpr double overturned = 0.5;  // what has gone so far has fallen, though it lies still by now
-constexpr int enough_steady = 3;    // steps on one way that show that stones do go on
+constexpr double settled = 0.1;        // what settles goes no farther; what does, and goes on, falls
+constexpr double creeping = 0.01;      // the same for stones that gather speed all the way, in many steps
+constexpr int long_steady = 20;        // as many
+constexpr double large_strain = 0.01;  // of a stone: no masonry
+constexpr double overturned = 0.5;     // what has gone so far has fallen, though it lies still by now
+constexpr int enough_steady = 3;       // steps on one way that show that stones do go on
 // Of two steps running that lead on one way:
 constexpr double same_way = 0.7;   // cosine between them, at least
-constexpr double no_slower = 0.7;  // of the largest acceleration on that way, at least
+constexpr double no_slower = 0.7;  // of the acceleration, at least
 constexpr double let_go = 1e-4;  // of a stone's size, since the stage began: more than what settles by elasticity
 constexpr double nearly_balanced = 1e-5;  // unbalanced force / load
 constexpr double motionless = 1e-6;       // of a stone's size in a step of the nominal length
@@ -77,7 +79,7 @@ void note_step(const Stage& stage, const StepReport& step, RunProgress& progress
     const bool idle =
         step.inertia_ratio <= stage.unbalanced_tolerance && largest_share(model, last) <= motionless * length;
     course.idle = idle ? course.idle + 1 : 0;
-    course.acceleration = goes_on ? std::max(course.acceleration, acceleration) : acceleration;
+    course.acceleration = acceleration;
     course.before = progress.before.coordinates;
 }
 
@@ -129,7 +131,7 @@ Stage let_go_in(const Stage& loaded)
 {
     Stage free = loaded;
     free.type = StageType::dynamic;
-    free.control.dissipation = 1;  // forces of the end of the step, as a static step has them
+    free.control.integrator = Integrator::newmark;  // forces of the end of the step, as a static step has them
     return free;
 }
 
@@ -167,11 +169,20 @@ bool try_short_step(const Stage& loaded, double h, RunProgress& progress, StepRe
     return true;
 }
 
+/// Whether stones are so soft that they settle by their own strain, as far as others fall.
+bool settle_by_strain(const Model& model, const State& state)
+{
+    for (int b = 0; is_deformable(model.kinematics) && b < static_cast<int>(model.blocks.size()); ++b)
+        if (green_strain_of(pose_of(model.kinematics, state, b).map).norm() > large_strain) return true;
+    return false;
+}
+
 /// Whether stones fall, as far as can be seen by now. @param gone since the stage began
 bool is_falling(const RunProgress& progress, const std::vector<BlockShift>& gone)
 {
     const StaticCourse& course = progress.position.course;
     const double share = largest_share(progress.model, gone);
+    if (settle_by_strain(progress.model, progress.state)) return false;
     return (course.steady >= enough_steady && share > settled) ||
            (course.steady >= long_steady && course.kinetic > 0 && share > creeping);
 }

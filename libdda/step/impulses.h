@@ -19,13 +19,18 @@ struct Body {
     Eigen::Matrix<double, Spin::RowsAtCompileTime, Spin::RowsAtCompileTime> inverse_inertia;  // 1/(kg m2)
     Vector start_velocity;
     Spin start_spin;
+    double size = 0;       // m
     bool reached = false;  // by an impulse: its joints take part
+    double moved = 0;      // m/s, sum of what impulses did to the velocity of its points
 
     Vector velocity_at(const Vector& lever) const { return velocity + skew(spin) * lever; }
     void push(const Vector& lever, const Vector& impulse)
     {
-        velocity += inverse_mass.cwiseProduct(impulse);
-        spin += inverse_inertia * moment_about(lever, impulse);
+        const Vector faster = inverse_mass.cwiseProduct(impulse);
+        const Spin turning = inverse_inertia * moment_about(lever, impulse);
+        velocity += faster;
+        spin += turning;
+        moved += faster.norm() + size * turning.norm();
     }
     /// Velocity that a unit impulse along u gives its own point, along u.
     double mobility(const Vector& lever, const Vector& u) const
@@ -47,10 +52,11 @@ struct Meeting {
     Vector target_slip;       // m/s, tangential velocity that sticking keeps: that of a bond, else none
     bool bonded = false;
     bool lands = false;
-    double fraction = 0;             // of the step, if it lands
-    double mobility = 0;             // 1/kg, along the normal
-    double pressed = 0;              // Ns, so far
-    Vector rubbed = Vector::Zero();  // Ns, so far
+    double fraction = 0;              // of the step, if it lands
+    double mobility = 0;              // 1/kg, along the normal
+    double seen_a = -1, seen_b = -1;  // m/s, what the bodies had moved when it last acted
+    double pressed = 0;               // Ns, so far
+    Vector rubbed = Vector::Zero();   // Ns, so far
 };
 
 /// Moves as the part of its motion does that carries momentum.
@@ -73,8 +79,10 @@ class Impulses
     using Spin = typename K::Spin;
     static constexpr int D = K::dimension;
 
-    Impulses(const Model& model, const State& state, const ContactSetIn<D>& contacts)
-        : model_(model), state_(state), contacts_(contacts), body_of_(model.blocks.size(), -1)
+    /// @param slow speed that a step at rest may gain [m/s]: through many stones a small share of it need not be
+    /// passed on
+    Impulses(const Model& model, const State& state, const ContactSetIn<D>& contacts, double slow)
+        : model_(model), state_(state), contacts_(contacts), body_of_(model.blocks.size(), -1), slow_(slow)
     {
     }
 
@@ -94,6 +102,8 @@ class Impulses
 
  private:
     void reach(int body);
+    double negligible() const;
+    bool is_still(const Meeting<K>& meeting) const;
     double act(Meeting<K>& meeting);
 
     const Model& model_;
@@ -106,6 +116,7 @@ class Impulses
     std::vector<char> takes_part_;              // by patch: its closed points do
     std::vector<std::vector<int>> patches_of_;  // by block, made when first needed
     double fastest_ = 0;                        // m/s, of what lands
+    double slow_ = 0;                           // m/s
 };
 
 }  // namespace voussoir::step

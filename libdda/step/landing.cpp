@@ -23,13 +23,14 @@ class Landing
     using Spin = typename K::Spin;
     static constexpr int D = K::dimension;
 
-    Landing(const Model& model, const State& state, const ContactSetIn<D>& contacts)
-        : model_(model), contacts_(contacts), impulses_(model, state, contacts)
+    /// @param slow speed that a step at rest may gain [m/s]
+    Landing(const Model& model, const State& state, const ContactSetIn<D>& contacts, double slow)
+        : model_(model), contacts_(contacts), slow_(slow), impulses_(model, state, contacts, slow)
     {
     }
 
     /// Adds what lands, with the restitution of its joint. @returns whether anything does
-    bool find(const Stage& stage, double h, const std::vector<int>& also);
+    bool find(double h, const std::vector<int>& also);
     void solve() { impulses_.solve(); }
     std::vector<Jump<K>> jumps() const;
 
@@ -39,13 +40,13 @@ class Landing
 
     const Model& model_;
     const ContactSetIn<D>& contacts_;
+    double slow_;
     Impulses<K> impulses_;
 };
 
 template <class K>
-bool Landing<K>::find(const Stage& stage, double h, const std::vector<int>& also)
+bool Landing<K>::find(double h, const std::vector<int>& also)
 {
-    const double slow = stage.gravity.norm() * h;  // what a step at rest may gain
     contact::Strips<D> strips(model_, contacts_);
     for (const ContactPatchIn<D>& patch : contacts_.patches) {
         if (patch.intact || !model_.joint_between(patch.block_a, patch.block_b).has_landing_law()) continue;
@@ -56,7 +57,7 @@ bool Landing<K>::find(const Stage& stage, double h, const std::vector<int>& also
             const Vector velocity =
                 relative_velocity(impulses_.bodies()[a], impulses_.bodies()[b], point.position);
             const double approach = -patch.normal.dot(velocity);
-            if (!(approach > slow)) continue;
+            if (!(approach > slow_)) continue;
             const bool known = std::binary_search(also.begin(), also.end(), i);
             if (point.gap > h * approach && !known) continue;
             if (strips.is_of_yielding(patch)) break;
@@ -149,8 +150,8 @@ template <class K>
 std::vector<Jump<K>> find_jumps(const Model& model, const Stage& stage, const State& state,
                                 const ContactSetIn<K::dimension>& contacts, double h, const std::vector<int>& also)
 {
-    Landing<K> landing(model, state, contacts);
-    if (!landing.find(stage, h, also)) return {};
+    Landing<K> landing(model, state, contacts, stage.gravity.norm() * h);
+    if (!landing.find(h, also)) return {};
     landing.solve();
     return landing.jumps();
 }
