@@ -152,6 +152,9 @@ void read_house(YamlCursor& entry, YamlCursor& house, BlockReading& reading);
 /// `{arch: {span, rise, thickness, voussoirs, ...}}`: adds its stones, in planar scenes too.
 void read_arch(YamlCursor& entry, YamlCursor& arch, BlockReading& reading);
 
+/// `{bridge: {spans, span, thickness, voussoirs, width, block, ...}}`: adds its stones.
+void read_bridge(YamlCursor& entry, YamlCursor& bridge, BlockReading& reading);
+
 /// `{dome: {...}}`, `{barrel_vault: {...}}`, `{cross_vault: {...}}`: stones that share their joints.
 void read_dome(YamlCursor& entry, YamlCursor& dome, BlockReading& reading);
 void read_barrel_vault(YamlCursor& entry, YamlCursor& vault, BlockReading& reading);

@@ -85,13 +85,14 @@ struct ShapeReader {
     const char* key;
     void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
 };
-constexpr std::array<ShapeReader, 9> shape_readers = {{
+constexpr std::array<ShapeReader, 10> shape_readers = {{
     {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
     {"box", read_box},
     {"polygon", read_polygon},
     {"wall", read_wall},
     {"house", read_house},
     {"arch", read_arch},
+    {"bridge", read_bridge},
     {"dome", read_dome},
     {"barrel_vault", read_barrel_vault},
     {"cross_vault", read_cross_vault},
