@@ -99,7 +99,7 @@ void read_dome(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     finish_pattern(entry, map, faults_before, {patterns::foundation_group, "dome"},
                    [&] {
                        patterns::Pattern pattern = pattern_of(patterns::dome(asked), name, "dome");
-                       disturb(pattern, imperfection);
+                       check_and_disturb(pattern, imperfection);
                        return pattern;
                    },
                    reading);
@@ -123,7 +123,7 @@ void read_barrel_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading
     finish_pattern(entry, map, faults_before, {patterns::foundation_group, "vault"},
                    [&] {
                        patterns::Pattern pattern = pattern_of(patterns::barrel_vault(asked), name, "vault");
-                       disturb(pattern, imperfection);
+                       check_and_disturb(pattern, imperfection);
                        return pattern;
                    },
                    reading);
@@ -146,7 +146,7 @@ void read_cross_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     finish_pattern(entry, map, faults_before, {patterns::foundation_group, "vault"},
                    [&] {
                        patterns::Pattern pattern = pattern_of(patterns::cross_vault(asked), name, "vault");
-                       disturb(pattern, imperfection);
+                       check_and_disturb(pattern, imperfection);
                        return pattern;
                    },
                    reading);

@@ -155,6 +155,13 @@ void read_arch(YamlCursor& entry, YamlCursor& arch, BlockReading& reading);
 /// `{bridge: {spans, span, thickness, voussoirs, width, block, ...}}`: adds its stones.
 void read_bridge(YamlCursor& entry, YamlCursor& bridge, BlockReading& reading);
 
+/// `{tower: {plan, width, block, storeys: [...]}}`: adds its stones.
+void read_tower(YamlCursor& entry, YamlCursor& tower, BlockReading& reading);
+
+/// `{column: {height, diameter, drums, ...}}`, `{temple_front: {columns, spacing, ...}}`.
+void read_column(YamlCursor& entry, YamlCursor& column, BlockReading& reading);
+void read_temple_front(YamlCursor& entry, YamlCursor& front, BlockReading& reading);
+
 /// `{dome: {...}}`, `{barrel_vault: {...}}`, `{cross_vault: {...}}`: stones that share their joints.
 void read_dome(YamlCursor& entry, YamlCursor& dome, BlockReading& reading);
 void read_barrel_vault(YamlCursor& entry, YamlCursor& vault, BlockReading& reading);

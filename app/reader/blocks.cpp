@@ -85,7 +85,7 @@ struct ShapeReader {
     const char* key;
     void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
 };
-constexpr std::array<ShapeReader, 10> shape_readers = {{
+constexpr std::array<ShapeReader, 13> shape_readers = {{
     {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
     {"box", read_box},
     {"polygon", read_polygon},
@@ -93,6 +93,9 @@ constexpr std::array<ShapeReader, 10> shape_readers = {{
     {"house", read_house},
     {"arch", read_arch},
     {"bridge", read_bridge},
+    {"tower", read_tower},
+    {"column", read_column},
+    {"temple_front", read_temple_front},
     {"dome", read_dome},
     {"barrel_vault", read_barrel_vault},
     {"cross_vault", read_cross_vault},

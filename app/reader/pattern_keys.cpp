@@ -13,7 +13,7 @@ namespace voussoir::app::reader
 namespace
 {
 
-/// The value a path such as "openings[1]" or "lintel.height" leads to, or the last one on the way that exists.
+/// The value a path such as "storeys[1].height" or "lintel.height" leads to, or the last one on the way that exists.
 YamlCursor follow(YamlCursor from, std::string_view path)
 {
     const std::size_t end = path.find_first_of(".[");
@@ -24,7 +24,9 @@ YamlCursor follow(YamlCursor from, std::string_view path)
     std::from_chars(path.data() + end + 1, path.data() + path.size(), index);
     if (!next->is_list()) return *next;
     const std::vector<YamlCursor> items = next->items("a list");
-    return index < items.size() ? items[index] : *next;
+    if (index >= items.size()) return *next;
+    const std::size_t dot = path.find('.', end);  // "storeys[1].height" goes on
+    return dot == std::string_view::npos ? items[index] : follow(items[index], path.substr(dot + 1));
 }
 
 }  // namespace

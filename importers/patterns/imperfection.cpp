@@ -43,4 +43,12 @@ void disturb(Pattern& pattern, const StoneImperfection& imperfection)
     }
 }
 
+void check_and_disturb(Pattern& pattern, const StoneImperfection& imperfection)
+{
+    std::vector<Fault> faults;
+    check_stone_imperfection(imperfection, faults);
+    if (!faults.empty()) throw InputError(faults);
+    disturb(pattern, imperfection);
+}
+
 }  // namespace voussoir::importers::patterns

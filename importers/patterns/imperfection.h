@@ -28,4 +28,7 @@ void check_stone_imperfection(const StoneImperfection& imperfection, std::vector
 /// Makes the stones of a pattern imperfect. Those of the foundation stay as drawn.
 void disturb(Pattern& pattern, const StoneImperfection& imperfection);
 
+/// Both. @throws InputError with every amount that is out of its range
+void check_and_disturb(Pattern& pattern, const StoneImperfection& imperfection);
+
 }  // namespace voussoir::importers::patterns
