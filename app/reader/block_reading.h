@@ -158,6 +158,9 @@ void read_bridge(YamlCursor& entry, YamlCursor& bridge, BlockReading& reading);
 /// `{tower: {plan, width, block, storeys: [...]}}`: adds its stones.
 void read_tower(YamlCursor& entry, YamlCursor& tower, BlockReading& reading);
 
+/// `{rock: {outline, width, sets: [{dip, dip_direction, spacing, ...}]}}`: adds its blocks.
+void read_rock(YamlCursor& entry, YamlCursor& rock, BlockReading& reading);
+
 /// `{column: {height, diameter, drums, ...}}`, `{temple_front: {columns, spacing, ...}}`.
 void read_column(YamlCursor& entry, YamlCursor& column, BlockReading& reading);
 void read_temple_front(YamlCursor& entry, YamlCursor& front, BlockReading& reading);

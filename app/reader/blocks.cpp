@@ -85,7 +85,7 @@ struct ShapeReader {
     const char* key;
     void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
 };
-constexpr std::array<ShapeReader, 13> shape_readers = {{
+constexpr std::array<ShapeReader, 14> shape_readers = {{
     {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
     {"box", read_box},
     {"polygon", read_polygon},
@@ -99,6 +99,7 @@ constexpr std::array<ShapeReader, 13> shape_readers = {{
     {"dome", read_dome},
     {"barrel_vault", read_barrel_vault},
     {"cross_vault", read_cross_vault},
+    {"rock", read_rock},
 }};
 
 /// "mesh, box, ... and house".
