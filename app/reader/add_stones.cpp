@@ -27,7 +27,8 @@ void add_stone(DrawnStone stone, const PlacedCopy& copy, const std::string& plac
     blocks.back().friction_factor = stone.friction_factor;
     const double scale = std::abs(copy.linear.determinant());  // a larger copy bears more of the same fill
     for (const DrawnMass& mass : stone.masses)
-        attach_mass(reading.model, static_cast<int>(before), scale * mass.mass, copy.linear * mass.at + copy.offset);
+        attach_mass(reading.model, static_cast<int>(before), scale * mass.mass,
+                    copy.linear * mass.at + copy.offset);
 }
 
 }  // namespace
@@ -53,8 +54,8 @@ void add_stones(std::vector<DrawnStone> drawn, const YamlCursor& shape, Belongin
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) shape.fault(fault.place + ": " + fault.found, fault.expected);
     }
-    reading.entries.push_back({std::move(belonging), first, blocks.size(), std::move(naming),
-                               std::move(own_groups)});
+    reading.entries.push_back(
+        {std::move(belonging), first, blocks.size(), std::move(naming), std::move(own_groups)});
 }
 
 }  // namespace voussoir::app::reader

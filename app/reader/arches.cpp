@@ -75,8 +75,9 @@ void read_arch(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     asked.springing_height =
         map.quantity_or("springing_height", dimension::length, Range::positive(), asked.springing_height);
     asked.imperfection = read_stone_imperfection(map);
-    finish_pattern(entry, map, faults_before, {patterns::foundation_group, "voussoirs"},
-                   [&] { return patterns::arch(asked); }, reading);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "voussoirs"},
+        [&] { return patterns::arch(asked); }, reading);
 }
 
 void read_dome(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
@@ -96,13 +97,14 @@ void read_dome(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     asked.keystone = map.boolean_or("keystone", false);
     asked.support = map.quantity_or("support", dimension::length, Range::positive(), asked.support);
     const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
-    finish_pattern(entry, map, faults_before, {patterns::foundation_group, "dome"},
-                   [&] {
-                       patterns::Pattern pattern = pattern_of(patterns::dome(asked), name, "dome");
-                       check_and_disturb(pattern, imperfection);
-                       return pattern;
-                   },
-                   reading);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "dome"},
+        [&] {
+            patterns::Pattern pattern = pattern_of(patterns::dome(asked), name, "dome");
+            check_and_disturb(pattern, imperfection);
+            return pattern;
+        },
+        reading);
 }
 
 void read_barrel_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
@@ -120,13 +122,14 @@ void read_barrel_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading
     asked.bonded = map.boolean_or("bonded", true);
     asked.support = map.quantity_or("support", dimension::length, Range::positive(), asked.support);
     const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
-    finish_pattern(entry, map, faults_before, {patterns::foundation_group, "vault"},
-                   [&] {
-                       patterns::Pattern pattern = pattern_of(patterns::barrel_vault(asked), name, "vault");
-                       check_and_disturb(pattern, imperfection);
-                       return pattern;
-                   },
-                   reading);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "vault"},
+        [&] {
+            patterns::Pattern pattern = pattern_of(patterns::barrel_vault(asked), name, "vault");
+            check_and_disturb(pattern, imperfection);
+            return pattern;
+        },
+        reading);
 }
 
 void read_cross_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
@@ -143,13 +146,14 @@ void read_cross_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     asked.stones = map.integer_or("stones", 1, 9999, asked.stones);
     asked.support = map.quantity_or("support", dimension::length, Range::positive(), asked.support);
     const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
-    finish_pattern(entry, map, faults_before, {patterns::foundation_group, "vault"},
-                   [&] {
-                       patterns::Pattern pattern = pattern_of(patterns::cross_vault(asked), name, "vault");
-                       check_and_disturb(pattern, imperfection);
-                       return pattern;
-                   },
-                   reading);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "vault"},
+        [&] {
+            patterns::Pattern pattern = pattern_of(patterns::cross_vault(asked), name, "vault");
+            check_and_disturb(pattern, imperfection);
+            return pattern;
+        },
+        reading);
 }
 
 }  // namespace voussoir::app::reader

@@ -20,8 +20,7 @@ int material_at(const YamlCursor& value, const std::vector<std::string>& names)
 
 /// `{voussoirs: granite, default: brick}`; groups are those of the entry.
 MaterialChoice read_materials_by_group(YamlCursor& value, const std::vector<std::string>& names,
-                                       const Belonging& belonging,
-                                       std::vector<std::string> groups)
+                                       const Belonging& belonging, std::vector<std::string> groups)
 {
     groups.push_back(belonging.group);
     for (const GroupRule& rule : belonging.rules)
@@ -67,8 +66,8 @@ Belonging read_belonging(YamlCursor& entry, const Model& model, bool has_name,
     belonging.group = group.value_or(default_group);
     belonging.keeps_own_groups = !group && !own_groups.empty();
     belonging.rules = read_group_rules(entry, model.kinematics);
-    belonging.material = read_material(entry, model.materials, belonging,
-                                       group ? std::vector<std::string>() : own_groups);
+    belonging.material =
+        read_material(entry, model.materials, belonging, group ? std::vector<std::string>() : own_groups);
     if (!group && has_name) entry.took_default("group", default_group);
     if (!group && !has_name && own_groups.empty() && belonging.rules.empty())
         entry.took_default("groups", std::string("all ") + default_group);

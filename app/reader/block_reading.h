@@ -158,6 +158,9 @@ void read_bridge(YamlCursor& entry, YamlCursor& bridge, BlockReading& reading);
 /// `{tower: {plan, width, block, storeys: [...]}}`: adds its stones.
 void read_tower(YamlCursor& entry, YamlCursor& tower, BlockReading& reading);
 
+/// `{polyhedron: {name, parts: [{vertices, faces, glued}], friction_factor, mass}}`: adds the block.
+void read_polyhedron(YamlCursor& entry, YamlCursor& polyhedron, BlockReading& reading);
+
 /// `{rock: {outline, width, sets: [{dip, dip_direction, spacing, ...}]}}`: adds its blocks.
 void read_rock(YamlCursor& entry, YamlCursor& rock, BlockReading& reading);
 

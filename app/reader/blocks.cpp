@@ -85,7 +85,7 @@ struct ShapeReader {
     const char* key;
     void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
 };
-constexpr std::array<ShapeReader, 14> shape_readers = {{
+constexpr std::array<ShapeReader, 15> shape_readers = {{
     {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
     {"box", read_box},
     {"polygon", read_polygon},
@@ -100,6 +100,7 @@ constexpr std::array<ShapeReader, 14> shape_readers = {{
     {"barrel_vault", read_barrel_vault},
     {"cross_vault", read_cross_vault},
     {"rock", read_rock},
+    {"polyhedron", read_polyhedron},
 }};
 
 /// "mesh, box, ... and house".

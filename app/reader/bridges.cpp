@@ -60,9 +60,10 @@ void read_bridge(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     read_parapet(map, asked);
     read_fill(map, asked);
     asked.imperfection = read_stone_imperfection(map);
-    finish_pattern(entry, map, faults_before,
-                   {patterns::foundation_group, "voussoirs", "pier", "spandrel", "backing", "fill", "parapet"},
-                   [&] { return patterns::bridge(asked); }, reading);
+    finish_pattern(
+        entry, map, faults_before,
+        {patterns::foundation_group, "voussoirs", "pier", "spandrel", "backing", "fill", "parapet"},
+        [&] { return patterns::bridge(asked); }, reading);
 }
 
 }  // namespace voussoir::app::reader

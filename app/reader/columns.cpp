@@ -45,13 +45,14 @@ void read_column(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     const std::string name = read_name_prefix(map);
     const patterns::Column asked = read_column_keys(map);
     const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
-    finish_pattern(entry, map, faults_before, {patterns::foundation_group, "drums", "capital"},
-                   [&] {
-                       patterns::Pattern pattern = patterns::column(asked, name);
-                       check_and_disturb(pattern, imperfection);
-                       return pattern;
-                   },
-                   reading);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "drums", "capital"},
+        [&] {
+            patterns::Pattern pattern = patterns::column(asked, name);
+            check_and_disturb(pattern, imperfection);
+            return pattern;
+        },
+        reading);
 }
 
 void read_temple_front(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
@@ -73,14 +74,14 @@ void read_temple_front(YamlCursor& entry, YamlCursor& map, BlockReading& reading
     asked.pediment_edge = length("pediment_edge", asked.pediment_edge);
     asked.depth = length("depth", 0);
     const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
-    finish_pattern(entry, map, faults_before,
-                   {patterns::foundation_group, "drums", "capital", "entablature", "pediment"},
-                   [&] {
-                       patterns::Pattern pattern = patterns::temple_front(asked, name);
-                       check_and_disturb(pattern, imperfection);
-                       return pattern;
-                   },
-                   reading);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "drums", "capital", "entablature", "pediment"},
+        [&] {
+            patterns::Pattern pattern = patterns::temple_front(asked, name);
+            check_and_disturb(pattern, imperfection);
+            return pattern;
+        },
+        reading);
 }
 
 }  // namespace voussoir::app::reader

@@ -56,7 +56,8 @@ exact::JointSet read_set(YamlCursor& map)
 {
     exact::JointSet set;
     const double dip = map.quantity("dip", dimension::angle, Range{0, std::numbers::pi / 2, true, true});
-    const double direction = map.quantity_or("dip_direction", dimension::angle, Range::any(), std::numbers::pi / 2);
+    const double direction =
+        map.quantity_or("dip_direction", dimension::angle, Range::any(), std::numbers::pi / 2);
     set.spacing = map.quantity("spacing", dimension::length, Range::positive());
     if (const auto origin = map.find("origin")) set.origin = origin->as_vector(dimension::length);
     set.scatter = map.quantity_or("scatter", dimension::number, Range{0, 0.5, true, false}, 0);
@@ -78,7 +79,8 @@ patterns::Pattern rock_of(const exact::RockRequest& request, const std::string& 
     patterns::Pattern pattern;
     const int count = static_cast<int>(rock.blocks.size());
     for (int i = 0; i < count; ++i)
-        pattern.stones.push_back({name + "block_" + patterns::numbered(i + 1, count), "rock", rock.blocks[i].parts});
+        pattern.stones.push_back(
+            {name + "block_" + patterns::numbered(i + 1, count), "rock", rock.blocks[i].parts});
     return pattern;
 }
 
@@ -106,7 +108,8 @@ void read_rock(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     request.smallest = std::pow(
         map.quantity_or("smallest", dimension::length, Range::non_negative(), 1e-3 * std::cbrt(volume)), 3);
     request.most = patterns::max_blocks;
-    finish_pattern(entry, map, faults_before, {"rock"}, [&] { return rock_of(request, name, map); }, reading);
+    finish_pattern(
+        entry, map, faults_before, {"rock"}, [&] { return rock_of(request, name, map); }, reading);
 }
 
 }  // namespace voussoir::app::reader

@@ -13,7 +13,8 @@ namespace voussoir::app::reader
 namespace
 {
 
-/// The value a path such as "storeys[1].height" or "lintel.height" leads to, or the last one on the way that exists.
+/// The value a path such as "storeys[1].height" or "lintel.height" leads to, or the last one on the way that
+/// exists.
 YamlCursor follow(YamlCursor from, std::string_view path)
 {
     const std::size_t end = path.find_first_of(".[");

@@ -70,14 +70,16 @@ void read_tower(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     if (const auto storeys = map.require("storeys", "storeys from below, [{height: 5 m, thickness: 1 m}]"))
         for (YamlCursor& item : storeys->items("a list of storeys {height, thickness, openings, floor}"))
             if (item.expect_map("a storey {height, thickness, openings, floor}")) {
-                asked.storeys.push_back(read_storey(item, asked.sides, static_cast<int>(asked.storeys.size()) + 1));
+                asked.storeys.push_back(
+                    read_storey(item, asked.sides, static_cast<int>(asked.storeys.size()) + 1));
                 groups.push_back(asked.storeys.back().name);
             }
     const patterns::MasonryBase base = read_base(map, asked.base_height);
     asked.base_height = base.height;
     asked.base_projection = base.projection;
     asked.imperfection = read_stone_imperfection(map);
-    finish_pattern(entry, map, faults_before, groups, [&] { return patterns::tower(asked); }, reading);
+    finish_pattern(
+        entry, map, faults_before, groups, [&] { return patterns::tower(asked); }, reading);
 }
 
 }  // namespace voussoir::app::reader

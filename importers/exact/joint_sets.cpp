@@ -139,7 +139,8 @@ std::vector<double> places_of(const JointSet& set, const RockRequest& request, s
     if ((high - low) / set.spacing > 1e5)
         throw InputError("spacing", "more than 100000 joints in a set", "give a larger spacing");
     std::vector<double> places;
-    for (auto k = static_cast<long>(std::floor(low / set.spacing)) - 1; k * set.spacing <= high + set.spacing; ++k) {
+    for (auto k = static_cast<long>(std::floor(low / set.spacing)) - 1; k * set.spacing <= high + set.spacing;
+         ++k) {
         const double off = 2 * share_of(mixed(request.seed) ^ mixed(number) ^ static_cast<std::uint64_t>(k)) - 1;
         places.push_back((static_cast<double>(k) + set.scatter * off) * set.spacing);
     }

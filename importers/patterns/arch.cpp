@@ -33,11 +33,8 @@ PatternStone springing(const Arch& arch, const ArchJoint& joint, int side)
     const double back = to_nanometre(joint.extrados.x() + side * thickness / 2);
     const double foot = to_nanometre(-arch.springing_height);
     const std::string name = arch.name + (side < 0 ? "springing_left" : "springing_right");
-    const std::vector<Point> outline{joint.intrados,
-                                     joint.extrados,
-                                     {back, joint.extrados.y()},
-                                     {back, foot},
-                                     {joint.intrados.x(), foot}};
+    const std::vector<Point> outline{
+        joint.intrados, joint.extrados, {back, joint.extrados.y()}, {back, foot}, {joint.intrados.x(), foot}};
     return {name, foundation_group, {prism_along_y(outline, -arch.width / 2, arch.width / 2, name)}};
 }
 
@@ -86,11 +83,10 @@ Pattern arch(const Arch& arch)
         const std::vector<double> across =
             joints_of_course(-arch.width / 2, arch.width / 2, arch.width / arch.stones_across, i);
         for (std::size_t b = 0; b + 1 < across.size(); ++b) {
-            const std::string own =
-                arch.stones_across == 1 ? name : name + "_b" + numbered(static_cast<int>(b) + 1, arch.stones_across);
-            pattern.stones.push_back({own,
-                                      "voussoirs",
-                                      voussoir_parts(outlines, across[b], across[b + 1], own),
+            const std::string own = arch.stones_across == 1
+                                        ? name
+                                        : name + "_b" + numbered(static_cast<int>(b) + 1, arch.stones_across);
+            pattern.stones.push_back({own, "voussoirs", voussoir_parts(outlines, across[b], across[b + 1], own),
                                       outlines.size() == 1 ? Play::across : Play::none});
         }
     }

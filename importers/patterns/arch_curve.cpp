@@ -72,8 +72,7 @@ class Ellipse
         lengths_.push_back(0);
         for (int i = 1; i <= steps; ++i) {  // Simpson's rule in each step
             const double a = angle(i - 1), b = angle(i);
-            lengths_.push_back(lengths_.back() +
-                               (b - a) / 6 * (speed(a) + 4 * speed((a + b) / 2) + speed(b)));
+            lengths_.push_back(lengths_.back() + (b - a) / 6 * (speed(a) + 4 * speed((a + b) / 2) + speed(b)));
         }
     }
     double length() const { return lengths_.back(); }

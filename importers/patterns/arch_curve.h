@@ -20,11 +20,11 @@ enum class ArchShape {
 /// What an arch is in its elevation. Both springings of the intrados lie at z = 0, its middle at x = 0.
 struct ArchCurve {
     ArchShape shape = ArchShape::circular;
-    double span = 6, rise = 3;           // m, of the intrados
-    double side_arc = 1.0471975511966;   // rad, angle of each side arc of a polycentric arch: 60 degrees
-    double thickness = 0.5;              // m, along the joint at the crown
-    double springing_thickness = 0;      // m, along the end joints; 0: that of the crown
-    int voussoirs = 15;                  // number
+    double span = 6, rise = 3;          // m, of the intrados
+    double side_arc = 1.0471975511966;  // rad, angle of each side arc of a polycentric arch: 60 degrees
+    double thickness = 0.5;             // m, along the joint at the crown
+    double springing_thickness = 0;     // m, along the end joints; 0: that of the crown
+    int voussoirs = 15;                 // number
 };
 
 /// A joint from the intrados to the extrados.

@@ -24,7 +24,8 @@ void check_sizes(const Bridge& bridge, std::vector<Fault>& faults)
     check_positive("pier_height", bridge.pier_height, faults);
     check_positive("fill_density", bridge.fill_density, faults);
     const auto at_least_0 = [&](const char* name, double value) {
-        if (!(value >= 0 && std::isfinite(value))) faults.push_back({name, std::to_string(value), "must be >= 0 m"});
+        if (!(value >= 0 && std::isfinite(value)))
+            faults.push_back({name, std::to_string(value), "must be >= 0 m"});
     };
     at_least_0("cutwater", bridge.cutwater);
     at_least_0("spandrel_thickness", bridge.spandrel_thickness);
@@ -41,7 +42,8 @@ void check(const Bridge& bridge)
     check_stone_imperfection(bridge.imperfection, faults);
     const bool has_walls = bridge.spandrel_thickness > 0;
     if (bridge.curve.shape == ArchShape::pointed && bridge.curve.voussoirs % 2 == 1)
-        faults.push_back({"voussoirs", "an odd number in a pointed bridge", "give an even one: a joint in the crown"});
+        faults.push_back(
+            {"voussoirs", "an odd number in a pointed bridge", "give an even one: a joint in the crown"});
     if (bridge.spandrel_thickness > 0.4 * bridge.width)
         faults.push_back({"spandrel_thickness", std::to_string(bridge.spandrel_thickness) + " m",
                           "must be at most two fifths of the width"});
@@ -50,7 +52,8 @@ void check(const Bridge& bridge)
     if (bridge.parapet_height > 0 && bridge.parapet_thickness > bridge.spandrel_thickness + 1e-9)
         faults.push_back({"parapet", "thicker than the wall below it", "must be at most spandrel_thickness"});
     if (bridge.block.height > bridge.pier_height)
-        faults.push_back({"pier_height", std::to_string(bridge.pier_height) + " m", "must be at least one course"});
+        faults.push_back(
+            {"pier_height", std::to_string(bridge.pier_height) + " m", "must be at least one course"});
     if (!faults.empty()) throw InputError(faults);
     const double volume = bridge.spans * (bridge.curve.span + bridge.pier_width + 2 * bridge.abutment_length) *
                           bridge.width * (bridge.curve.rise + bridge.pier_height + bridge.cover + 1);
@@ -108,7 +111,8 @@ void add_arches(BridgeWork& work)
     const int count = bridge.curve.voussoirs;
     for (int a = 0; a < bridge.spans; ++a)
         for (int i = 0; i < count; ++i) {
-            const std::string name = bridge.name + "arch_" + std::to_string(a + 1) + "_" + voussoir_name(i + 1, count);
+            const std::string name =
+                bridge.name + "arch_" + std::to_string(a + 1) + "_" + voussoir_name(i + 1, count);
             std::vector<Point> outline = work.profile.outline(i);
             for (Point& x : outline) x.x() = to_nanometre(x.x() + work.middle(a));
             const std::vector<double> across =

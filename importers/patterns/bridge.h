@@ -17,23 +17,23 @@ enum class Fill {
 
 /// All lengths in m.
 struct Bridge {
-    std::string name;              // before the names of its stones; may be empty
-    int spans = 1;                 // arches, all alike
-    ArchCurve curve;               // of each
-    double width = 4;              // of arches, piers and abutments
-    int stones_across = 3;         // voussoirs side by side
-    BlockFormat block{1, 0.5};     // of piers, walls and backing
-    double abutment_length = 3;    // from the springing to the back
-    double pier_width = 2;         // along the bridge
-    double pier_height = 3;        // from the foundation slab to the springing; of the abutments too
-    double cutwater = 0;           // from the face of the pier to its edge; 0: none
-    double spandrel_thickness = 0; // of the walls at both faces; 0: none
-    double backing = 0;            // height above the springing
-    double cover = 0;              // from the crown of the extrados to the road
-    double parapet_height = 0;     // above the road; 0: none
-    double parapet_thickness = 0;  // at most that of the spandrel walls
+    std::string name;               // before the names of its stones; may be empty
+    int spans = 1;                  // arches, all alike
+    ArchCurve curve;                // of each
+    double width = 4;               // of arches, piers and abutments
+    int stones_across = 3;          // voussoirs side by side
+    BlockFormat block{1, 0.5};      // of piers, walls and backing
+    double abutment_length = 3;     // from the springing to the back
+    double pier_width = 2;          // along the bridge
+    double pier_height = 3;         // from the foundation slab to the springing; of the abutments too
+    double cutwater = 0;            // from the face of the pier to its edge; 0: none
+    double spandrel_thickness = 0;  // of the walls at both faces; 0: none
+    double backing = 0;             // height above the springing
+    double cover = 0;               // from the crown of the extrados to the road
+    double parapet_height = 0;      // above the road; 0: none
+    double parapet_thickness = 0;   // at most that of the spandrel walls
     Fill fill = Fill::none;
-    double fill_density = 1800;    // kg/m3, of fill as mass
+    double fill_density = 1800;  // kg/m3, of fill as mass
     StoneImperfection imperfection;
 };
 

@@ -19,10 +19,7 @@ struct BridgeWork {
     {
         return to_nanometre((arch - (bridge.spans - 1) / 2.0) * (bridge.curve.span + bridge.pier_width));
     }
-    double left_end() const
-    {
-        return to_nanometre(middle(0) - bridge.curve.span / 2 - bridge.abutment_length);
-    }
+    double left_end() const { return to_nanometre(middle(0) - bridge.curve.span / 2 - bridge.abutment_length); }
     double road() const { return profile.beds.back(); }
     /// Beginning and end of a course between arches: region 0 is before the first arch, `spans` after the
     /// last. From end to end above the arches.

@@ -13,9 +13,9 @@ namespace
 /// One pier while it is built.
 struct PierWork {
     BridgeWork& work;
-    std::string name;    // "pier_1"
-    double middle = 0;   // m, along x
-    double impost = 0;   // m, height of the top course, which has the skewbacks
+    std::string name;   // "pier_1"
+    double middle = 0;  // m, along x
+    double impost = 0;  // m, height of the top course, which has the skewbacks
 
     const Bridge& bridge() const { return work.bridge; }
     double half() const { return bridge().pier_width / 2; }
@@ -96,10 +96,11 @@ void add_slab(PierWork& pier)
     const double more = bridge.block.height / 2, foot = -bridge.pier_height;
     const double y = pier.face() + bridge.cutwater + more;
     const std::string name = pier.name + "_slab";
-    pier.work.pattern.stones.push_back({name,
-                                        foundation_group,
-                                        {make_box({pier.middle - pier.half() - more, -y, foot - bridge.block.height},
-                                                  {pier.middle + pier.half() + more, y, foot})}});
+    pier.work.pattern.stones.push_back(
+        {name,
+         foundation_group,
+         {make_box({pier.middle - pier.half() - more, -y, foot - bridge.block.height},
+                   {pier.middle + pier.half() + more, y, foot})}});
 }
 
 }  // namespace
@@ -116,7 +117,8 @@ void add_piers(BridgeWork& work)
         const auto bed = [&](int course) {
             return to_nanometre(-bridge.pier_height + (bridge.pier_height - pier.impost) * course / (courses - 1));
         };
-        for (int course = 0; course + 1 < courses; ++course) add_course(pier, course, bed(course), bed(course + 1));
+        for (int course = 0; course + 1 < courses; ++course)
+            add_course(pier, course, bed(course), bed(course + 1));
         add_impost(pier, courses - 1);
         if (bridge.cutwater > 0 && courses > 1)
             for (const int side : {-1, 1}) add_hood(pier, side);

@@ -60,12 +60,8 @@ std::vector<Point> BridgeProfile::outline(int voussoir) const
 {
     const ArchJoint &left = joints[voussoir], &right = joints[voussoir + 1];
     const double level = beds[bed_of_back(voussoir)];
-    return {left.intrados,
-            left.extrados,
-            {left.extrados.x(), level},
-            {right.extrados.x(), level},
-            right.extrados,
-            right.intrados};
+    return {left.intrados,  left.extrados, {left.extrados.x(), level}, {right.extrados.x(), level},
+            right.extrados, right.intrados};
 }
 
 BridgeProfile profile_of(const Bridge& bridge)
@@ -78,8 +74,7 @@ BridgeProfile profile_of(const Bridge& bridge)
             throw InputError("springing_thickness", "the backs of the voussoirs do not rise to the crown",
                              "give a smaller springing_thickness");
     std::vector<int> level_of_joint;
-    const std::vector<double> levels =
-        levels_of(profile.joints, least_step * bridge.block.height, level_of_joint);
+    const std::vector<double> levels = levels_of(profile.joints, least_step * bridge.block.height, level_of_joint);
     if (levels.back() - levels.front() < 0.3 * bridge.block.height)
         throw InputError("rise", "the arch is lower than a third of a course",
                          "give a higher rise or lower blocks");

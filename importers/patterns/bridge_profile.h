@@ -21,10 +21,7 @@ struct BridgeProfile {
     /// The outline of a voussoir (from 0).
     std::vector<Point> outline(int voussoir) const;
     /// The bed on which its back lies.
-    int bed_of_back(int voussoir) const
-    {
-        return std::max(bed_of_joint[voussoir], bed_of_joint[voussoir + 1]);
-    }
+    int bed_of_back(int voussoir) const { return std::max(bed_of_joint[voussoir], bed_of_joint[voussoir + 1]); }
 };
 
 /// @throws InputError when the backs do not rise from the springing to the crown

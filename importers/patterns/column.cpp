@@ -25,7 +25,8 @@ void check(const Column& column, std::vector<Fault>& faults)
     if (column.sides < 4 || column.sides > 64 || column.sides % 4 != 0)
         faults.push_back({"sides", std::to_string(column.sides), "must be 4, 8, 12, ..., 64"});
     if (!(column.entasis >= 0 && column.entasis < column.diameter / 4))
-        faults.push_back({"entasis", metres(column.entasis), "must be >= 0 m and less than a quarter of the diameter"});
+        faults.push_back(
+            {"entasis", metres(column.entasis), "must be >= 0 m and less than a quarter of the diameter"});
     if (column.capital_height == 0) return;
     check_positive("capital.height", column.capital_height, faults);
     if (!(column.capital_width >= column.top_diameter))
@@ -138,8 +139,10 @@ void check(const TempleFront& front)
                                     front.column.capital_height > 0 ? front.column.capital_width : 0.0});
     if (faults.empty() && front.spacing <= widest + 1e-6)
         faults.push_back({"spacing", metres(front.spacing), "the columns must stand apart"});
-    for (const auto& [name, value] : {std::pair{"architrave", front.architrave}, {"frieze", front.frieze},
-                                      {"pediment", front.pediment}, {"depth", front.depth}})
+    for (const auto& [name, value] : {std::pair{"architrave", front.architrave},
+                                      {"frieze", front.frieze},
+                                      {"pediment", front.pediment},
+                                      {"depth", front.depth}})
         if (!(value >= 0 && std::isfinite(value))) faults.push_back({name, metres(value), "must be >= 0 m"});
     if (front.pediment > 0 && !(front.pediment_edge > 0 && front.pediment_edge <= front.pediment))
         faults.push_back({"pediment_edge", metres(front.pediment_edge), "must be > 0 m and at most pediment"});

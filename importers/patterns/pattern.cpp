@@ -25,8 +25,7 @@ double cross(const Point& a, const Point& b)
 double signed_area(const std::vector<Point>& outline)
 {
     double twice = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        twice += cross(outline[i], outline[(i + 1) % outline.size()]);
+    for (std::size_t i = 0; i < outline.size(); ++i) twice += cross(outline[i], outline[(i + 1) % outline.size()]);
     return twice / 2;
 }
 

@@ -32,9 +32,9 @@ struct PatternStone {
 
 /// A mass without a shape that moves with a stone: fill, floor, roof, bell.
 struct PatternMass {
-    std::string stone;    // its name
-    double mass = 0;      // kg
-    Eigen::Vector3d at;   // m
+    std::string stone;   // its name
+    double mass = 0;     // kg
+    Eigen::Vector3d at;  // m
 };
 
 /// A whole pattern.

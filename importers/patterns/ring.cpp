@@ -86,7 +86,8 @@ std::vector<std::vector<Point>> Ring::parts(double from, double to) const
         return parts;
     }
     const double half = side() / 2;
-    for (int s = static_cast<int>(std::floor((from + half) / side() + 1e-12)); s * side() - half < to - 1e-9; ++s) {
+    for (int s = static_cast<int>(std::floor((from + half) / side() + 1e-12)); s * side() - half < to - 1e-9;
+         ++s) {
         const double begin = std::max(from - s * side(), -half), end = std::min(to - s * side(), half);
         if (end - begin > 1e-9) parts.push_back(on_side(s % sides_, begin, end));
     }

@@ -38,9 +38,9 @@ void check_storey(const Tower& tower, std::size_t number, std::vector<Fault>& fa
         if (!(opening.width > 0 && opening.height > 0 && opening.sill >= 0))
             faults.push_back({own, "no opening", "width and height must be > 0 m, sill >= 0 m"});
         else if (opening.width + 2 * tower.bearing > room + 1e-9)
-            faults.push_back({own + ".width", metres(opening.width),
-                              "with its lintel it must fit between the corners: at most " +
-                                  metres(room - 2 * tower.bearing)});
+            faults.push_back(
+                {own + ".width", metres(opening.width),
+                 "with its lintel it must fit between the corners: at most " + metres(room - 2 * tower.bearing)});
         else if (opening.sill + opening.height > storey.height + 1e-9)
             faults.push_back({own + ".height", metres(opening.height), "it ends above its storey"});
     }
@@ -85,8 +85,7 @@ std::vector<double> beds_of(const StoreyWork& work)
 {
     std::vector<double> levels{0, work.storey.height};
     for (const TowerOpening& opening : work.storey.openings)
-        levels.insert(levels.end(),
-                      {opening.sill, opening.sill + opening.height, work.top_of_lintel(opening)});
+        levels.insert(levels.end(), {opening.sill, opening.sill + opening.height, work.top_of_lintel(opening)});
     std::sort(levels.begin(), levels.end());
     levels.erase(std::unique(levels.begin(), levels.end(), [](double a, double b) { return b - a < 1e-9; }),
                  levels.end());
@@ -183,7 +182,8 @@ int add_storey(Pattern& pattern, const StoreyWork& work, int first)
     const int courses = static_cast<int>(work.beds.size()) - 1;
     for (int c = 0; c < courses; ++c) {
         int number = 0;
-        const double foot = to_nanometre(work.foot + work.beds[c]), top = to_nanometre(work.foot + work.beds[c + 1]);
+        const double foot = to_nanometre(work.foot + work.beds[c]),
+                     top = to_nanometre(work.foot + work.beds[c + 1]);
         const std::size_t before = pattern.stones.size();
         for (const Piece& piece : pieces_of(work, first + c, work.beds[c], work.beds[c + 1])) {
             if (piece.hole) continue;

@@ -64,10 +64,12 @@ TEST(ArchPattern, HasTheVolumeOfItsChords)
     const double inner = 3, outer = 3.6;
     const Model model = read_pattern(arch("thickness: 0.6 m, voussoirs: 17, width: 2 m, rise: 3 m")).model;
     const double step = std::numbers::pi / n;
-    EXPECT_NEAR(volume_in(model, "voussoirs"), n * 0.5 * std::sin(step) * (outer * outer - inner * inner) * 2, 1e-7);
+    EXPECT_NEAR(volume_in(model, "voussoirs"), n * 0.5 * std::sin(step) * (outer * outer - inner * inner) * 2,
+                1e-7);
     // An arc of three centres with rise = half the span is a semicircle, whatever its side arcs.
     const Model three = read_pattern(arch("shape: polycentric, side_arc: 50 deg, thickness: 0.6 m, voussoirs: 17, "
-                                          "width: 2 m, rise: 3 m")).model;
+                                          "width: 2 m, rise: 3 m"))
+                            .model;
     EXPECT_NEAR(volume_in(three, ""), volume_in(model, ""), 1e-6);
     const Model ellipse =
         read_pattern(arch("shape: elliptic, thickness: 0.6 m, voussoirs: 17, width: 2 m, rise: 3 m")).model;
@@ -76,8 +78,7 @@ TEST(ArchPattern, HasTheVolumeOfItsChords)
 
 TEST(ArchPattern, BondsStonesAcross)
 {
-    const Model model =
-        read_pattern(arch("thickness: 0.6 m, voussoirs: 17, width: 2 m, stones_across: 2")).model;
+    const Model model = read_pattern(arch("thickness: 0.6 m, voussoirs: 17, width: 2 m, stones_across: 2")).model;
     const Model whole = read_pattern(arch("thickness: 0.6 m, voussoirs: 17, width: 2 m")).model;
     EXPECT_EQ(count_in(model, "voussoirs"), 9 * 2 + 8 * 3);
     EXPECT_NEAR(volume_in(model, ""), volume_in(whole, ""), 1e-9);
@@ -147,8 +148,9 @@ TEST(ArchPattern, ImperfectStonesStayInTheirSpace)
 TEST(ArchPattern, SaysWhichKeyMakesNoArch)
 {
     const auto faults = [](const std::string& keys) { return reader::faults_of(pattern_case(arch(keys))); };
-    EXPECT_NE(faults("thickness: 0.5 m, voussoirs: 15, rise: 4 m").find("arch.rise: 4.000000 m; must be at most half"),
-              std::string::npos)
+    EXPECT_NE(
+        faults("thickness: 0.5 m, voussoirs: 15, rise: 4 m").find("arch.rise: 4.000000 m; must be at most half"),
+        std::string::npos)
         << faults("thickness: 0.5 m, voussoirs: 15, rise: 4 m");
     EXPECT_NE(faults("thickness: 0.5 m, voussoirs: 15, rise: 1 m, embrace: 90 deg").find("both rise and embrace"),
               std::string::npos);

@@ -25,19 +25,20 @@ std::string bridge(const std::string& more)
 TEST(BridgePattern, HasTheNamesAndGroupsOfMasonry)
 {
     const Model model = read_pattern(bridge(walls + ", cutwater: 0.8 m, backing: 1 m, fill: blocks, "
-                                                    "parapet: {height: 0.8 m, thickness: 0.3 m}")).model;
-    for (const auto& [name, group] : std::vector<std::pair<std::string, std::string>>{
-             {"abutment_left", "foundation"},
-             {"pier_1_slab", "foundation"},
-             {"pier_1_c01_b01", "pier"},
-             {"pier_1_impost_b01", "pier"},
-             {"pier_1_cutwater_south", "pier"},
-             {"arch_1_voussoir_01_b01", "voussoirs"},
-             {"arch_2_keystone_b02", "voussoirs"},
-             {"spandrel_south_2_c01_b01", "spandrel"},
-             {"backing_2_c01_b01", "backing"},
-             {"fill_1_c05_b01", "fill"},
-             {"parapet_north_b01", "parapet"}})
+                                                    "parapet: {height: 0.8 m, thickness: 0.3 m}"))
+                            .model;
+    for (const auto& [name, group] :
+         std::vector<std::pair<std::string, std::string>>{{"abutment_left", "foundation"},
+                                                          {"pier_1_slab", "foundation"},
+                                                          {"pier_1_c01_b01", "pier"},
+                                                          {"pier_1_impost_b01", "pier"},
+                                                          {"pier_1_cutwater_south", "pier"},
+                                                          {"arch_1_voussoir_01_b01", "voussoirs"},
+                                                          {"arch_2_keystone_b02", "voussoirs"},
+                                                          {"spandrel_south_2_c01_b01", "spandrel"},
+                                                          {"backing_2_c01_b01", "backing"},
+                                                          {"fill_1_c05_b01", "fill"},
+                                                          {"parapet_north_b01", "parapet"}})
         EXPECT_EQ(group_of(model, name), group) << name;
     expect_sound(assembly_of(model));
 }
@@ -46,7 +47,8 @@ TEST(BridgePattern, HasTheNamesAndGroupsOfMasonry)
 TEST(BridgePattern, FillsItsOutline)
 {
     const Model model = read_pattern(bridge(walls + ", fill: blocks")).model;
-    const double road = 3.6 * std::sin((8.0 / 17 + 0) * std::numbers::pi) + 0.4;  // the keystone's joints end at the level of the crown
+    const double road = 3.6 * std::sin((8.0 / 17 + 0) * std::numbers::pi) +
+                        0.4;  // the keystone's joints end at the level of the crown
     const double length = 2 * 6 + 2 + 2 * 2, step = std::numbers::pi / 17;
     const double openings = 2 * 17 * 0.5 * 9 * std::sin(step);
     double volume = 0;
@@ -62,7 +64,8 @@ TEST(BridgePattern, FillAsMassWeighsWhatItsBlocksWould)
 {
     for (const std::string backing : {"", ", backing: 1.2 m"}) {
         const Model blocks = read_pattern(bridge(walls + backing + ", fill: blocks")).model;
-        const Model masses = read_pattern(bridge(walls + backing + ", fill: mass, fill_density: 2000 kg/m3")).model;
+        const Model masses =
+            read_pattern(bridge(walls + backing + ", fill: mass, fill_density: 2000 kg/m3")).model;
         double attached = 0;
         for (const Block& block : masses.blocks) attached += block.attached_mass;
         EXPECT_NEAR(attached, 2000 * volume_in(blocks, "fill"), 1e-3) << backing;
@@ -100,9 +103,10 @@ TEST(BridgePattern, IsSymmetricWithoutBond)
 
 TEST(BridgePattern, Rests)
 {
-    const std::string small = "spans: 2, span: 4 m, rise: 1.5 m, thickness: 0.6 m, voussoirs: 11, width: 2 m, "
-                              "stones_across: 1, block: [1 m, 0.5 m], pier_width: 1.8 m, pier_height: 1.5 m, "
-                              "abutment_length: 1.5 m, spandrel_thickness: 0.5 m, cover: 0.3 m, fill: ";
+    const std::string small =
+        "spans: 2, span: 4 m, rise: 1.5 m, thickness: 0.6 m, voussoirs: 11, width: 2 m, "
+        "stones_across: 1, block: [1 m, 0.5 m], pier_width: 1.8 m, pier_height: 1.5 m, "
+        "abutment_length: 1.5 m, spandrel_thickness: 0.5 m, cover: 0.3 m, fill: ";
     for (const char* fill : {"mass", "blocks"})
         expect_rest(read_pattern("bridge: {" + small + fill + "}", {"kinematics=spatial_rigid"}));
 }
@@ -110,7 +114,8 @@ TEST(BridgePattern, Rests)
 std::string bare(double thickness)
 {
     return "bridge: {span: 6 m, rise: 3 m, voussoirs: 17, width: 1 m, stones_across: 1, block: [1 m, 0.4 m], "
-           "thickness: " + std::to_string(thickness) + " m}";
+           "thickness: " +
+           std::to_string(thickness) + " m}";
 }
 
 TEST(BridgePattern, StandsAndFallsAsTheLinearProgramSays)
@@ -138,10 +143,12 @@ TEST(BridgePattern, OfTwoThousandStonesIsMadeAndCheckedInSeconds)
 {
     const std::clock_t start = std::clock();
     const Model model =
-        read_pattern("bridge: {spans: 3, span: 12 m, rise: 4 m, thickness: 0.8 m, voussoirs: 35, width: 6 m, "
-                     "stones_across: 7, block: [0.8 m, 0.4 m], pier_width: 3 m, pier_height: 4 m, cutwater: 1.2 m, "
-                     "spandrel_thickness: 0.6 m, backing: 1.5 m, cover: 0.4 m, "
-                     "parapet: {height: 1 m, thickness: 0.4 m}, fill: mass}").model;
+        read_pattern(
+            "bridge: {spans: 3, span: 12 m, rise: 4 m, thickness: 0.8 m, voussoirs: 35, width: 6 m, "
+            "stones_across: 7, block: [0.8 m, 0.4 m], pier_width: 3 m, pier_height: 4 m, cutwater: 1.2 m, "
+            "spandrel_thickness: 0.6 m, backing: 1.5 m, cover: 0.4 m, "
+            "parapet: {height: 1 m, thickness: 0.4 m}, fill: mass}")
+            .model;
     const auto assembly = assembly_of(model);
     EXPECT_GT(model.blocks.size(), 2000U);
     EXPECT_LT(model.blocks.size(), 4000U);
@@ -153,8 +160,8 @@ TEST(BridgePattern, OfTwoThousandStonesIsMadeAndCheckedInSeconds)
 TEST(BridgePattern, SaysWhichKeyMakesNoBridge)
 {
     const auto faults = [](const std::string& more) { return reader::faults_of(pattern_case(bridge(more))); };
-    EXPECT_NE(faults(", fill: mass").find("no spandrel walls; fill and parapets need them"),
-              std::string::npos) << faults(", fill: mass");
+    EXPECT_NE(faults(", fill: mass").find("no spandrel walls; fill and parapets need them"), std::string::npos)
+        << faults(", fill: mass");
     EXPECT_NE(reader::faults_of(with(pattern_case(bridge("")), "rise: 3 m", "rise: 9 m"))
                   .find("bridge.rise: 9.000000 m; must be at most half the span"),
               std::string::npos);

@@ -10,7 +10,8 @@ namespace
 {
 
 const std::string column =
-    "column: {height: 6 m, diameter: 1 m, top_diameter: 0.8 m, drums: 6, sides: 16, capital: {height: 0.6 m, width: 1.2 m}}";
+    "column: {height: 6 m, diameter: 1 m, top_diameter: 0.8 m, drums: 6, sides: 16, capital: {height: 0.6 m, "
+    "width: 1.2 m}}";
 const std::string front =
     "temple_front: {columns: 4, spacing: 2.5 m, height: 5 m, diameter: 1 m, top_diameter: 0.8 m, drums: 5, "
     "capital: {height: 0.6 m, width: 1.2 m}, architrave: 0.7 m, frieze: 0.7 m, pediment: 1.5 m, depth: 0.9 m}";

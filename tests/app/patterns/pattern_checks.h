@@ -79,8 +79,8 @@ void expect_symmetric(const Model& model, int axis, double tolerance = 1e-8);
 /// A run of all stages of a case.
 struct Rest {
     RunReport report;
-    double drift = 0;          // m, greatest motion of a centroid after the static stage
-    double settlement = 0;     // m, in the static stage
+    double drift = 0;           // m, greatest motion of a centroid after the static stage
+    double settlement = 0;      // m, in the static stage
     double reaction_error = 0;  // |force of the ground - weight| / weight, at the end of the static stage
 };
 Rest run_to_rest(const Case& the_case);

@@ -21,8 +21,9 @@ Case read_rock(const std::string& keys, const std::vector<std::string>& override
 
 TEST(RockPattern, KhansSlopeOfParallelJointsHas28Blocks)
 {
-    const std::string keys = "outline: [[0, -10], [272, -10], [400, 260], [182.054, 260], [0, 0]], "
-                             "sets: [{dip: 35.2 deg, dip_direction: 270 deg, spacing: 10 m}]";
+    const std::string keys =
+        "outline: [[0, -10], [272, -10], [400, 260], [182.054, 260], [0, 0]], "
+        "sets: [{dip: 35.2 deg, dip_direction: 270 deg, spacing: 10 m}]";
     const Case the_case = read_rock(keys);
     EXPECT_EQ(the_case.model.blocks.size(), 28U);
     const double area = 0.5 * (270 * (272 + 400) - 260 * 182.054);  // left of the right side, less the face
@@ -54,7 +55,10 @@ TEST(RockPattern, PiecesOfRandomJointsAddUpToTheBody)
     request.domain = {make_box({0, 0, 0}, {3, 2, 1})};
     for (const double azimuth : {0.3, 1.9, 4.0})
         request.sets.push_back({Eigen::Vector3d(std::sin(azimuth), std::cos(azimuth), 0.7).normalized(),
-                                {0.1, 0.2, 0.3}, 0.45, 0.3, 1});
+                                {0.1, 0.2, 0.3},
+                                0.45,
+                                0.3,
+                                1});
     const auto cut = [&] { return importers::exact::cut_rock(request); };
     const importers::exact::CutRock rock = cut();
     EXPECT_EQ(rock.domain_volume, 6);
@@ -87,9 +91,10 @@ TEST(RockPattern, PiecesOfRandomJointsAddUpToTheBody)
 /// A slope with a bench before its toe is concave: its blocks go on round the corner, as glued parts.
 TEST(RockPattern, ConcaveBodiesGiveBlocksOfGluedParts)
 {
-    const std::string keys = "outline: [[-20, -10], [60, -10], [60, 20], [10, 20], [0, 0], [-20, 0]], width: 5 m, "
-                             "sets: [{dip: 0 deg, spacing: 8 m, origin: [0, 0, 4]}, "
-                             "{dip: 80 deg, dip_direction: 90 deg, spacing: 12 m}]";
+    const std::string keys =
+        "outline: [[-20, -10], [60, -10], [60, 20], [10, 20], [0, 0], [-20, 0]], width: 5 m, "
+        "sets: [{dip: 0 deg, spacing: 8 m, origin: [0, 0, 4]}, "
+        "{dip: 80 deg, dip_direction: 90 deg, spacing: 12 m}]";
     const Case the_case = read_rock(keys);
     const double volume = 5 * (80 * 10 + 20 * (60 - 5.0));
     EXPECT_NEAR(volume_in(the_case.model, ""), volume, 1e-12 * volume);
@@ -104,10 +109,12 @@ TEST(RockPattern, ConcaveBodiesGiveBlocksOfGluedParts)
 /// Two blocks on a plane of 20 degrees: what lies above stays if friction is steeper, and slides if not.
 TEST(RockPattern, SlidesWhereFrictionSays)
 {
-    const std::string keys = "outline: [[0, 0], [30, 0], [30, 12], [2, 12]], "
-                             "sets: [{dip: 20 deg, dip_direction: 270 deg, spacing: 20 m, origin: [0, 0, 2]}]";
+    const std::string keys =
+        "outline: [[0, 0], [30, 0], [30, 12], [2, 12]], "
+        "sets: [{dip: 20 deg, dip_direction: 270 deg, spacing: 20 m, origin: [0, 0, 2]}]";
     const auto outcome = [&](const char* friction) {
-        return run_to_rest(read_rock(keys, {"kinematics=planar_rigid", std::string("joints.dry.friction=") + friction}))
+        return run_to_rest(
+                   read_rock(keys, {"kinematics=planar_rigid", std::string("joints.dry.friction=") + friction}))
             .report.outcome;
     };
     EXPECT_EQ(outcome("20.2 deg"), Outcome::completed);
@@ -123,10 +130,10 @@ TEST(RockPattern, KhansSlopeHasItsFactorOfSafety)
     const double safety = (cohesion * length + weight * std::cos(b) * friction) / (weight * std::sin(b));
     EXPECT_NEAR(safety, 1.3092, 0.005);
     const auto stands = [&](double factor) {
-        const Case the_case = reader::read_case(
-            std::filesystem::path(VOUSSOIR_CASES) / "slope_28.yaml",
-            {"joints.joint.friction=" + std::to_string(std::atan(friction / factor)),
-             "joints.joint.cohesion=" + std::to_string(cohesion / factor)});
+        const Case the_case =
+            reader::read_case(std::filesystem::path(VOUSSOIR_CASES) / "slope_28.yaml",
+                              {"joints.joint.friction=" + std::to_string(std::atan(friction / factor)),
+                               "joints.joint.cohesion=" + std::to_string(cohesion / factor)});
         return run_to_rest(the_case).report.outcome == Outcome::completed;
     };
     EXPECT_TRUE(stands(safety * 0.995));
@@ -135,7 +142,9 @@ TEST(RockPattern, KhansSlopeHasItsFactorOfSafety)
 
 TEST(RockPattern, SaysWhatIsWrong)
 {
-    const auto faults = [](const std::string& keys) { return reader::faults_of(pattern_case("rock: {" + keys + "}")); };
+    const auto faults = [](const std::string& keys) {
+        return reader::faults_of(pattern_case("rock: {" + keys + "}"));
+    };
     const std::string crossed =
         faults("outline: [[0, 0], [10, 10], [10, 0], [0, 10]], sets: [{dip: 10 deg, spacing: 1 m}]");
     EXPECT_NE(crossed.find("it crosses itself; give the corners in order"), std::string::npos) << crossed;

@@ -12,12 +12,14 @@ namespace
 
 std::string tower(const std::string& plan, const std::string& storeys, const std::string& more = "")
 {
-    return "tower: {plan: " + plan + ", width: 6 m, block: [0.8 m, 0.4 m], storeys: [" + storeys + "]" + more + "}";
+    return "tower: {plan: " + plan + ", width: 6 m, block: [0.8 m, 0.4 m], storeys: [" + storeys + "]" + more +
+           "}";
 }
 
 const std::vector<std::string> plans = {"square", "octagonal", "round"};
-const std::string two_storeys = "{height: 2.4 m, thickness: 0.8 m, openings: [{side: east, width: 0.6 m, height: 1.6 m}]}, "
-                                "{name: belfry, height: 2.4 m, thickness: 0.6 m, floor: 6 t}";
+const std::string two_storeys =
+    "{height: 2.4 m, thickness: 0.8 m, openings: [{side: east, width: 0.6 m, height: 1.6 m}]}, "
+    "{name: belfry, height: 2.4 m, thickness: 0.6 m, floor: 6 t}";
 
 /// Area of the plan of a wall between regular polygons, and between the chords of stones.
 double plan_area(const std::string& plan, double width, double thickness)
@@ -35,17 +37,21 @@ double plan_area(const std::string& plan, double width, double thickness)
 TEST(TowerPattern, HasTheVolumeOfItsPlan)
 {
     for (const std::string& plan : plans) {
-        const Model model = read_pattern(tower(plan, "{height: 2.4 m, thickness: 0.8 m}, "
-                                                     "{name: belfry, height: 1.2 m, thickness: 0.6 m}")).model;
+        const Model model = read_pattern(tower(plan,
+                                               "{height: 2.4 m, thickness: 0.8 m}, "
+                                               "{name: belfry, height: 1.2 m, thickness: 0.6 m}"))
+                                .model;
         EXPECT_NEAR(volume_in(model, "storey_1"), 2.4 * plan_area(plan, 6, 0.8), 1e-6) << plan;
         EXPECT_NEAR(volume_in(model, "belfry"), 1.2 * plan_area(plan, 6, 0.6), 1e-6) << plan;
         EXPECT_EQ(count_in(model, "foundation"), 1);
         // Courses of 0.4 m, the number of stones to a course by their length between the corners.
         const int sides = plan == "square" ? 4 : 8;
         const double corner = 0.8 * std::tan(std::numbers::pi / sides);
-        const int each = plan == "round" ? static_cast<int>(std::lround(6 * std::numbers::pi / 0.8))
-                                         : sides * static_cast<int>(std::lround(
-                                                       (6 * std::tan(std::numbers::pi / sides) - 2 * corner) / 0.8));
+        const int each =
+            plan == "round"
+                ? static_cast<int>(std::lround(6 * std::numbers::pi / 0.8))
+                : sides *
+                      static_cast<int>(std::lround((6 * std::tan(std::numbers::pi / sides) - 2 * corner) / 0.8));
         EXPECT_EQ(count_in(model, "storey_1"), 6 * each) << plan;
     }
 }
@@ -67,8 +73,10 @@ TEST(TowerPattern, IsSoundWithOpenings)
 TEST(TowerPattern, OpeningTakesItsVolume)
 {
     const Model whole = read_pattern(tower("square", "{height: 2.4 m, thickness: 0.8 m}")).model;
-    const Model open = read_pattern(tower("square", "{height: 2.4 m, thickness: 0.8 m, openings: "
-                                                    "[{side: west, width: 0.6 m, height: 1.6 m}]}")).model;
+    const Model open = read_pattern(tower("square",
+                                          "{height: 2.4 m, thickness: 0.8 m, openings: "
+                                          "[{side: west, width: 0.6 m, height: 1.6 m}]}"))
+                           .model;
     EXPECT_NEAR(volume_in(whole, "") - volume_in(open, ""), 0.6 * 1.6 * 0.8, 1e-7);
     const Block& lintel = block_of(open, "storey_1_lintel_1");
     EXPECT_NEAR(lintel.moments.volume, (0.6 + 2 * 0.4) * 0.4 * 0.8, 1e-7);
@@ -127,8 +135,10 @@ TEST(TowerPattern, Rests)
 /// weight, for its centroid is at half its height.
 TEST(TowerPattern, OverturnsWhereStaticsSays)
 {
-    const std::string slender = "tower: {width: 2 m, block: [0.8 m, 0.5 m], storeys: [{height: 8 m, thickness: 0.5 m}]}";
-    const std::vector<std::string> rigid{"kinematics=spatial_rigid", "stages[1]=null", "joints.dry.friction=60 deg"};
+    const std::string slender =
+        "tower: {width: 2 m, block: [0.8 m, 0.5 m], storeys: [{height: 8 m, thickness: 0.5 m}]}";
+    const std::vector<std::string> rigid{"kinematics=spatial_rigid", "stages[1]=null",
+                                         "joints.dry.friction=60 deg"};
     const auto stands = [&](double share) {
         std::vector<std::string> pushed = rigid;
         pushed.push_back("gravity={direction: [" + std::to_string(share) + ", 0, -1]}");
@@ -141,8 +151,10 @@ TEST(TowerPattern, OverturnsWhereStaticsSays)
 TEST(TowerPattern, OfFiveThousandStonesIsMadeAndCheckedInSeconds)
 {
     const std::clock_t start = std::clock();
-    const Model model = read_pattern("tower: {width: 10 m, block: [0.7 m, 0.3 m], storeys: [{height: 15 m, "
-                                     "thickness: 1.2 m}, {height: 15 m, thickness: 0.9 m}]}").model;
+    const Model model = read_pattern(
+                            "tower: {width: 10 m, block: [0.7 m, 0.3 m], storeys: [{height: 15 m, "
+                            "thickness: 1.2 m}, {height: 15 m, thickness: 0.9 m}]}")
+                            .model;
     const auto assembly = assembly_of(model);
     EXPECT_GT(model.blocks.size(), 5000U - 500U);
     EXPECT_TRUE(assembly.overlaps.empty());
@@ -156,8 +168,9 @@ TEST(TowerPattern, SaysWhichKeyMakesNoTower)
         return reader::faults_of(pattern_case(tower("square", storeys)));
     };
     const std::string wide = faults("{height: 3 m, thickness: 0.8 m, openings: [{width: 4 m, height: 1 m}]}");
-    EXPECT_NE(wide.find("storeys[0].openings[0].width: 4.000000 m; with its lintel it must fit between the corners"),
-              std::string::npos)
+    EXPECT_NE(
+        wide.find("storeys[0].openings[0].width: 4.000000 m; with its lintel it must fit between the corners"),
+        std::string::npos)
         << wide;
     EXPECT_NE(faults("{height: 3 m, thickness: 2.9 m}").find("storeys[0].thickness: 2.9"), std::string::npos)
         << faults("{height: 3 m, thickness: 2.9 m}");
