@@ -146,6 +146,26 @@ void add_import(CLI::App& app, std::function<int()>& chosen)
     });
 }
 
+void add_generate(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<app::commands::GenerateArguments>();
+    CLI::App* command = app.add_subcommand(
+        "generate", "Write the stones of a case or of a pattern as OBJ, or as a case that lists every block");
+    command
+        ->add_option("what", arguments->what,
+                     "A case file (.yaml), or a pattern: wall, house, arch, bridge, tower, column, temple_front, "
+                     "dome, barrel_vault, cross_vault, rock")
+        ->required()
+        ->type_name("CASE|PATTERN");
+    command->add_option("keys", arguments->keys, "Keys of the pattern as in a case: span=\"10 m\" voussoirs=25")
+        ->type_name("KEY=VALUE");
+    command->add_option("-o,--output", arguments->output, "File to write: .obj or .yaml")
+        ->required()
+        ->type_name("FILE");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::generate_command(*arguments); }; });
+}
+
 void add_record(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<app::commands::RecordArguments>();
@@ -382,6 +402,7 @@ int run_program(int argument_count, char** arguments)
     add_run(app, chosen);
     add_check(app, chosen);
     add_import(app, chosen);
+    add_generate(app, chosen);
     add_record(app, chosen);
     add_render(app, chosen);
     add_verify(app, chosen);

@@ -41,6 +41,17 @@ struct CheckArguments {
 /// @returns exit_bad_input when the case cannot be run
 int check_command(const CheckArguments& arguments);
 
+struct GenerateArguments {
+    std::string what;               // a case file, or the name of a pattern
+    std::vector<std::string> keys;  // of a pattern, as in a case: "span=10 m"
+    std::filesystem::path output;   // .obj or .yaml
+};
+
+/// Writes the stones of a case, or of a pattern, as OBJ (one named object each) or as a case whose blocks are
+/// listed one by one; reads them as `check` does first.
+/// @throws InputError with all faults of the case, or when the file cannot be written
+int generate_command(const GenerateArguments& arguments);
+
 struct ImportArguments {
     std::vector<std::filesystem::path> files;
     std::optional<std::string> unit;  // of the files; as they say, or metres, if not given

@@ -1,5 +1,8 @@
 #include <fmt/core.h>
 
+#include <Eigen/LU>
+#include <cmath>
+
 #include "app/reader/block_reading.h"
 #include "importers/patterns/max_blocks.h"
 
@@ -20,7 +23,12 @@ void add_stone(DrawnStone stone, const PlacedCopy& copy, const std::string& plac
         add_planar_block(name, place, std::move(stone.outlines), reading);
     else
         add_block(name, place, std::move(stone.parts), reading);
-    if (blocks.size() > before) blocks.back().friction_factor = stone.friction_factor;
+    if (blocks.size() == before) return;
+    blocks.back().friction_factor = stone.friction_factor;
+    const double scale = std::abs(copy.linear.determinant());  // a larger copy bears more of the same fill
+    for (const DrawnMass& mass : stone.masses)
+        attach_mass(reading.model, static_cast<int>(before), scale * mass.mass,
+                    copy.linear * mass.at + copy.offset);
 }
 
 }  // namespace
@@ -36,6 +44,9 @@ void add_stones(std::vector<DrawnStone> drawn, const YamlCursor& shape, Belongin
             fmt::format("{} copies of {} blocks: more than {} blocks", copies, drawn.size(), max_blocks),
             "give fewer copies or larger blocks");
     const std::string place = shape.place();
+    std::vector<std::string> own_groups;
+    for (std::size_t c = 0; c < copies; ++c)
+        for (const DrawnStone& stone : drawn) own_groups.push_back(stone.group);
     try {
         for (std::size_t c = 0; c < copies; ++c)
             for (DrawnStone& stone : drawn)
@@ -43,7 +54,8 @@ void add_stones(std::vector<DrawnStone> drawn, const YamlCursor& shape, Belongin
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) shape.fault(fault.place + ": " + fault.found, fault.expected);
     }
-    reading.entries.push_back({std::move(belonging), first, blocks.size(), std::move(naming)});
+    reading.entries.push_back(
+        {std::move(belonging), first, blocks.size(), std::move(naming), std::move(own_groups)});
 }
 
 }  // namespace voussoir::app::reader

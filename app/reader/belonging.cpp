@@ -20,9 +20,9 @@ int material_at(const YamlCursor& value, const std::vector<std::string>& names)
 
 /// `{voussoirs: granite, default: brick}`; groups are those of the entry.
 MaterialChoice read_materials_by_group(YamlCursor& value, const std::vector<std::string>& names,
-                                       const Belonging& belonging)
+                                       const Belonging& belonging, std::vector<std::string> groups)
 {
-    std::vector<std::string> groups{belonging.group};
+    groups.push_back(belonging.group);
     for (const GroupRule& rule : belonging.rules)
         if (std::find(groups.begin(), groups.end(), rule.group) == groups.end()) groups.push_back(rule.group);
     MaterialChoice choice;
@@ -38,7 +38,7 @@ MaterialChoice read_materials_by_group(YamlCursor& value, const std::vector<std:
 }
 
 MaterialChoice read_material(YamlCursor& entry, const std::vector<BlockMaterial>& materials,
-                             const Belonging& belonging)
+                             const Belonging& belonging, const std::vector<std::string>& own_groups)
 {
     std::vector<std::string> names;
     names.reserve(materials.size());
@@ -52,21 +52,24 @@ MaterialChoice read_material(YamlCursor& entry, const std::vector<BlockMaterial>
         entry.require("material", "a material's name");
         return {0, {}};
     }
-    if (value->is_map()) return read_materials_by_group(*value, names, belonging);
+    if (value->is_map()) return read_materials_by_group(*value, names, belonging, own_groups);
     return {material_at(*value, names), {}};
 }
 
 }  // namespace
 
-Belonging read_belonging(YamlCursor& entry, const Model& model, bool has_name)
+Belonging read_belonging(YamlCursor& entry, const Model& model, bool has_name,
+                         const std::vector<std::string>& own_groups)
 {
-    Belonging belonging{entry, {}, default_group, {}, {}};
+    Belonging belonging{entry, {}, default_group, {}, {}, false};
     const std::optional<std::string> group = entry.find_text("group");
     belonging.group = group.value_or(default_group);
+    belonging.keeps_own_groups = !group && !own_groups.empty();
     belonging.rules = read_group_rules(entry, model.kinematics);
-    belonging.material = read_material(entry, model.materials, belonging);
+    belonging.material =
+        read_material(entry, model.materials, belonging, group ? std::vector<std::string>() : own_groups);
     if (!group && has_name) entry.took_default("group", default_group);
-    if (!group && !has_name && belonging.rules.empty())
+    if (!group && !has_name && own_groups.empty() && belonging.rules.empty())
         entry.took_default("groups", std::string("all ") + default_group);
     belonging.copies = read_placing(entry, model.kinematics);
     return belonging;

@@ -44,6 +44,7 @@ struct Belonging {
     std::string group;  // of stones that no rule fits
     std::vector<GroupRule> rules;
     std::vector<PlacedCopy> copies;  // at least one
+    bool keeps_own_groups = false;   // stones that no rule fits stay in the groups of their pattern
 };
 
 /// The stones that an entry gave. Groups and materials are settled when the stones of all entries are known.
@@ -51,6 +52,13 @@ struct EntryStones {
     Belonging belonging;
     std::size_t first = 0, end = 0;  // in Model::blocks
     std::string naming;              // "blocks are named wall_base, ...": for whoever looks for their names
+    std::vector<std::string> own_groups = {};  // of each stone, by its pattern; empty: it names none
+};
+
+/// A mass that a pattern rests on a stone.
+struct DrawnMass {
+    double mass = 0;     // kg
+    Eigen::Vector3d at;  // m, model coordinates
 };
 
 /// A stone as an entry draws it, before it is placed: its parts, or outlines of a planar scene. Model coordinates,
@@ -60,6 +68,8 @@ struct DrawnStone {
     std::vector<ConvexPolyhedron> parts;
     std::vector<ConvexPolygon> outlines;
     double friction_factor = 1;  // of the block
+    std::string group = {};      // by its pattern; empty: it names none
+    std::vector<DrawnMass> masses = {};
 };
 
 /// An entry of `blocks` that names a mesh file.
@@ -110,7 +120,9 @@ std::vector<ConvexPolygon> outlines_of(const std::string& name, const std::strin
 
 /// `material`, `group`, `groups` and the keys of placing. @param has_name the shape is one stone with a name of
 /// its own: its group is worth a default
-Belonging read_belonging(YamlCursor& entry, const Model& model, bool has_name);
+/// @param own_groups that its pattern puts stones into
+Belonging read_belonging(YamlCursor& entry, const Model& model, bool has_name,
+                         const std::vector<std::string>& own_groups = {});
 
 /// `groups` of an entry.
 std::vector<GroupRule> read_group_rules(YamlCursor& entry, Kinematics kinematics);
@@ -136,6 +148,30 @@ void read_wall(YamlCursor& entry, YamlCursor& wall, BlockReading& reading);
 
 /// `{house: {length, width, height, wall_thickness, block, ...}}`: adds its blocks.
 void read_house(YamlCursor& entry, YamlCursor& house, BlockReading& reading);
+
+/// `{arch: {span, rise, thickness, voussoirs, ...}}`: adds its stones, in planar scenes too.
+void read_arch(YamlCursor& entry, YamlCursor& arch, BlockReading& reading);
+
+/// `{bridge: {spans, span, thickness, voussoirs, width, block, ...}}`: adds its stones.
+void read_bridge(YamlCursor& entry, YamlCursor& bridge, BlockReading& reading);
+
+/// `{tower: {plan, width, block, storeys: [...]}}`: adds its stones.
+void read_tower(YamlCursor& entry, YamlCursor& tower, BlockReading& reading);
+
+/// `{polyhedron: {name, parts: [{vertices, faces, glued}], friction_factor, mass}}`: adds the block.
+void read_polyhedron(YamlCursor& entry, YamlCursor& polyhedron, BlockReading& reading);
+
+/// `{rock: {outline, width, sets: [{dip, dip_direction, spacing, ...}]}}`: adds its blocks.
+void read_rock(YamlCursor& entry, YamlCursor& rock, BlockReading& reading);
+
+/// `{column: {height, diameter, drums, ...}}`, `{temple_front: {columns, spacing, ...}}`.
+void read_column(YamlCursor& entry, YamlCursor& column, BlockReading& reading);
+void read_temple_front(YamlCursor& entry, YamlCursor& front, BlockReading& reading);
+
+/// `{dome: {...}}`, `{barrel_vault: {...}}`, `{cross_vault: {...}}`: stones that share their joints.
+void read_dome(YamlCursor& entry, YamlCursor& dome, BlockReading& reading);
+void read_barrel_vault(YamlCursor& entry, YamlCursor& vault, BlockReading& reading);
+void read_cross_vault(YamlCursor& entry, YamlCursor& vault, BlockReading& reading);
 
 /// `{mesh: file}`: adds to reading.meshes.
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading);

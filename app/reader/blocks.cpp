@@ -85,18 +85,38 @@ struct ShapeReader {
     const char* key;
     void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
 };
-constexpr std::array<ShapeReader, 5> shape_readers = {{
+constexpr std::array<ShapeReader, 15> shape_readers = {{
     {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
     {"box", read_box},
     {"polygon", read_polygon},
     {"wall", read_wall},
     {"house", read_house},
+    {"arch", read_arch},
+    {"bridge", read_bridge},
+    {"tower", read_tower},
+    {"column", read_column},
+    {"temple_front", read_temple_front},
+    {"dome", read_dome},
+    {"barrel_vault", read_barrel_vault},
+    {"cross_vault", read_cross_vault},
+    {"rock", read_rock},
+    {"polyhedron", read_polyhedron},
 }};
+
+/// "mesh, box, ... and house".
+std::string shape_names(const char* last)
+{
+    std::string names;
+    for (std::size_t i = 0; i < shape_readers.size(); ++i) {
+        if (i > 0) names += i + 1 < shape_readers.size() ? ", " : std::string(" ") + last + " ";
+        names += shape_readers[i].key;
+    }
+    return names;
+}
 
 void read_entry(YamlCursor& entry, BlockReading& reading)
 {
-    if (!entry.expect_map("a block {mesh: file}, {box: {...}}, {polygon: {...}}, {wall: {...}} or {house: {...}}"))
-        return;
+    if (!entry.expect_map("a block {mesh: file}, {box: {...}} or {PATTERN: {...}}: " + shape_names("or"))) return;
     const ShapeReader* chosen = nullptr;
     std::optional<YamlCursor> shape;
     int shapes = 0;
@@ -115,8 +135,7 @@ void read_entry(YamlCursor& entry, BlockReading& reading)
             return;
         }
     }
-    const std::string all = "mesh, box, polygon, wall ";
-    entry.fault(shapes == 0 ? "no " + all + "or house" : "more than one of " + all + "and house",
+    entry.fault(shapes == 0 ? "no " + shape_names("or") : "more than one of " + shape_names("and"),
                 "give one of them");
 }
 
@@ -151,9 +170,9 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     std::optional<YamlCursor> section = top.require("blocks", "the stones, [{mesh: stones.obj}]");
     if (!section) return {};
     BlockReading reading{folder, model, findings, {}, {}, Eigen::Vector3d::Zero(), {}, {}};
-    std::vector<YamlCursor> entries = section->items("a list of meshes, boxes, polygons, walls and houses");
+    std::vector<YamlCursor> entries = section->items("a list of meshes, boxes, polygons and patterns");
     if (entries.empty() && section->is_list())
-        section->fault("no block", "give at least one mesh, box, polygon, wall or house");
+        section->fault("no block", "give at least one mesh, box, polygon or pattern");
     const auto are_too_many = [&](YamlCursor& where) {
         if (model.blocks.size() <= importers::patterns::max_blocks) return false;
         where.fault(fmt::format("more than {} blocks", importers::patterns::max_blocks),

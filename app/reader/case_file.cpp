@@ -78,9 +78,15 @@ void read_everything(YamlCursor& top, Case& result, Findings& findings)
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides, CaseStones* stones)
 {
+    return read_case_text(file, read_text(file), overrides, stones);
+}
+
+Case read_case_text(const std::filesystem::path& file, const std::string& text,
+                    const std::vector<std::string>& overrides, CaseStones* stones)
+{
     Case result;
     result.file = file;
-    result.text = read_text(file);
+    result.text = text;
     result.overrides = overrides;
     Findings findings;
     findings.file = file.string();

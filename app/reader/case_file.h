@@ -27,6 +27,10 @@ struct CaseStones {
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                CaseStones* stones = nullptr);
 
+/// The same of a text. @param file what faults call it; its folder is where paths begin
+Case read_case_text(const std::filesystem::path& file, const std::string& text,
+                    const std::vector<std::string>& overrides, CaseStones* stones = nullptr);
+
 /// read_case as studies take it.
 inline Case case_reader(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <limits>
+#include <map>
 
 #include "libdda/geometry/plane.h"
 
@@ -12,7 +13,8 @@ namespace voussoir::app::reader
 namespace
 {
 
-/// The value a path such as "openings[1]" or "lintel.height" leads to, or the last one on the way that exists.
+/// The value a path such as "storeys[1].height" or "lintel.height" leads to, or the last one on the way that
+/// exists.
 YamlCursor follow(YamlCursor from, std::string_view path)
 {
     const std::size_t end = path.find_first_of(".[");
@@ -23,7 +25,9 @@ YamlCursor follow(YamlCursor from, std::string_view path)
     std::from_chars(path.data() + end + 1, path.data() + path.size(), index);
     if (!next->is_list()) return *next;
     const std::vector<YamlCursor> items = next->items("a list");
-    return index < items.size() ? items[index] : *next;
+    if (index >= items.size()) return *next;
+    const std::size_t dot = path.find('.', end);  // "storeys[1].height" goes on
+    return dot == std::string_view::npos ? items[index] : follow(items[index], path.substr(dot + 1));
 }
 
 }  // namespace
@@ -131,17 +135,88 @@ void place_faults(const InputError& error, const YamlCursor& map)
     for (const Fault& fault : error.faults) follow(map, fault.place).fault(fault.found, fault.expected);
 }
 
+namespace
+{
+
+/// A fault if a block of one of these names is there already.
+bool refuse_known_names(const std::vector<DrawnStone>& stones, const YamlCursor& map, const Belonging& belonging,
+                        const BlockReading& reading)
+{
+    for (const PlacedCopy& copy : belonging.copies)
+        for (const DrawnStone& stone : stones) {
+            const auto known = reading.places.find(stone.name + copy.suffix);
+            if (known == reading.places.end()) continue;
+            map.fault("a second block named " + known->first,
+                      "the first one is at " + known->second + ": give one of them another name");
+            return true;
+        }
+    return false;
+}
+
+void add_drawn(std::vector<DrawnStone> stones, const YamlCursor& map, Belonging belonging, BlockReading& reading)
+{
+    if (stones.empty()) return map.fault("no block remains", "reduce the openings");
+    if (refuse_known_names(stones, map, belonging, reading)) return;
+    const std::string naming = "blocks are named " + stones.front().name + ", ..., " + stones.back().name;
+    add_stones(std::move(stones), map, std::move(belonging), naming, reading);
+}
+
+std::vector<DrawnStone> drawn(importers::patterns::Pattern pattern)
+{
+    std::vector<DrawnStone> stones;
+    std::map<std::string, std::size_t> numbers;
+    for (importers::patterns::PatternStone& stone : pattern.stones) {
+        numbers[stone.name] = stones.size();
+        stones.push_back({stone.name, std::move(stone.parts), {}, stone.friction_factor, stone.group, {}});
+    }
+    for (const importers::patterns::PatternMass& mass : pattern.masses)
+        stones[numbers.at(mass.stone)].masses.push_back({mass.mass, mass.at});
+    return stones;
+}
+
+}  // namespace
+
+importers::patterns::StoneImperfection read_stone_imperfection(YamlCursor& map)
+{
+    importers::patterns::StoneImperfection imperfection;
+    std::optional<YamlCursor> keys = map.find("imperfection");
+    if (!keys || !keys->expect_map("imperfections {seed, size, position, friction}")) return imperfection;
+    const auto share = [&](const std::string& key) {
+        return keys->quantity_or(key, words::dimension::number, words::Range::non_negative(), 0);
+    };
+    imperfection.seed =
+        static_cast<std::uint64_t>(keys->integer_or("seed", 0, std::numeric_limits<int>::max(), 1));
+    imperfection.size = share("size");
+    imperfection.position = share("position");
+    imperfection.friction = share("friction");
+    keys->reject_unknown_keys();
+    return imperfection;
+}
+
+std::string read_name_prefix(YamlCursor& map)
+{
+    const std::optional<std::string> name = map.find_text("name");
+    return name && !name->empty() ? *name + "_" : "";
+}
+
+void finish_pattern(YamlCursor& entry, const YamlCursor& map, std::size_t faults_before,
+                    const std::vector<std::string>& groups,
+                    const std::function<importers::patterns::Pattern()>& make, BlockReading& reading)
+{
+    map.reject_unknown_keys();
+    Belonging belonging = read_belonging(entry, reading.model, false, groups);
+    entry.reject_unknown_keys();
+    if (reading.findings.faults.size() > faults_before) return;
+    try {
+        add_drawn(drawn(make()), map, std::move(belonging), reading);
+    } catch (const InputError& error) {
+        place_faults(error, map);
+    }
+}
+
 void add_pattern(const std::vector<importers::patterns::MasonryBlock>& blocks, const YamlCursor& map,
                  Belonging belonging, BlockReading& reading)
 {
-    for (const PlacedCopy& copy : belonging.copies)
-        for (const importers::patterns::MasonryBlock& block : blocks) {
-            const auto known = reading.places.find(block.name + copy.suffix);
-            if (known == reading.places.end()) continue;
-            return map.fault("a second block named " + known->first,
-                             "the first one is at " + known->second + ": give one of them another name");
-        }
-    if (blocks.empty()) return map.fault("no block remains", "reduce the openings");
     std::vector<DrawnStone> stones;
     stones.reserve(blocks.size());
     try {
@@ -150,8 +225,7 @@ void add_pattern(const std::vector<importers::patterns::MasonryBlock>& blocks, c
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
     }
-    const std::string naming = "blocks are named " + blocks.front().name + ", ..., " + blocks.back().name;
-    add_stones(std::move(stones), map, std::move(belonging), naming, reading);
+    add_drawn(std::move(stones), map, std::move(belonging), reading);
 }
 
 }  // namespace voussoir::app::reader

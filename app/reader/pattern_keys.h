@@ -1,11 +1,14 @@
 // The keys walls and houses share.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "app/reader/block_reading.h"
+#include "importers/patterns/imperfection.h"
 #include "importers/patterns/masonry.h"
+#include "importers/patterns/pattern.h"
 
 namespace voussoir::app::reader
 {
@@ -33,6 +36,19 @@ importers::patterns::Placement read_placement(YamlCursor& map, const BlockReadin
 
 /// Turns the faults of a pattern, named by its parameters ("openings[1]"), into faults of the case.
 void place_faults(const InputError& error, const YamlCursor& map);
+
+/// `imperfection: {seed, size, position, friction}` of patterns of named stones.
+importers::patterns::StoneImperfection read_stone_imperfection(YamlCursor& map);
+
+/// `name`, before the names of a pattern's stones: "north" makes "north_keystone"; by default nothing.
+std::string read_name_prefix(YamlCursor& map);
+
+/// Reads what the entry says beside the pattern and adds the stones that `make` gives, unless faults were found
+/// since there were `faults_before`. Faults that `make` throws are named by keys of `map`.
+/// @param groups that the pattern puts stones into
+void finish_pattern(YamlCursor& entry, const YamlCursor& map, std::size_t faults_before,
+                    const std::vector<std::string>& groups,
+                    const std::function<importers::patterns::Pattern()>& make, BlockReading& reading);
 
 /// Adds the blocks of a pattern to the model, wherever the entry places them.
 void add_pattern(const std::vector<importers::patterns::MasonryBlock>& blocks, const YamlCursor& map,

@@ -90,7 +90,10 @@ void take_each_by_itself(EntryStones& entry, const Model& model, Groups& groups)
             return fits(one, model.blocks[b], all, model);
         });
         groups.by_rule[b] = rule != rules.end();
-        groups.names[b] = groups.by_rule[b] ? rule->group : entry.belonging.group;
+        const bool has_own = entry.belonging.keeps_own_groups && !entry.own_groups[b - entry.first].empty();
+        groups.names[b] = groups.by_rule[b] ? rule->group
+                          : has_own         ? entry.own_groups[b - entry.first]
+                                            : entry.belonging.group;
         if (groups.by_rule[b]) rule->used = true;
     }
 }

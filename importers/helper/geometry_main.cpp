@@ -10,6 +10,7 @@
 #include <string>
 
 #include "importers/helper/import_meshes.h"
+#include "importers/helper/rock.h"
 #include "importers/helper/wire.h"
 #include "importers/process/own_limits.h"
 
@@ -30,6 +31,10 @@ void limit_resources(const helper::GeometryLimits& limits)
 std::string answer_to(const std::string& text)
 {
     if (text == helper::formats_request()) return helper::to_json(mesh::mesh_formats());
+    if (helper::asks_for_rock(text)) {
+        limit_resources({});
+        return helper::to_json(voussoir::importers::exact::cut_rock(helper::rock_request_from_json(text)));
+    }
     const helper::HelperRequest request = helper::request_from_json(text);
     limit_resources(request.limits);
     return helper::to_json(helper::import_meshes(request.meshes));

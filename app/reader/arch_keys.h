@@ -1,0 +1,13 @@
+// The keys that arches and bridges share.
+#pragma once
+
+#include "app/reader/pattern_keys.h"
+#include "importers/patterns/arch_curve.h"
+
+namespace voussoir::app::reader
+{
+
+/// `shape`, `span`, `rise` or `embrace`, `side_arc`, `thickness`, `springing_thickness` and `voussoirs`.
+importers::patterns::ArchCurve read_arch_curve(YamlCursor& map);
+
+}  // namespace voussoir::app::reader

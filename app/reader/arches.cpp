@@ -1,0 +1,159 @@
+// Arches, domes and vaults as a case file gives them.
+#include <cmath>
+#include <numbers>
+
+#include "app/reader/arch_keys.h"
+#include "importers/patterns/arch.h"
+#include "importers/patterns/grid_pattern.h"
+
+namespace voussoir::app::reader
+{
+
+namespace patterns = importers::patterns;
+using words::Range;
+namespace dimension = words::dimension;
+
+namespace
+{
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// `rise`, or of a circular arch `embrace`; a semicircle without either.
+double read_rise(YamlCursor& map, patterns::ArchShape shape, double span)
+{
+    const std::optional<double> rise = map.find_quantity("rise", dimension::length, Range::positive());
+    const std::optional<double> embrace =
+        map.find_quantity("embrace", dimension::angle, Range{0, std::numbers::pi, false, true});
+    if (rise && embrace) map.fault("both rise and embrace", "give one of them");
+    if (embrace && shape != patterns::ArchShape::circular)
+        map.fault("embrace of an arch that is not circular", "give rise");
+    if (rise) return *rise;
+    if (embrace) return span / 2 * std::tan(*embrace / 4);
+    const double otherwise = shape == patterns::ArchShape::pointed    ? span * std::sqrt(0.75)
+                             : shape == patterns::ArchShape::circular ? span / 2
+                                                                      : span / 3;
+    map.took_default("rise", std::to_string(otherwise) + " m");
+    return otherwise;
+}
+
+}  // namespace
+
+patterns::ArchCurve read_arch_curve(YamlCursor& map)
+{
+    using patterns::ArchShape;
+    patterns::ArchCurve curve;
+    curve.shape = map.choice_or<ArchShape>("shape",
+                                           {{"circular", ArchShape::circular},
+                                            {"pointed", ArchShape::pointed},
+                                            {"elliptic", ArchShape::elliptic},
+                                            {"polycentric", ArchShape::polycentric}},
+                                           ArchShape::circular);
+    curve.span = map.quantity("span", dimension::length, Range::positive());
+    curve.rise = read_rise(map, curve.shape, curve.span);
+    if (curve.shape == ArchShape::polycentric)
+        curve.side_arc = map.quantity_or("side_arc", dimension::angle, Range::positive(), 60 * degree);
+    else
+        map.forbid("side_arc", "only a polycentric arch has side arcs");
+    curve.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    curve.springing_thickness = curve.thickness;
+    if (const auto ends = map.find_quantity("springing_thickness", dimension::length, Range::positive()))
+        curve.springing_thickness = *ends;
+    if (const auto number = map.require("voussoirs", "number of voussoirs"))
+        curve.voussoirs = map.integer_or("voussoirs", 2, 9999, 0);
+    return curve;
+}
+
+void read_arch(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
+{
+    if (!map.expect_map("an arch {span, thickness, voussoirs, width, ...}")) return;
+    const std::size_t faults_before = reading.findings.faults.size();
+    patterns::Arch asked;
+    asked.name = read_name_prefix(map);
+    asked.curve = read_arch_curve(map);
+    asked.width = map.quantity_or("width", dimension::length, Range::positive(), 1);
+    asked.stones_across = map.integer_or("stones_across", 1, 999, 1);
+    asked.springing_height =
+        map.quantity_or("springing_height", dimension::length, Range::positive(), asked.springing_height);
+    asked.imperfection = read_stone_imperfection(map);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "voussoirs"},
+        [&] { return patterns::arch(asked); }, reading);
+}
+
+void read_dome(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
+{
+    if (!map.expect_map("a dome {radius, thickness, courses, stones, ...}")) return;
+    const std::size_t faults_before = reading.findings.faults.size();
+    const std::string name = read_name_prefix(map);
+    patterns::Dome asked;
+    asked.radius = map.quantity("radius", dimension::length, Range::positive());
+    asked.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    asked.oculus = map.quantity_or("oculus", dimension::angle, Range::positive(), 15 * degree);
+    asked.springing = map.quantity_or("springing", dimension::angle, Range::positive(), 90 * degree);
+    if (std::abs(asked.springing - std::numbers::pi / 2) < 1e-12) asked.springing = std::numbers::pi / 2;
+    asked.courses = map.integer_or("courses", 1, 999, asked.courses);
+    asked.stones = map.integer_or("stones", 3, 9999, asked.stones);
+    asked.bonded = map.boolean_or("bonded", true);
+    asked.keystone = map.boolean_or("keystone", false);
+    asked.support = map.quantity_or("support", dimension::length, Range::positive(), asked.support);
+    const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "dome"},
+        [&] {
+            patterns::Pattern pattern = pattern_of(patterns::dome(asked), name, "dome");
+            check_and_disturb(pattern, imperfection);
+            return pattern;
+        },
+        reading);
+}
+
+void read_barrel_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
+{
+    if (!map.expect_map("a barrel vault {span, rise, thickness, length, courses, stones, ...}")) return;
+    const std::size_t faults_before = reading.findings.faults.size();
+    const std::string name = read_name_prefix(map);
+    patterns::BarrelVault asked;
+    asked.span = map.quantity("span", dimension::length, Range::positive());
+    asked.rise = map.quantity_or("rise", dimension::length, Range::positive(), asked.span / 2);
+    asked.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    asked.length = map.quantity("length", dimension::length, Range::positive());
+    asked.courses = map.integer_or("courses", 2, 9999, asked.courses);
+    asked.stones = map.integer_or("stones", 1, 9999, asked.stones);
+    asked.bonded = map.boolean_or("bonded", true);
+    asked.support = map.quantity_or("support", dimension::length, Range::positive(), asked.support);
+    const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "vault"},
+        [&] {
+            patterns::Pattern pattern = pattern_of(patterns::barrel_vault(asked), name, "vault");
+            check_and_disturb(pattern, imperfection);
+            return pattern;
+        },
+        reading);
+}
+
+void read_cross_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
+{
+    if (!map.expect_map("a cross vault {span, rise, thickness, courses, stones, ...}")) return;
+    const std::size_t faults_before = reading.findings.faults.size();
+    const std::string name = read_name_prefix(map);
+    patterns::CrossVault asked;
+    asked.span = map.quantity("span", dimension::length, Range::positive());
+    asked.rise = map.quantity_or("rise", dimension::length, Range::positive(), asked.span / 2);
+    asked.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    asked.margin = map.quantity_or("margin", dimension::length, Range::positive(), asked.margin);
+    asked.courses = map.integer_or("courses", 2, 9999, asked.courses);
+    asked.stones = map.integer_or("stones", 1, 9999, asked.stones);
+    asked.support = map.quantity_or("support", dimension::length, Range::positive(), asked.support);
+    const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
+    finish_pattern(
+        entry, map, faults_before, {patterns::foundation_group, "vault"},
+        [&] {
+            patterns::Pattern pattern = pattern_of(patterns::cross_vault(asked), name, "vault");
+            check_and_disturb(pattern, imperfection);
+            return pattern;
+        },
+        reading);
+}
+
+}  // namespace voussoir::app::reader

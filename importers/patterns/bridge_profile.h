@@ -1,0 +1,30 @@
+// The elevation of one arch of a bridge: stepped voussoirs, and the beds of what stands on them.
+#pragma once
+
+#include "importers/patterns/bridge.h"
+
+namespace voussoir::importers::patterns
+{
+
+/// Of an arch about x = 0.
+struct BridgeProfile {
+    std::vector<ArchJoint> joints;  // from left to right, the upper ends on beds
+    std::vector<int> bed_of_joint;  // where each joint ends
+    std::vector<double> beds;       // m, levels from the springing stones to the road
+    int crown_bed = 0;              // of the highest backs; courses above it run through
+
+    /// The back of the impost at the left springing, from the intrados: how far it reaches out [m].
+    double skewback() const { return joints.front().intrados.x() - joints.front().extrados.x(); }
+    int courses() const { return static_cast<int>(beds.size()) - 1; }
+    /// Where a course (from 0) ends against the left half of the arch [m]. @pre course < crown_bed
+    double end_of_course(int course) const;
+    /// The outline of a voussoir (from 0).
+    std::vector<Point> outline(int voussoir) const;
+    /// The bed on which its back lies.
+    int bed_of_back(int voussoir) const { return std::max(bed_of_joint[voussoir], bed_of_joint[voussoir + 1]); }
+};
+
+/// @throws InputError when the backs do not rise from the springing to the crown
+BridgeProfile profile_of(const Bridge& bridge);
+
+}  // namespace voussoir::importers::patterns

@@ -1,0 +1,103 @@
+// Multidrum columns and temple fronts from a case file.
+#include <cmath>
+#include <numbers>
+
+#include "tests/app/patterns/pattern_checks.h"
+
+namespace voussoir::app::patterns_test
+{
+namespace
+{
+
+const std::string column =
+    "column: {height: 6 m, diameter: 1 m, top_diameter: 0.8 m, drums: 6, sides: 16, capital: {height: 0.6 m, "
+    "width: 1.2 m}}";
+const std::string front =
+    "temple_front: {columns: 4, spacing: 2.5 m, height: 5 m, diameter: 1 m, top_diameter: 0.8 m, drums: 5, "
+    "capital: {height: 0.6 m, width: 1.2 m}, architrave: 0.7 m, frieze: 0.7 m, pediment: 1.5 m, depth: 0.9 m}";
+
+/// Area of a regular outline over the square of its width across the flats.
+double shape_area(int sides)
+{
+    return sides * std::tan(std::numbers::pi / sides) / 4;
+}
+
+TEST(ColumnPattern, HasTheVolumeOfItsFrusta)
+{
+    const Model model = read_pattern(column).model;
+    EXPECT_EQ(model.blocks.size(), 1U + 6 + 2);
+    // A straight shaft is one frustum, however it is cut.
+    EXPECT_NEAR(volume_in(model, "drums"), shape_area(16) * 6 / 3 * (1 + 0.8 + 0.64), 1e-7);
+    EXPECT_NEAR(block_of(model, "abacus").moments.volume, 1.2 * 1.2 * 0.3, 1e-9);
+    EXPECT_NEAR(block_of(model, "echinus").moments.volume, shape_area(16) * 0.3 / 3 * (0.64 + 0.8 * 1.2 + 1.44),
+                1e-7);
+    const Model swollen = read_pattern(with(column, "drums: 6", "entasis: 2 cm, drums: 6")).model;
+    EXPECT_GT(volume_in(swollen, "drums"), volume_in(model, "drums") * 1.02);
+}
+
+TEST(ColumnPattern, IsSoundSymmetricAndBearsOnItsWholePlan)
+{
+    const Model model = read_pattern(column).model;
+    const auto assembly = assembly_of(model);
+    expect_sound(assembly);
+    expect_symmetric(model, 0);
+    expect_symmetric(model, 1);
+    ASSERT_EQ(assembly.contacts.size(), 8U);
+    EXPECT_NEAR(joint_area(assembly, "slab", "drum_1"), shape_area(16), 1e-7);
+    EXPECT_NEAR(joint_area(assembly, "drum_3", "drum_4"), shape_area(16) * 0.81, 1e-7);
+    EXPECT_NEAR(joint_area(assembly, "echinus", "abacus"), shape_area(16) * 1.44, 1e-7);
+}
+
+TEST(ColumnPattern, Rests)
+{
+    expect_rest(read_pattern(column));
+    expect_rest(read_pattern(column, {"kinematics=spatial_rigid"}));
+}
+
+/// Statics: a monolithic shaft of one width overturns about its edge where push / weight = width / height.
+TEST(ColumnPattern, OverturnsWhereStaticsSays)
+{
+    const std::string shaft = "column: {height: 8 m, diameter: 1 m, drums: 1, sides: 4}";
+    const auto stands = [&](double push) {
+        return run_to_rest(read_pattern(shaft, {"kinematics=spatial_rigid", "stages[1]=null",
+                                                "gravity={direction: [" + std::to_string(push) + ", 0, -1]}"}))
+                   .report.outcome == Outcome::completed;
+    };
+    EXPECT_TRUE(stands(0.125 * 0.995));
+    EXPECT_FALSE(stands(0.125 * 1.005));
+}
+
+TEST(TempleFrontPattern, HasTheNamesVolumesAndSymmetryOfMasonry)
+{
+    const Model model = read_pattern(front).model;
+    EXPECT_EQ(count_in(model, "drums"), 4 * 5);
+    EXPECT_EQ(count_in(model, "capital"), 4 * 2);
+    EXPECT_EQ(count_in(model, "entablature"), 3 + 4);
+    EXPECT_EQ(group_of(model, "column_4_drum_5"), "drums");
+    EXPECT_EQ(group_of(model, "stylobate"), "foundation");
+    const double length = 3 * 2.5 + 1.2;
+    EXPECT_NEAR(volume_in(model, "entablature"), length * 1.4 * 0.9, 1e-7);
+    EXPECT_NEAR(volume_in(model, "pediment"), length * 0.9 * (0.3 + 1.5) / 2, 1e-7);
+    expect_symmetric(model, 0);
+    expect_symmetric(model, 1);
+    const auto assembly = assembly_of(model);
+    expect_sound(assembly);
+    EXPECT_NEAR(joint_area(assembly, "column_2_abacus", "architrave_1"), 0.6 * 0.9, 1e-7);
+}
+
+TEST(TempleFrontPattern, Rests)
+{
+    expect_rest(read_pattern(front, {"kinematics=spatial_rigid"}));
+}
+
+TEST(TempleFrontPattern, SaysWhichKeyMakesNoTemple)
+{
+    const std::string close = reader::faults_of(pattern_case(with(front, "spacing: 2.5 m", "spacing: 1.1 m")));
+    EXPECT_NE(close.find("temple_front.spacing: 1.100000 m; the columns must stand apart"), std::string::npos)
+        << close;
+    const std::string sides = reader::faults_of(pattern_case(with(column, "sides: 16", "sides: 17")));
+    EXPECT_NE(sides.find("column.sides: 17"), std::string::npos) << sides;
+}
+
+}  // namespace
+}  // namespace voussoir::app::patterns_test
