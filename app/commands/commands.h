@@ -83,11 +83,13 @@ struct RenderArguments {
     std::string color = "displacement";
     std::vector<double> times;  // s
     int count = 4;
-    std::vector<int> size{1600, 900};
+    std::vector<int> size;  // pixels; empty: 1600 x 900, of a film 1280 x 720
     std::optional<double> deformation_scale;
+    std::optional<std::filesystem::path> film;  // a film instead of pictures; empty: video.mp4 beside the results
+    double frames_per_second = 25, slow_down = 1;
 };
 
-/// Pictures from a results file, without a run.
+/// Pictures or a film from a results file, without a run.
 int render_command(const RenderArguments& arguments);
 
 constexpr std::uint64_t default_verify_seed = 1;
