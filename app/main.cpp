@@ -223,6 +223,21 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
         [arguments, &chosen] { chosen = [arguments] { return app::commands::render_command(*arguments); }; });
 }
 
+void add_report(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<app::commands::ReportArguments>();
+    CLI::App* command = app.add_subcommand("report", "The report of a run: a page with pictures, text and tables");
+    command->add_option("results", arguments->results, "The folder of a run, or its results.h5")
+        ->required()
+        ->type_name("DIR|RESULTS");
+    command->add_option("-o,--output", arguments->folder, "Folder for the report (that of the results)")
+        ->type_name("DIR");
+    command->add_flag("!--no-film", arguments->film, "Make no film");
+    command->add_flag("-q,--quiet", arguments->quiet, "Print the names of the files only");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::report_command(*arguments); }; });
+}
+
 void add_verify(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<app::commands::VerifyArguments>();
@@ -402,6 +417,7 @@ int run_program(int argument_count, char** arguments)
     add_import(app, chosen);
     add_record(app, chosen);
     add_render(app, chosen);
+    add_report(app, chosen);
     add_verify(app, chosen);
     add_converge(app, chosen);
     add_ensemble(app, chosen);

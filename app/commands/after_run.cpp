@@ -8,6 +8,7 @@
 
 #include "app/commands/film_progress.h"
 #include "app/render/snapshots.h"
+#include "app/report/report_client.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::commands
@@ -61,6 +62,12 @@ AfterRun make_after_run(const Case& the_case, const RunReport& report, const fs:
             const fs::path file = folder / render::film_name(film->format);
             render::request_film(results, file, *film, [&](int done, int all) { progress.frame(done, all); });
             return std::vector<fs::path>{file};
+        });
+    if (the_case.output.report)
+        attempt("is no report", after, [&] {
+            FilmProgress progress(quiet);
+            return report::request_report(results, folder, true,
+                                          [&](int done, int all) { progress.frame(done, all); });
         });
     return after;
 }

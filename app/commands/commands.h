@@ -92,6 +92,16 @@ struct RenderArguments {
 /// Pictures or a film from a results file, without a run.
 int render_command(const RenderArguments& arguments);
 
+struct ReportArguments {
+    std::filesystem::path results;  // the file, or the folder of a run
+    std::filesystem::path folder;   // empty: where the results are
+    bool film = true;
+    bool quiet = false;
+};
+
+/// The report of a run, from its results: a page, and the same as text and tables.
+int report_command(const ReportArguments& arguments);
+
 constexpr std::uint64_t default_verify_seed = 1;
 
 struct VerifyArguments {

@@ -186,6 +186,7 @@ OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector
     if (std::optional<YamlCursor> snapshots = map->find("snapshots"))
         output.snapshots = read_snapshots(*snapshots, model, stages);
     read_video(*map, model, stages, output);
+    if (map->find("report")) output.report = map->boolean_or("report", false);
     map->reject_unknown_keys();
     return output;
 }
