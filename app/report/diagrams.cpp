@@ -46,6 +46,13 @@ Diagram over_time(const std::string& y_title, std::vector<Curve> curves)
     return diagram;
 }
 
+/// a - b, or a alone where there is no b.
+std::vector<double> minus(std::vector<double> a, const std::vector<double>& b)
+{
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) a[i] -= b[i];
+    return a;
+}
+
 plots::Figure figure_of(const std::string& name, const std::string& title, std::vector<Diagram> diagrams)
 {
     plots::Figure figure;
@@ -99,16 +106,22 @@ void add_histories(const RunRecord& record, std::vector<NamedFigure>& figures)
     std::vector<Diagram> diagrams;
     for (const char* component : {"ux", "uy", "uz"}) {
         std::vector<Curve> curves;
+        const std::string ground = std::string("ground ") + component;
+        std::vector<double> ground_moved;
+        for (const std::string& name : record.histories.names)
+            if (name.rfind(ground, 0) == 0) ground_moved = record.histories.column(name);
         for (const std::string& name : record.histories.names) {
             const std::size_t at = name.find(std::string(" ") + component);
-            if (at == std::string::npos || curves.size() == 8) continue;
-            curves.push_back(thinned(name.substr(0, at), times, record.histories.column(name), 1e-3));
+            if (at == std::string::npos || curves.size() == 8 || name.rfind(ground, 0) == 0) continue;
+            const std::vector<double> moved = minus(record.histories.column(name), ground_moved);
+            curves.push_back(thinned(name.substr(0, at), times, moved, 1e-3));
         }
         if (!curves.empty()) diagrams.push_back(over_time(std::string(component) + " [mm]", curves));
     }
     if (diagrams.empty()) return;
-    figures.push_back({figure_of("histories", "Displacements of the chosen points", diagrams), "Histories",
-                       "Displacements since the start, absolute; the ground's own among them."});
+    figures.push_back(
+        {figure_of("histories", "Displacements of the chosen points, relative to the ground", diagrams),
+         "Histories", "Displacements since the start, relative to the ground."});
 }
 
 void add_course(const RunRecord& record, std::vector<NamedFigure>& figures)

@@ -17,7 +17,7 @@ constexpr const char* style = R"(
 :root { --ink: #22252b; --faint: #616672; --line: #d8dce2; --accent: #31688e; }
 * { box-sizing: border-box; }
 body { font: 16px/1.55 "DejaVu Sans", system-ui, sans-serif; color: var(--ink); margin: 0 auto; max-width: 62rem;
-  padding: 2rem 1.5rem 4rem; overflow-wrap: anywhere; }
+  padding: 2rem 1.5rem 4rem; overflow-wrap: break-word; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 1rem 0 .4rem; }
 h2 { font-size: 1.3rem; margin: 2.6rem 0 .6rem; padding-bottom: .3rem; border-bottom: 2px solid var(--line); }
 .outcome { padding: .8rem 1rem; border-left: 6px solid #2a8f57; background: #eef7f1; font-weight: 600; }
@@ -28,11 +28,14 @@ table { border-collapse: collapse; font-size: .86rem; margin: .6rem 0 1.4rem; wi
 caption { text-align: left; font-weight: 600; padding: .3rem 0; caption-side: top; }
 th, td { border-bottom: 1px solid var(--line); padding: .3rem .7rem .3rem 0; text-align: left; vertical-align: top; }
 th { color: var(--faint); font-weight: 600; }
+td.n { white-space: nowrap; }
+td { overflow-wrap: anywhere; min-width: 3rem; }
 figure { margin: 1rem 0 1.6rem; break-inside: avoid; }
 figure img, figure video { width: 100%; height: auto; border: 1px solid var(--line); display: block; }
 figcaption, .more { color: var(--faint); font-size: .88rem; }
 pre { font-size: .78rem; line-height: 1.4; background: #f6f7f9; padding: 1rem; white-space: pre-wrap; }
-@media print { body { max-width: none; padding: 0; font-size: 11pt; } nav, .film { display: none; }
+@media print { body { max-width: none; padding: 0; font-size: 11pt; } nav, .film, section:has(> .film) { display: none; }
+  table { font-size: 8.5pt; } th, td { padding-right: .4rem; }
   h2 { break-after: avoid; } tr { break-inside: avoid; } figure img { max-height: 22cm; width: auto; max-width: 100%; } }
 )";
 
@@ -91,6 +94,11 @@ std::string picture(const Picture& of)
            base64(bytes_of(of.file)) + "\"></video>" + caption;
 }
 
+bool is_number(const std::string& cell)
+{
+    return !cell.empty() && cell.find_first_not_of("0123456789.+-e") == std::string::npos;
+}
+
 std::string table(const Table& of)
 {
     std::string text = "<table><caption>" + escaped(of.title) + "</caption>\n<thead><tr>";
@@ -98,7 +106,8 @@ std::string table(const Table& of)
     text += "</tr></thead>\n<tbody>\n";
     for (std::size_t i = 0; i < of.rows.size() && i < of.shown; ++i) {
         text += "<tr>";
-        for (const std::string& cell : of.rows[i]) text += "<td>" + escaped(cell) + "</td>";
+        for (const std::string& cell : of.rows[i])
+            text += (is_number(cell) ? "<td class=\"n\">" : "<td>") + escaped(cell) + "</td>";
         text += "</tr>\n";
     }
     text += "</tbody></table>\n";

@@ -134,8 +134,7 @@ Document document_of(const RunRecord& record, const fs::path& folder, bool film,
     document.first_line = first_line_of(record);
     document.alarm = document.outcome != "completed" || record.mechanism.kind != MechanismKind::stands;
     document.mechanism = name_of(record.mechanism.kind);
-    document.mechanism_line =
-        words_of(record.mechanism, record.results.model, record.course, record.failed).headline;
+    document.mechanism_line = words_of(record.mechanism, record.results.model, record.course).headline;
     document.sections.push_back(key_results(record));
     document.sections.push_back(mechanism_section(record));
     document.sections.push_back(pictures_of(record, folder));

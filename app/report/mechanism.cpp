@@ -144,6 +144,7 @@ std::vector<Body> bodies_in(const results::RecordedModel& model, const results::
         const int block = static_cast<int>(b);
         body.blocks.push_back(block);
         body.displacement = std::max(body.displacement, moved(model, frame, block).norm());
+        body.last_displacement = std::max(body.last_displacement, moved(model, end, block).norm());
         body.turn = std::max(body.turn, angle_of(turn_of(pose_of(model.kinematics, frame.state, block).map)));
         body.last_turn =
             std::max(body.last_turn, angle_of(turn_of(pose_of(model.kinematics, end.state, block).map)));
@@ -238,7 +239,8 @@ Mechanism mechanism_in(const results::ResultsReader& results, const Course& cour
         else
             ++(between.presses ? mechanism.hinges : mechanism.parted);
     }
-    if (failed && !interfaces.empty()) mechanism.kind = kind_of(model, mechanism, interfaces_of_body);
+    if (failed)
+        mechanism.kind = interfaces.empty() ? MechanismKind::loose : kind_of(model, mechanism, interfaces_of_body);
     return mechanism;
 }
 

@@ -21,10 +21,11 @@ struct MovedJoint {
 /// Stones between which no joint opened or slid worth mentioning.
 struct Body {
     std::vector<int> blocks;
-    bool rests = false;       // holds a foundation, or is the largest where there is none
-    double displacement = 0;  // m, the largest of its stones
-    double turn = 0;          // rad, the largest of its stones
-    double last_turn = 0;     // rad, at the end of the run
+    bool rests = false;            // holds a foundation, or is the largest where there is none
+    double displacement = 0;       // m, the largest of its stones
+    double last_displacement = 0;  // m, at the end of the run
+    double turn = 0;               // rad, the largest of its stones
+    double last_turn = 0;          // rad, at the end of the run
 };
 
 enum class MechanismKind {
@@ -34,6 +35,7 @@ enum class MechanismKind {
     overturns,  // bodies that turn about one edge each
     sheds,      // what is above comes off, what is below stays
     mixed,      // turning and sliding
+    loose,      // what moved off was held by no joint at the start: tossed, leaning
 };
 
 struct Mechanism {

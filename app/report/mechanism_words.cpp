@@ -58,12 +58,15 @@ std::string of_what_stands(const Mechanism& mechanism, const results::RecordedMo
     for (const Peak& peak : course.joint_opening) opened += peak.value > noteworthy_opening;
     for (const Peak& peak : course.joint_slip) slid += peak.value > noteworthy_opening;
     if (opened + slid == 0) return "The structure stands; no joint opened or slid by more than 0.1 mm.";
+    if (mechanism.joints.empty())
+        return fmt::format("The structure stands. Of {} joints {} opened and {} slid by more than 0.1 mm.",
+                           model.joints.size(), opened, slid);
     const MovedJoint& most = mechanism.joints.front();
     const WatchedJoint& joint = model.joints[most.joint];
     return fmt::format(
         "The structure stands. Of {} joints {} opened and {} slid by more than 0.1 mm, most at t = {:.3g} s "
-        "between {} "
-        "and {}: {} open, {} of slip. At the end {} remain open and {} slid.",
+        "between {} and "
+        "{}: {} open, {} of slip. At the end {} remain open and {} slid.",
         model.joints.size(), opened, slid, mechanism.time, model.block_names[joint.block_a],
         model.block_names[joint.block_b], length_in_words(most.opening), length_in_words(most.slip),
         length_in_words(course.opening.back()), length_in_words(course.slip.back()));
@@ -80,7 +83,7 @@ Moving moving_in(const Mechanism& mechanism)
 {
     Moving moving;
     for (const Body& body : mechanism.bodies) {
-        if (body.rests) continue;
+        if (body.rests || !(std::max(body.displacement, body.last_displacement) > noteworthy_opening)) continue;
         ++moving.bodies;
         moving.blocks.insert(moving.blocks.end(), body.blocks.begin(), body.blocks.end());
         moving.last_turn = std::max(moving.last_turn, body.last_turn);
@@ -125,6 +128,11 @@ std::string of_what_fails(const Mechanism& mechanism, const results::RecordedMod
         case MechanismKind::mixed:
             return fmt::format("The structure fails by turning and sliding together: {}, sliding at {}; {} ({}).",
                                hinges, places, bodies, names);
+        case MechanismKind::loose:
+            if (stones == 0)
+                return "The structure did not stand, but no stone had moved by more than 0.1 mm in any stored "
+                       "frame.";
+            return fmt::format("Stones that no joint held at the start moved off: {} ({}).", who, names);
         case MechanismKind::stands:
             break;
     }
@@ -143,7 +151,8 @@ std::string length_in_words(double metres)
 
 const char* name_of(MechanismKind kind)
 {
-    constexpr std::array<const char*, 6> names = {"stands", "hinges", "slides", "overturns", "sheds", "mixed"};
+    constexpr std::array<const char*, 7> names = {"stands", "hinges", "slides", "overturns",
+                                                  "sheds",  "mixed",  "loose"};
     return names.at(static_cast<std::size_t>(kind));
 }
 
@@ -159,17 +168,11 @@ std::string names_in_words(const std::vector<int>& blocks, const std::vector<std
     return text;
 }
 
-MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course,
-                        bool failed)
+MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course)
 {
     MechanismWords words;
-    if (mechanism.kind != MechanismKind::stands)
-        words.headline = of_what_fails(mechanism, model);
-    else if (failed)
-        words.headline =
-            "The structure did not stand, but no joint had moved by more than 0.1 mm in any stored frame.";
-    else
-        words.headline = of_what_stands(mechanism, model, course);
+    words.headline = mechanism.kind == MechanismKind::stands ? of_what_stands(mechanism, model, course)
+                                                             : of_what_fails(mechanism, model);
     for (const MovedJoint& joint : mechanism.joints) {
         if (words.joints.size() == most_told) {
             words.joints.push_back(fmt::format("and {} others", mechanism.joints.size() - most_told));

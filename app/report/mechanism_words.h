@@ -15,14 +15,12 @@ struct MechanismWords {
     std::vector<std::string> bodies;  // one each that moves
 };
 
-/// @param failed the run said that the structure collapsed or is a mechanism
-MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course,
-                        bool failed);
+MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course);
 
 /// "12.3 mm", "1.23 m", "45 µm".
 std::string length_in_words(double metres);
 
-/// "stands", "hinges", "slides", "overturns", "sheds", "mixed".
+/// "stands", "hinges", "slides", "overturns", "sheds", "mixed", "loose".
 const char* name_of(MechanismKind kind);
 
 /// "a, b, c and 12 others" of these blocks.

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 std::string millimetres(double metres)
 {
-    return figure(1e3 * metres);
+    return fmt::format("{:.3g}", 1e3 * metres);
 }
 
 /// "12.3 mm at 1.24 s".
@@ -271,7 +271,7 @@ Section key_results(const RunRecord& record)
 Section mechanism_section(const RunRecord& record)
 {
     Section section{"How it moved", {}, {}, {}, {}, {}};
-    const MechanismWords words = words_of(record.mechanism, record.results.model, record.course, record.failed);
+    const MechanismWords words = words_of(record.mechanism, record.results.model, record.course);
     section.paragraphs.push_back(words.headline);
     if (!words.joints.empty())
         section.paragraphs.push_back(fmt::format(

@@ -86,6 +86,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${voussoir_library_folder})
 if(VOUSSOIR_RENDER)
   set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS ffmpeg)  # films
 endif()
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, libeigen3-dev")
 include(CPack)

@@ -148,6 +148,17 @@ TEST_F(Report, ATowerThatShedsItsTop)
     EXPECT_EQ(results.at("tables").at(1).at("rows").size(), 2U);
 }
 
+TEST_F(Report, ATossedStoneIsNoMechanism)
+{
+    const Json report =
+        report_of(planar_case("A toss", "  - box: {name: tossed, lower: [0, 0, 1], upper: [0.4, 1, 1.3]}\n",
+                              "initial_state: [{blocks: tossed, velocity: [1 m/s, 0, 0]}]\n"
+                              "stages: [{name: flight, type: dynamic, duration: 0.2 s, time_step: 2 ms}]\n"));
+    EXPECT_EQ(report.at("mechanism"), "loose");
+    EXPECT_NE(report.at("mechanism_line").get<std::string>().find("moved off: one stone (tossed)"),
+              std::string::npos);
+}
+
 TEST_F(Report, ARunThatGaveUpSaysSoFirst)
 {
     const Json report =
