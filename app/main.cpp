@@ -232,7 +232,7 @@ void add_report(CLI::App& app, std::function<int()>& chosen)
         ->type_name("DIR|RESULTS");
     command->add_option("-o,--output", arguments->folder, "Folder for the report (that of the results)")
         ->type_name("DIR");
-    command->add_flag("!--no-film", arguments->film, "Make no film");
+    command->add_flag("--no-film", arguments->no_film, "Make no film");
     command->add_flag("-q,--quiet", arguments->quiet, "Print the names of the files only");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return app::commands::report_command(*arguments); }; });

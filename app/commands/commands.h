@@ -95,7 +95,7 @@ int render_command(const RenderArguments& arguments);
 struct ReportArguments {
     std::filesystem::path results;  // the file, or the folder of a run
     std::filesystem::path folder;   // empty: where the results are
-    bool film = true;
+    bool no_film = false;
     bool quiet = false;
 };
 

@@ -19,7 +19,7 @@ int report_command(const ReportArguments& arguments)
     std::vector<fs::path> made;
     {
         FilmProgress progress(arguments.quiet);
-        made = report::request_report(results, folder, arguments.film,
+        made = report::request_report(results, folder, !arguments.no_film,
                                       [&](int done, int all) { progress.frame(done, all); });
     }
     for (const fs::path& file : made) fmt::print("{}\n", file.string());

@@ -201,8 +201,11 @@ void write_xdmf(const std::filesystem::path& results_file, const std::filesystem
     text += "    <Grid Name=\"voussoir\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
     const Described described{file, results, is_planar(reader.model.kinematics),
                               is_deformable(reader.model.kinematics)};
-    for (std::size_t frame = 0; frame < reader.times.size(); ++frame)
+    for (std::size_t frame = 0; frame < reader.times.size(); ++frame) {
+        // Of one time, before and after a static stage, ParaView would show both states in each other.
+        if (frame + 1 < reader.times.size() && !(reader.times[frame] < reader.times[frame + 1])) continue;
         text += moment(described, reader.times[frame], frame);
+    }
     text += "    </Grid>\n  </Domain>\n</Xdmf>\n";
     write_atomically(xdmf_file, text);
 }

@@ -193,6 +193,20 @@ TEST_P(Xdmf, AtEveryAddressAreTheValuesOfTheFrame)
     }
 }
 
+TEST(XdmfTimes, OfTwoStatesOfOneTimeTheLastIsShown)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::arch(Kinematics::spatial_rigid, 9);
+    ResultsWriter writer(the_case, folder.path());
+    for (const double time : {0.0, 0.0, 0.5}) writer.frame(synthetic::swaying(the_case, time), {});
+    writer.finish(synthetic::swaying(the_case, 0.5), {}, {0, 0});
+    const Element root = parse(text_of(folder.path() / "results.xdmf"));
+    const Element course = all_named(root, "Grid").at(0);
+    ASSERT_EQ(course.children.size(), 2U);
+    EXPECT_EQ(course.children[0].attributes.at("Name"), "frame 1");
+    EXPECT_EQ(course.children[1].attributes.at("Name"), "frame 2");
+}
+
 TEST(XdmfPieces, ContactsThatDoNotFollowEachOtherAreSeveralGrids)
 {
     const TemporaryFolder folder;
