@@ -236,6 +236,28 @@ TEST_F(Report, ThePageHasAllInsideAndAsksNothingOfANetwork)
         EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
+TEST_F(Report, ARunThatAsksForNothingLoadsNothingOfIt)
+{
+    // What the loader tells of every program that is started and of every library.
+    const auto loaded = [&](const std::string& output) {
+        folder_.write("case.yaml", with(two_boxes, "output: {", "output: {" + output));
+        std::filesystem::create_directory(folder_.path() / "loader");  // a file for each process
+        EXPECT_EQ(voussoir("run case.yaml -o results -q", "env LD_DEBUG=files LD_DEBUG_OUTPUT=loader/of"), 0);
+        std::string told;
+        for (const auto& file : std::filesystem::directory_iterator(folder_.path() / "loader"))
+            told += contents(file.path());
+        std::filesystem::remove_all(folder_.path() / "loader");
+        EXPECT_NE(told.find("libhdf5"), std::string::npos);
+        std::vector<std::string> found;
+        for (const char* name :
+             {"OSMesa", "cairo", "voussoir-render", "voussoir-report", "voussoir-plot", "ffmpeg"})
+            if (told.find(name) != std::string::npos) found.emplace_back(name);
+        return found;
+    };
+    EXPECT_EQ(loaded(""), std::vector<std::string>{});
+    EXPECT_EQ(loaded("report: true, ").size(), 6U) << "and with a report the loader tells of all six";
+}
+
 TEST_F(Report, TablesHaveTheFiguresOfTheRun)
 {
     report_of(two_boxes);
