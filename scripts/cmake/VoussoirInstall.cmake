@@ -69,6 +69,7 @@ install(FILES ${manual}/completions/voussoir DESTINATION ${CMAKE_INSTALL_DATADIR
 # Cases, the schema of case files, documents.
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir)
 install(FILES docs/case.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir)
+install(FILES app/results/python/voussoir_results.py DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir/python)
 install(DIRECTORY docs/examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES README.md docs/embedding.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
