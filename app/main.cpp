@@ -198,10 +198,28 @@ void add_record(CLI::App& app, std::function<int()>& chosen)
         [arguments, &chosen] { chosen = [arguments] { return app::commands::record_command(*arguments); }; });
 }
 
+/// A film instead of pictures.
+void add_film(CLI::App& command, app::commands::RenderArguments& arguments)
+{
+    CLI::Option* film = command.add_option_function<std::string>(
+        "--video", [&arguments](const std::string& file) { arguments.film = file; },
+        "A film instead of pictures, by its ending .mp4, .gif or .webp (video.mp4 beside the results); needs "
+        "ffmpeg");
+    film->expected(0, 1)->default_str("")->type_name("FILE")->excludes("--times");
+    command.add_option("--fps", arguments.frames_per_second, "Frames of the film per second")
+        ->check(CLI::Range(1.0, 120.0))
+        ->needs(film)
+        ->capture_default_str();
+    command.add_option("--slow-down", arguments.slow_down, "Seconds of film for a second of the run")
+        ->check(CLI::Range(1e-3, 1e4))
+        ->needs(film)
+        ->capture_default_str();
+}
+
 void add_render(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<app::commands::RenderArguments>();
-    CLI::App* command = app.add_subcommand("render", "Draw pictures from the results of a run");
+    CLI::App* command = app.add_subcommand("render", "Draw pictures or a film from the results of a run");
     command->add_option("results", arguments->results, "The results.h5 of a run")
         ->required()
         ->type_name("RESULTS");
@@ -209,20 +227,35 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
         ->add_option("-o,--output", arguments->folder, "Folder for the pictures (snapshots/ beside the results)")
         ->type_name("DIR");
     command->add_option("--color", arguments->color, "What the colours show")
-        ->check(CLI::IsMember({"displacement", "principal_stress"}))
+        ->check(CLI::IsMember({"displacement", "principal_stress", "velocity", "opening", "slip"}))
         ->capture_default_str();
     command->add_option("--times", arguments->times, "Times to draw, in s")->check(CLI::NonNegativeNumber);
     command->add_option("--count", arguments->count, "Number of pictures, if no times are given")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
-    command->add_option("--size", arguments->size, "Width and height in pixels")
+    command->add_option("--size", arguments->size, "Width and height in pixels (1600 900, of a film 1280 720)")
         ->expected(2)
-        ->check(CLI::Range(200, 8000))
-        ->capture_default_str();
+        ->check(CLI::Range(200, 8000));
     command->add_option("--deformation-scale", arguments->deformation_scale, "Magnification of displacements")
         ->check(CLI::PositiveNumber);
+    add_film(*command, *arguments);
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return app::commands::render_command(*arguments); }; });
+}
+
+void add_report(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<app::commands::ReportArguments>();
+    CLI::App* command = app.add_subcommand("report", "The report of a run: a page with pictures, text and tables");
+    command->add_option("results", arguments->results, "The folder of a run, or its results.h5")
+        ->required()
+        ->type_name("DIR|RESULTS");
+    command->add_option("-o,--output", arguments->folder, "Folder for the report (that of the results)")
+        ->type_name("DIR");
+    command->add_flag("--no-film", arguments->no_film, "Make no film");
+    command->add_flag("-q,--quiet", arguments->quiet, "Print the names of the files only");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::report_command(*arguments); }; });
 }
 
 void add_verify(CLI::App& app, std::function<int()>& chosen)
@@ -405,6 +438,7 @@ int run_program(int argument_count, char** arguments)
     add_generate(app, chosen);
     add_record(app, chosen);
     add_render(app, chosen);
+    add_report(app, chosen);
     add_verify(app, chosen);
     add_converge(app, chosen);
     add_ensemble(app, chosen);

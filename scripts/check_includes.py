@@ -56,6 +56,7 @@ FOLDER_RULES = {
     "app/plots/": ("libdda/errors.h", "importers/process/", "app/words/", "app/drawing/"),
     "app/render/": ENGINE + ("importers/process/", "importers/mesh/", "importers/helper/", "app/case/", "app/results/",
                              "app/drawing/"),
+    "app/report/": ENGINE + ("importers/process/", "records/", "app/case/", "app/results/", "app/plots/", "app/render/"),
     "app/generate/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/", "importers/patterns/"),
     "app/studies/scenes/": ENGINE,
     "app/studies/verify/": ENGINE + ("app/version/", "importers/patterns/", "app/words/", "app/plots/", "app/studies/scenes/",

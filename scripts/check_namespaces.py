@@ -46,6 +46,7 @@ NAMESPACES = {
     "app/plots/": "voussoir::app::plots",
     "app/reader/": "voussoir::app::reader",
     "app/render/": "voussoir::app::render",
+    "app/report/": "voussoir::app::report",
     "app/results/": "voussoir::app::results",
     "app/studies/converge/": "voussoir::app::studies::converge",
     "app/studies/ensemble/": "voussoir::app::studies::ensemble",

@@ -20,7 +20,9 @@ struct HistoryPoint {
     std::optional<Eigen::Vector3d> point;  // m, user's coordinates; the centroid if absent
 };
 
-enum class SnapshotColor { displacement, principal_stress };
+/// What the colours of a picture show: of each vertex its displacement relative to the ground; of each stone its
+/// largest compressive principal stress, its speed, or the largest opening or slip of its joints.
+enum class SnapshotColor { displacement, principal_stress, velocity, opening, slip };
 
 struct SnapshotOptions {
     SnapshotColor color = SnapshotColor::displacement;
@@ -37,12 +39,25 @@ enum class TrustFigures {
     never,  // nothing is judged
 };
 
+enum class FilmFormat { mp4, gif, webp };
+
+struct FilmOptions {
+    SnapshotColor color = SnapshotColor::displacement;
+    FilmFormat format = FilmFormat::mp4;
+    int width = 1280, height = 720;           // even
+    double frames_per_second = 25;            // of the film
+    double slow_down = 1;                     // seconds of film for a second of the run
+    std::optional<double> deformation_scale;  // displacements drawn times this; 1 if absent
+};
+
 struct OutputOptions {
     double every = 0;  // s between frames in results.h5
     TrustFigures trust = TrustFigures::automatic;
     bool error_estimate = false;  // the run is repeated with half the time step and with twice the stiffness
     std::vector<HistoryPoint> histories;
     std::optional<SnapshotOptions> snapshots;  // absent: no renderer is started
+    std::optional<FilmOptions> film;           // absent: none, and ffmpeg is not started
+    bool report = false;                       // report.html and its companions at the end of the run
 };
 
 /// What was read about a record or a wave, for the report and `left_out`.

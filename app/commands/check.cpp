@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/commands/after_run.h"
 #include "app/commands/certificate.h"
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
@@ -202,6 +203,7 @@ CertifiedCase certify(const CheckArguments& arguments, bool print)
     reader::CaseStones stones;
     try {
         const Case the_case = reader::read_case(arguments.case_file, arguments.overrides, &stones);
+        expect_tools(the_case);
         certified.title = the_case.title;
         certified.warnings = the_case.warnings;
         if (print) print_all(the_case);

@@ -94,12 +94,24 @@ struct RenderArguments {
     std::string color = "displacement";
     std::vector<double> times;  // s
     int count = 4;
-    std::vector<int> size{1600, 900};
+    std::vector<int> size;  // pixels; empty: 1600 x 900, of a film 1280 x 720
     std::optional<double> deformation_scale;
+    std::optional<std::filesystem::path> film;  // a film instead of pictures; empty: video.mp4 beside the results
+    double frames_per_second = 25, slow_down = 1;
 };
 
-/// Pictures from a results file, without a run.
+/// Pictures or a film from a results file, without a run.
 int render_command(const RenderArguments& arguments);
+
+struct ReportArguments {
+    std::filesystem::path results;  // the file, or the folder of a run
+    std::filesystem::path folder;   // empty: where the results are
+    bool no_film = false;
+    bool quiet = false;
+};
+
+/// The report of a run, from its results: a page, and the same as text and tables.
+int report_command(const ReportArguments& arguments);
 
 constexpr std::uint64_t default_verify_seed = 1;
 

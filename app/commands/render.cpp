@@ -1,23 +1,56 @@
 #include <fmt/core.h>
 
 #include "app/commands/commands.h"
+#include "app/commands/film_progress.h"
+#include "app/render/color_names.h"
 #include "app/render/snapshots.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::commands
 {
+namespace
+{
+
+/// The film asked for, under the name asked for, or video.mp4 beside the results.
+std::filesystem::path make_film(const RenderArguments& arguments)
+{
+    FilmOptions options;
+    std::filesystem::path film = arguments.film.value();
+    if (film.empty()) film = arguments.results.parent_path() / render::film_name(options.format);
+    const std::string ending = film.extension().string();
+    options.format = render::film_format_named(ending.empty() ? "(a file without ending)" : ending.substr(1));
+    options.color = render::color_named(arguments.color);
+    if (!arguments.size.empty()) {
+        options.width = arguments.size.at(0);
+        options.height = arguments.size.at(1);
+    }
+    options.frames_per_second = arguments.frames_per_second;
+    options.slow_down = arguments.slow_down;
+    options.deformation_scale = arguments.deformation_scale;
+    FilmProgress progress(false);
+    render::request_film(arguments.results, film, options, [&](int done, int all) { progress.frame(done, all); });
+    return film;
+}
+
+}  // namespace
 
 int render_command(const RenderArguments& arguments)
 {
     if (!std::filesystem::is_regular_file(arguments.results))
         throw InputError(arguments.results.string(), "no such file", "give the results.h5 of a run");
+    if (arguments.film) {
+        const std::filesystem::path film = make_film(arguments);
+        fmt::print("{}\n", film.string());
+        return exit_done;
+    }
     SnapshotOptions options;
-    options.color =
-        arguments.color == "principal_stress" ? SnapshotColor::principal_stress : SnapshotColor::displacement;
+    options.color = render::color_named(arguments.color);
     options.times = arguments.times;
     options.count = arguments.count;
-    options.width = arguments.size.at(0);
-    options.height = arguments.size.at(1);
+    if (!arguments.size.empty()) {
+        options.width = arguments.size.at(0);
+        options.height = arguments.size.at(1);
+    }
     options.deformation_scale = arguments.deformation_scale;
     const std::filesystem::path folder =
         arguments.folder.empty() ? arguments.results.parent_path() / "snapshots" : arguments.folder;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/commands/after_run.h"
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
 #include "app/commands/error_estimate.h"
@@ -20,7 +21,6 @@
 #include "app/commands/stopwatch.h"
 #include "app/commands/trust_watch.h"
 #include "app/reader/case_file.h"
-#include "app/render/snapshots.h"
 #include "app/results/results_writer.h"
 #include "app/results/run_lock.h"
 #include "app/words/diagnosis_words.h"
@@ -178,30 +178,6 @@ void print_files(const std::filesystem::path& folder, const std::vector<std::fil
     for (const std::filesystem::path& picture : pictures) fmt::print("  {}\n", picture.string());
 }
 
-/// What is to be drawn of a run: what was asked for; unasked, where this build can draw, a mechanism.
-std::optional<SnapshotOptions> pictures_of(const Case& the_case, const RunReport& report)
-{
-    const bool mechanism = report.diagnosis && report.diagnosis->kind == DiagnosisKind::mechanism;
-    if (the_case.output.snapshots || !mechanism || !render::has_renderer()) return the_case.output.snapshots;
-    SnapshotOptions last;
-    last.count = 1;
-    return last;
-}
-
-/// The results stand whatever becomes of the pictures, so their failure is told and is no fault of the input.
-bool draw(const std::optional<SnapshotOptions>& options, const std::filesystem::path& results,
-          const std::filesystem::path& folder, std::vector<std::filesystem::path>& pictures)
-{
-    if (!options) return true;
-    try {
-        pictures = render::render_snapshots(results, folder / "snapshots", *options);
-    } catch (const InputError& error) {
-        fmt::print(stderr, "the results are complete, but there are no pictures: {}\n", error.what());
-        return false;
-    }
-    return true;
-}
-
 int exit_code_of(Outcome outcome)
 {
     if (outcome == Outcome::gave_up) return exit_gave_up;
@@ -234,19 +210,19 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
     const Ended ended = run_unbroken(the_case, start, *writer, saver, quiet);
     const RunReport& report = ended.report;
 
-    std::vector<std::filesystem::path> pictures;
+    AfterRun after;
     const bool goes_on = report.outcome == Outcome::interrupted;
-    const bool drawn = goes_on || draw(pictures_of(the_case, report), writer->results_file(), folder, pictures);
+    if (!goes_on) after = make_after_run(the_case, report, writer->results_file(), folder, quiet);
     if (!goes_on) writer->end(report);
     if (!quiet) {
         print_report(the_case, ended, saver.times().wall);
-        print_files(folder, pictures);
+        print_files(folder, after.files);
     }
     if (report.diagnosis)
         fmt::print(stderr, "{}{}\n", outcome_in_words(report, the_case),
                    goes_on ? "; run the same command with --resume to continue" : "");
     const int code = exit_code_of(report.outcome);
-    return code == exit_done && !drawn ? exit_failure : code;
+    return code == exit_done && !after.complete ? exit_failure : code;
 }
 
 }  // namespace
@@ -264,6 +240,7 @@ int run_command(const RunArguments& arguments)
     for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
     if (!arguments.quiet) print_case(the_case);
     if (arguments.verbose) print_repairs(stones.geometry);
+    expect_tools(the_case);
     if (interrupted()) return exit_interrupted;
 
     const results::RunLock lock(folder);

@@ -16,6 +16,8 @@ constexpr double default_interval = 0.02;  // s between frames: 25 frames a peri
 
 constexpr double max_intervals = 1e12;  // in a stage; they are counted in 64 bits
 
+constexpr double most_film_frames = 1e5;
+
 HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model& model,
                           const std::vector<std::string>& blocks)
 {
@@ -37,8 +39,22 @@ HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model&
     return history;
 }
 
+SnapshotColor read_color(YamlCursor& map, const Model& model)
+{
+    const auto color = map.choice_or<SnapshotColor>("color",
+                                                    {{"displacement", SnapshotColor::displacement},
+                                                     {"principal_stress", SnapshotColor::principal_stress},
+                                                     {"velocity", SnapshotColor::velocity},
+                                                     {"opening", SnapshotColor::opening},
+                                                     {"slip", SnapshotColor::slip}},
+                                                    SnapshotColor::displacement);
+    if (color == SnapshotColor::principal_stress && !is_deformable(model.kinematics))
+        map.find("color")->fault("principal_stress in a rigid scene, which has no stress", "use displacement");
+    return color;
+}
+
 /// [width, height] in pixels.
-void read_size(const YamlCursor& value, SnapshotOptions& snapshots)
+void read_size_of(const YamlCursor& value, int& pixels_across, int& pixels_down)
 {
     const std::vector<YamlCursor> sides = value.items("a size in pixels, [1600, 900]");
     if (!value.is_list()) return;
@@ -48,10 +64,18 @@ void read_size(const YamlCursor& value, SnapshotOptions& snapshots)
     const double width = sides[0].as_quantity(words::dimension::number, pixels);
     const double height = sides[1].as_quantity(words::dimension::number, pixels);
     if (!(width > 0) || !(height > 0)) return;
-    snapshots.width = static_cast<int>(width);
-    snapshots.height = static_cast<int>(height);
-    if (snapshots.width != width || snapshots.height != height)
-        value.fault("a fraction of a pixel", "whole numbers");
+    pixels_across = static_cast<int>(width);
+    pixels_down = static_cast<int>(height);
+    if (pixels_across != width || pixels_down != height) value.fault("a fraction of a pixel", "whole numbers");
+}
+
+/// The same, where it is given.
+template <typename Options>
+void read_size(YamlCursor& map, Options& options)
+{
+    const std::optional<YamlCursor> size = map.find("size");
+    if (!size) return map.took_default("size", fmt::format("[{}, {}]", options.width, options.height));
+    read_size_of(*size, options.width, options.height);
 }
 
 void read_times(YamlCursor& map, const std::vector<Stage>& stages, SnapshotOptions& snapshots)
@@ -76,22 +100,53 @@ SnapshotOptions read_snapshots(YamlCursor& map, const Model& model, const std::v
 {
     SnapshotOptions snapshots;
     if (!map.expect_map("snapshots {color: displacement}")) return snapshots;
-    snapshots.color = map.choice_or<SnapshotColor>(
-        "color",
-        {{"displacement", SnapshotColor::displacement}, {"principal_stress", SnapshotColor::principal_stress}},
-        snapshots.color);
-    if (snapshots.color == SnapshotColor::principal_stress && !is_deformable(model.kinematics))
-        map.find("color")->fault("principal_stress in a rigid scene, which has no stress", "use displacement");
+    snapshots.color = read_color(map, model);
     read_times(map, stages, snapshots);
-    if (const std::optional<YamlCursor> size = map.find("size"))
-        read_size(*size, snapshots);
-    else
-        map.took_default("size", fmt::format("[{}, {}]", snapshots.width, snapshots.height));
+    read_size(map, snapshots);
     snapshots.deformation_scale =
         map.find_quantity("deformation_scale", words::dimension::number, words::Range::positive());
     if (!snapshots.deformation_scale) map.took_default("deformation_scale", "1");
     map.reject_unknown_keys();
     return snapshots;
+}
+
+FilmOptions read_film(YamlCursor& map, const Model& model)
+{
+    FilmOptions film;
+    film.color = read_color(map, model);
+    film.format = map.choice_or<FilmFormat>(
+        "format", {{"mp4", FilmFormat::mp4}, {"gif", FilmFormat::gif}, {"webp", FilmFormat::webp}}, film.format);
+    read_size(map, film);
+    if (film.width % 2 != 0 || film.height % 2 != 0)
+        map.find("size")->fault(fmt::format("[{}, {}]", film.width, film.height),
+                                "a film needs an even width and height");
+    film.frames_per_second = map.integer_or("fps", 1, 120, static_cast<int>(film.frames_per_second));
+    film.slow_down = map.quantity_or("slow_down", words::dimension::number, words::Range{1e-3, 1e4, true, true},
+                                     film.slow_down);
+    film.deformation_scale =
+        map.find_quantity("deformation_scale", words::dimension::number, words::Range::positive());
+    if (!film.deformation_scale) map.took_default("deformation_scale", "1");
+    map.reject_unknown_keys();
+    return film;
+}
+
+/// `video: true`, or a map of wishes. A film needs time that passes.
+void read_video(YamlCursor& output, const Model& model, const std::vector<Stage>& stages, OutputOptions& options)
+{
+    std::optional<YamlCursor> video = output.find("video");
+    if (!video) return;
+    if (video->is_map())
+        options.film = read_film(*video, model);
+    else if (output.boolean_or("video", false))
+        options.film = FilmOptions{};
+    if (!options.film || stages.empty()) return;
+    double time = 0;
+    for (const Stage& stage : stages) time += stage.type == StageType::dynamic ? stage.duration : 0;
+    if (!(time > 0)) video->fault("a film of static stages alone, in which no time passes", "ask for snapshots");
+    const double frames = time * options.film->frames_per_second * options.film->slow_down;
+    if (frames > most_film_frames)
+        video->fault(fmt::format("a film of {:.0f} frames", frames),
+                     fmt::format("at most {:g}: a lower fps or slow_down", most_film_frames));
 }
 
 std::vector<std::string> sorted_block_names(const Model& model)
@@ -130,6 +185,8 @@ OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector
             output.histories.push_back(read_history(name, history, model, blocks));
     if (std::optional<YamlCursor> snapshots = map->find("snapshots"))
         output.snapshots = read_snapshots(*snapshots, model, stages);
+    read_video(*map, model, stages, output);
+    if (map->find("report")) output.report = map->boolean_or("report", false);
     map->reject_unknown_keys();
     return output;
 }

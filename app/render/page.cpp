@@ -3,6 +3,7 @@
 #include <cairo.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/drawing/pen.h"
 #include "app/render/sheet.h"
@@ -14,7 +15,7 @@ namespace
 {
 
 // Logical pixels of a picture 900 high.
-constexpr double margin = 40, head = 108, foot = 92, bar_column = 150, bar_width = 22;
+constexpr double margin = 40, head = 108, foot = 92, bar_column = 150, bar_width = 22, strip_height = 64;
 
 void draw_bar(cairo_t* pen, const drawing::ColorScale& scale, double width, double height)
 {
@@ -49,20 +50,71 @@ void draw_bar(cairo_t* pen, const drawing::ColorScale& scale, double width, doub
     cairo_restore(pen);
 }
 
-void write_foot(const Sheet& sheet, const PageText& text)
+void write_foot(const Sheet& sheet, const PageText& text, double bottom)
 {
     drawing::font(sheet.pen, 15);
     double x = margin;
-    const double y = sheet.height - 34;
+    const double y = bottom - 34;
     if (!text.opened.empty()) x = legend_entry(sheet.pen, text.opened, opened_color(), false, x, y);
     if (!text.slid.empty()) x = legend_entry(sheet.pen, text.slid, slid_color(), false, x, y);
     if (text.foundations) legend_entry(sheet.pen, "foundation", foundation_color(), true, x, y);
+    if (!text.alarm.empty()) {
+        drawing::use(sheet.pen, opened_color());
+        drawing::font(sheet.pen, 17, true);
+        drawing::write(sheet.pen, text.alarm, margin, y - 26);
+        drawing::font(sheet.pen, 15);
+    }
     drawing::use(sheet.pen, faint_ink);
     double line = y - 22.0 * (static_cast<double>(text.notes.size()) - 1);
     for (const std::string& note : text.notes) {
         drawing::write(sheet.pen, note, sheet.width - margin - drawing::width_of(sheet.pen, note), line);
         line += 22;
     }
+}
+
+void draw_curve(cairo_t* pen, const MotionStrip& strip, double left, double right, double middle, double half)
+{
+    double peak = 0;
+    for (const double value : strip.values) peak = std::max(peak, std::abs(value));
+    if (!(peak > 0)) return;
+    drawing::use(pen, faint_ink);
+    cairo_set_line_width(pen, 0.8);
+    for (std::size_t i = 0; i < strip.times.size(); ++i)
+        cairo_line_to(pen, left + (right - left) * strip.times[i] / strip.end,
+                      middle - half * strip.values[i] / peak);
+    cairo_stroke(pen);
+}
+
+/// The accelerogram, or without one the time alone, with the mark of the moment.
+void draw_strip(const Sheet& sheet, const MotionStrip& strip)
+{
+    cairo_t* pen = sheet.pen;
+    const double left = margin, right = sheet.width - margin, middle = sheet.height - 0.5 * strip_height,
+                 half = 0.5 * strip_height - 12;
+    const double now = left + (right - left) * std::clamp(strip.now / strip.end, 0.0, 1.0);
+    cairo_set_source_rgb(pen, 1, 1, 1);
+    cairo_rectangle(pen, left, middle - half - 4, right - left, 2 * half + 8);
+    cairo_fill(pen);
+    cairo_set_source_rgb(pen, 0.86, 0.89, 0.94);
+    cairo_rectangle(pen, left, middle - half - 4, now - left, 2 * half + 8);
+    cairo_fill(pen);
+    draw_curve(pen, strip, left, right, middle, half);
+    drawing::use(pen, opened_color());
+    cairo_set_line_width(pen, 2);
+    drawing::line(pen, now, middle - half - 4, now, middle + half + 4);
+    drawing::font(pen, 12);
+    drawing::use(pen, ink);
+    drawing::write_on_white(pen, strip.label, right - 6, middle + half + 1);
+}
+
+/// All but the writing of the file.
+void draw_page(const Sheet& sheet, const drawing::ColorScale& scale, const PageText& text,
+               const MotionStrip* strip)
+{
+    write_head(sheet, text.title, text.subtitle, margin);
+    draw_bar(sheet.pen, scale, sheet.width, sheet.height);
+    write_foot(sheet, text, strip ? sheet.height - strip_height : sheet.height);
+    if (strip) draw_strip(sheet, *strip);
 }
 
 }  // namespace
@@ -72,20 +124,27 @@ double logical_pixel(int width, int height)
     return std::min(height / 900.0, width / 1100.0);
 }
 
-PictureArea drawing_area(int width, int height)
+PictureArea drawing_area(int width, int height, bool strip)
 {
     const double pixel = logical_pixel(width, height), w = width / pixel, h = height / pixel;
-    return {-1 + 2 * margin / w, 1 - 2 * (bar_column + 10) / w, -1 + 2 * foot / h, 1 - 2 * head / h};
+    return {-1 + 2 * margin / w, 1 - 2 * (bar_column + 10) / w, -1 + 2 * (foot + (strip ? strip_height : 0)) / h,
+            1 - 2 * head / h};
 }
 
 void write_page(const Image& drawing, const drawing::ColorScale& scale, const PageText& text,
                 const std::filesystem::path& path)
 {
     const Sheet sheet(drawing, logical_pixel(drawing.width, drawing.height));
-    write_head(sheet, text.title, text.subtitle, margin);
-    draw_bar(sheet.pen, scale, sheet.width, sheet.height);
-    write_foot(sheet, text);
+    draw_page(sheet, scale, text, nullptr);
     sheet.write(path);
+}
+
+std::vector<std::uint32_t> page_pixels(const Image& drawing, const drawing::ColorScale& scale,
+                                       const PageText& text, const MotionStrip* strip)
+{
+    const Sheet sheet(drawing, logical_pixel(drawing.width, drawing.height));
+    draw_page(sheet, scale, text, strip);
+    return sheet.pixels();
 }
 
 }  // namespace voussoir::app::render

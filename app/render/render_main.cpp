@@ -1,11 +1,16 @@
 // voussoir-render: pictures from a results file. Without arguments it reads them from its standard input, one to a
 // line: that is how voussoir asks it.
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <CLI/CLI.hpp>
+
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 
+#include "app/render/color_names.h"
+#include "app/render/film.h"
 #include "app/render/render_run.h"
 #include "importers/process/own_limits.h"
 #include "libdda/errors.h"
@@ -17,12 +22,13 @@ namespace
 {
 
 using voussoir::InputError;
-using voussoir::app::SnapshotColor;
 using voussoir::app::SnapshotOptions;
 
 struct Arguments {
     std::filesystem::path results, folder = "snapshots";
-    std::string color = "displacement", size = "1600x900";
+    std::string color = "displacement", size = "1600x900", format = "mp4";
+    std::filesystem::path film;  // empty: pictures
+    double frames_per_second = 25, slow_down = 1;
     double deformation_scale = 1, joint_threshold_mm = 0.1;
     SnapshotOptions options;
 };
@@ -41,7 +47,7 @@ void describe(CLI::App& app, Arguments& arguments)
     app.add_option("results", arguments.results, "Results file of a run")->required();
     app.add_option("-o,--output", arguments.folder, "Folder of the pictures")->capture_default_str();
     app.add_option("--color", arguments.color, "Coloured quantity")
-        ->check(CLI::IsMember({"displacement", "principal_stress"}))
+        ->check(CLI::IsMember(render::color_names()))
         ->capture_default_str();
     app.add_option("--times", arguments.options.times, "Times of the pictures [s]")->delimiter(',');
     app.add_option("--count", arguments.options.count, "Number of pictures where no times are given")
@@ -55,24 +61,62 @@ void describe(CLI::App& app, Arguments& arguments)
                    "Joints open or slid by more than this are marked [mm]")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    app.add_option("--video", arguments.film, "A film of this name instead of pictures");
+    app.add_option("--format", arguments.format, "Format of the film")
+        ->check(CLI::IsMember(render::film_format_names()))
+        ->capture_default_str();
+    app.add_option("--fps", arguments.frames_per_second, "Frames of the film a second")
+        ->check(CLI::Range(1.0, 120.0))
+        ->capture_default_str();
+    app.add_option("--slow-down", arguments.slow_down, "Seconds of film for a second of the run")
+        ->check(CLI::Range(1e-3, 1e4))
+        ->capture_default_str();
 }
 
 std::vector<std::string> arguments_of(int count, char** words)
 {
     std::vector<std::string> list(words + 1, words + count);
     if (list.empty()) {
+        prctl(PR_SET_PDEATHSIG, SIGTERM);  // who asked wants nothing any more when it is gone
         for (std::string line; std::getline(std::cin, line);) list.push_back(line);
     }
     std::reverse(list.begin(), list.end());  // as CLI11 wants them
     return list;
 }
 
+volatile std::sig_atomic_t asked_to_stop = 0;
+
+extern "C" void note_signal(int)
+{
+    asked_to_stop = 1;
+}
+
+/// A stopped film leaves nothing, so the signals that stop a program are noted, and heard between two frames.
+void make_film(const Arguments& arguments)
+{
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, note_signal);
+    voussoir::app::FilmOptions film;
+    film.color = arguments.options.color;
+    film.format = render::film_format_named(arguments.format);
+    film.width = arguments.options.width;
+    film.height = arguments.options.height;
+    film.frames_per_second = arguments.frames_per_second;
+    film.slow_down = arguments.slow_down;
+    film.deformation_scale = arguments.deformation_scale;
+    render::render_film(arguments.results, arguments.film, film, arguments.joint_threshold_mm * 1e-3,
+                        [](std::size_t done, std::size_t all) {
+                            fmt::print("frame {} of {}\n", done, all);
+                            std::fflush(stdout);
+                            return asked_to_stop == 0;
+                        });
+}
+
 void render(Arguments& arguments)
 {
     read_size(arguments.size, arguments.options);
-    arguments.options.color =
-        arguments.color == "displacement" ? SnapshotColor::displacement : SnapshotColor::principal_stress;
+    arguments.options.color = render::color_named(arguments.color);
     arguments.options.deformation_scale = arguments.deformation_scale;
+    if (!arguments.film.empty()) return make_film(arguments);
     for (const std::filesystem::path& picture : render::render_run(
              arguments.results, arguments.folder, arguments.options, arguments.joint_threshold_mm * 1e-3)) {
         fmt::print("{}\n", picture.string());

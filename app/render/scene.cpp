@@ -20,21 +20,44 @@ struct Vertices {
     std::vector<double> values;   // SI
 };
 
+/// The coloured quantity of each block, where all of its vertices have one value. @returns (blocks) SI
+std::vector<double> block_values(const results::RecordedModel& model, const results::RecordedFrame& frame,
+                                 SnapshotColor color)
+{
+    std::vector<double> values(model.block_names.size(), 0.0);
+    const auto unknowns = static_cast<std::size_t>(unknowns_per_block(model.kinematics));
+    const int dimension = is_planar(model.kinematics) ? 2 : 3;
+    for (std::size_t b = 0; b < values.size(); ++b) {
+        if (color == SnapshotColor::principal_stress) values[b] = largest_compression(frame.stresses[b]);
+        if (color == SnapshotColor::velocity)
+            values[b] =
+                Eigen::Map<const Eigen::VectorXd>(frame.state.velocities.data() + b * unknowns, dimension).norm();
+    }
+    if (color != SnapshotColor::opening && color != SnapshotColor::slip) return values;
+    for (std::size_t i = 0; i < model.joints.size(); ++i) {
+        const JointMotion& motion = frame.joints[i].motion;
+        for (const int block : {model.joints[i].block_a, model.joints[i].block_b})
+            values[block] =
+                std::max(values[block], color == SnapshotColor::opening ? motion.opening : motion.largest_slip);
+    }
+    return values;
+}
+
 Vertices place_vertices(const results::RecordedModel& model, const results::RecordedFrame& frame,
                         const SceneOptions& options)
 {
     Vertices vertices;
     const results::SurfaceMesh& mesh = model.mesh;
     const std::vector<double> positions = results::positions_of(mesh, model.kinematics, frame.state);
+    std::vector<double> values;
+    if (options.color != SnapshotColor::displacement) values = block_values(model, frame, options.color);
     for (std::size_t v = 0; v < mesh.vertex_block.size(); ++v) {
         const int block = mesh.vertex_block[v];
         const Vector3d actual(positions.data() + 3 * v);
         const Vector3d reference = model.centroids[block] + Vector3d(mesh.levers.data() + 3 * v);
         const Vector3d moved = actual - reference - frame.ground;
         vertices.drawn.push_back(reference + options.deformation_scale * moved);
-        vertices.values.push_back(options.color == SnapshotColor::displacement
-                                      ? moved.norm()
-                                      : largest_compression(frame.stresses[block]));
+        vertices.values.push_back(values.empty() ? moved.norm() : values[block]);
     }
     return vertices;
 }

@@ -70,6 +70,21 @@ void Sheet::write(const std::filesystem::path& path) const
     drawing::write_png(surface_, path);
 }
 
+std::vector<std::uint32_t> Sheet::pixels() const
+{
+    cairo_surface_flush(surface_);
+    const int columns = cairo_image_surface_get_width(surface_), rows = cairo_image_surface_get_height(surface_),
+              stride = cairo_image_surface_get_stride(surface_);
+    const unsigned char* bytes = cairo_image_surface_get_data(surface_);
+    std::vector<std::uint32_t> pixels;
+    pixels.reserve(static_cast<std::size_t>(columns) * rows);
+    for (int y = 0; y < rows; ++y) {
+        const auto* row = reinterpret_cast<const std::uint32_t*>(bytes + static_cast<std::size_t>(y) * stride);
+        pixels.insert(pixels.end(), row, row + columns);
+    }
+    return pixels;
+}
+
 void write_head(const Sheet& sheet, const std::string& title, const std::string& subtitle, double margin)
 {
     drawing::font(sheet.pen, 25, true);

@@ -1,8 +1,10 @@
 // A sheet of paper with a drawing on it, and a pen for words.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/drawing/color_map.h"
 #include "app/render/canvas.h"
@@ -27,6 +29,8 @@ class Sheet
 
     /// As PNG. @throws InputError when the file cannot be written
     void write(const std::filesystem::path& path) const;
+    /// 0xXXRRGGBB, rows from the top.
+    std::vector<std::uint32_t> pixels() const;
 
  private:
     _cairo_surface* surface_ = nullptr;

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <sstream>
 
+#include "app/render/color_names.h"
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
 
@@ -22,12 +27,26 @@ constexpr std::size_t max_output = std::size_t{1} << 24;  // bytes, a list of pa
 /// The helper's command line, an argument to a line.
 std::string request(const fs::path& results_file, const fs::path& folder, const SnapshotOptions& options)
 {
-    std::string text = fs::absolute(results_file).string() + "\n-o\n" + folder.string() + "\n--color\n";
-    text += options.color == SnapshotColor::displacement ? "displacement\n" : "principal_stress\n";
+    std::string text = fs::absolute(results_file).string() + "\n-o\n" + folder.string() + "\n--color\n" +
+                       name_of(options.color) + "\n";
     text += fmt::format("--count\n{}\n--size\n{}x{}\n", options.count, options.width, options.height);
     if (!options.times.empty()) text += fmt::format("--times\n{}\n", fmt::join(options.times, ","));
     if (options.deformation_scale) text += fmt::format("--deformation-scale\n{}\n", *options.deformation_scale);
     return text;
+}
+
+/// The helper, which must be there. @param paths that it is told of, an argument to a line
+fs::path helper_for(const std::vector<fs::path>& paths)
+{
+    const fs::path helper = importers::process::helper_folder() / "voussoir-render";
+    if (!fs::exists(helper)) {
+        throw InputError(helper.string(), "there is no such program",
+                         "build voussoir with VOUSSOIR_RENDER=ON, or ask for no snapshots and no video");
+    }
+    for (const fs::path& path : paths)
+        if (path.string().find('\n') != std::string::npos)
+            throw InputError(path.string(), "a name of two lines", "rename it");
+    return helper;
 }
 
 /// Pictures of an earlier rendering would be taken for this one's.
@@ -52,19 +71,21 @@ bool has_renderer()
     return fs::exists(importers::process::helper_folder() / "voussoir-render");
 }
 
+bool has_ffmpeg()
+{
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "/usr/bin:/bin");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (access((fs::path(folder) / "ffmpeg").c_str(), X_OK) == 0) return true;
+    return false;
+}
+
 std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::path& asked_folder,
                                        const SnapshotOptions& options)
 {
     // A name that begins with a dash would be taken for an option.
     const fs::path folder = asked_folder.string().starts_with('-') ? "." / asked_folder : asked_folder;
-    const fs::path helper = importers::process::helper_folder() / "voussoir-render";
-    if (!fs::exists(helper)) {
-        throw InputError(helper.string(), "there is no such program",
-                         "build voussoir with VOUSSOIR_RENDER=ON, or ask for no snapshots");
-    }
-    for (const fs::path& path : {results_file, folder})
-        if (path.string().find('\n') != std::string::npos)
-            throw InputError(path.string(), "a name of two lines", "rename it");
+    const fs::path helper = helper_for({results_file, folder});
     const importers::process::ChildAnswer answer =
         importers::process::ask_child(helper, request(results_file, folder, options), seconds_allowed, max_output);
     if (!answer.failure.empty()) {
@@ -76,6 +97,32 @@ std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::p
     for (std::string line; std::getline(lines, line);) pictures.emplace_back(line);
     remove_other_snapshots(folder, pictures);
     return pictures;
+}
+
+std::string film_name(FilmFormat format)
+{
+    return std::string("video.") + name_of(format);
+}
+
+void request_film(const fs::path& results_file, const fs::path& asked_film, const FilmOptions& options,
+                  const std::function<void(int done, int all)>& told)
+{
+    constexpr double hours_allowed = 24;
+    const fs::path film = fs::absolute(asked_film), helper = helper_for({results_file, film});
+    std::string text = fmt::format("{}\n--video\n{}\n--format\n{}\n--color\n{}\n--size\n{}x{}\n",
+                                   fs::absolute(results_file).string(), film.string(), name_of(options.format),
+                                   name_of(options.color), options.width, options.height);
+    text += fmt::format("--fps\n{}\n--slow-down\n{}\n", options.frames_per_second, options.slow_down);
+    if (options.deformation_scale) text += fmt::format("--deformation-scale\n{}\n", *options.deformation_scale);
+    const auto on_line = [&](const std::string& line) {
+        int done = 0, all = 0;
+        if (told && std::sscanf(line.c_str(), "frame %d of %d", &done, &all) == 2) told(done, all);
+    };
+    const importers::process::ChildAnswer answer =
+        importers::process::ask_child(helper, text, 3600 * hours_allowed, max_output, on_line);
+    if (!answer.failure.empty())
+        throw InputError(results_file.string(), "voussoir-render made no film: " + answer.failure,
+                         "see its message");
 }
 
 }  // namespace voussoir::app::render

@@ -1,6 +1,7 @@
 #include "app/results/growing_file.h"
 
 #include <algorithm>
+#include <numeric>
 #include <system_error>
 
 #include "app/results/counts.h"
@@ -68,6 +69,17 @@ struct Copy {
     }
 };
 
+/// 0, 1, 2, ..., as many as a frame has contacts or joints: results.xdmf makes cells of points with them.
+void write_point_indices(std::size_t joints, Hdf5File& file)
+{
+    auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(joints));
+    const auto rows = file.read<std::int64_t>("/frames/contacts/rows");
+    for (std::size_t i = 1; i < rows.size(); i += 2) most = std::max(most, rows[i]);
+    std::vector<std::int32_t> indices(static_cast<std::size_t>(most));
+    std::iota(indices.begin(), indices.end(), 0);
+    file.write("/frames/contacts/indices", indices);
+}
+
 }  // namespace
 
 std::int64_t contact_rows_in(const std::filesystem::path& path, std::int64_t frames)
@@ -127,6 +139,7 @@ void GrowingFile::append(const std::vector<Rows>& rows)
 void GrowingFile::write_end(const std::string& summary, std::span<const JointPeaks> peaks)
 {
     write_joint_peaks(peaks, file_);
+    write_point_indices(peaks.size(), file_);
     file_.write_text("/summary", summary);
 }
 

@@ -36,6 +36,11 @@ constexpr ElementType element_type_of<std::int64_t>()
 
 using Extents = std::vector<std::uint64_t>;
 
+/// Rows of a dataset that lie in the file byte after byte.
+struct RowsInFile {
+    std::uint64_t address = 0, count = 0;  // of the first byte; rows
+};
+
 /// An HDF5 identifier that closes itself. The kind is known to the library.
 class Hdf5Id
 {
@@ -108,6 +113,8 @@ class Hdf5File
 
     bool has(const std::string& name) const;
     Extents extents(const std::string& name) const;
+    /// Where row `first` lies, and how many rows from it on follow without a gap. @param row_bytes of one row
+    RowsInFile rows_in_file(const std::string& name, std::uint64_t first, std::uint64_t row_bytes) const;
     std::string read_text(const std::string& name) const;
     std::vector<std::string> read_texts(const std::string& name) const;
     std::string text_attribute(const std::string& object, const std::string& name) const;

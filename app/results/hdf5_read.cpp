@@ -1,6 +1,7 @@
 // The reading half of Hdf5File.
 #include <hdf5.h>
 
+#include <algorithm>
 #include <system_error>
 
 #include "app/results/hdf5_detail.h"
@@ -58,6 +59,26 @@ Extents Hdf5File::extents(const std::string& name) const
     std::vector<hsize_t> size(static_cast<std::size_t>(check(H5Sget_simple_extent_ndims(space.get()), name)));
     check(H5Sget_simple_extent_dims(space.get(), size.data(), nullptr), name);
     return {size.begin(), size.end()};
+}
+
+RowsInFile Hdf5File::rows_in_file(const std::string& name, std::uint64_t first, std::uint64_t row_bytes) const
+{
+    const Extents all = extents(name);
+    if (all.empty() || first >= all[0]) check(-1, name + " is shorter than it should be");
+    const Hdf5Id dataset = open_dataset(name), made(check(H5Dget_create_plist(dataset.get()), name));
+    if (H5Pget_layout(made.get()) == H5D_CONTIGUOUS)
+        return {H5Dget_offset(dataset.get()) + first * row_bytes, all[0] - first};
+    std::vector<hsize_t> chunk(all.size()), corner(all.size(), 0);
+    check(H5Pget_chunk(made.get(), static_cast<int>(chunk.size()), chunk.data()), name);
+    if (chunk[0] == 0) check(-1, name + " has chunks without rows");
+    corner[0] = first - first % chunk[0];
+    unsigned filters = 0;
+    haddr_t address = 0;
+    hsize_t size = 0;
+    check(H5Dget_chunk_info_by_coord(dataset.get(), corner.data(), &filters, &address, &size), name);
+    if (address == HADDR_UNDEF) check(-1, name + " has rows that were never written");
+    return {address + (first - corner[0]) * row_bytes,
+            std::min<std::uint64_t>(chunk[0] - (first - corner[0]), all[0] - first)};
 }
 
 std::uint64_t Hdf5File::values_in_rows(const std::string& name, std::uint64_t first, std::uint64_t count) const

@@ -52,7 +52,8 @@ std::vector<std::string> left_out(const Case& the_case)
         "kinetic damping (no stage has any)");
     leave_out(true, "viscous boundaries (not in this model)");
     leave_out(the_case.output.histories.empty(), "histories (no points are requested)");
-    leave_out(!the_case.output.snapshots, "renderer (no snapshots are requested)");
+    leave_out(!the_case.output.snapshots && !the_case.output.film && !the_case.output.report,
+              "renderer (no snapshots are requested)");
     return words;
 }
 

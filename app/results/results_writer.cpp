@@ -51,6 +51,7 @@ void prepare(const fs::path& folder)
     fs::create_directories(folder, error);
     if (error) refuse_writing(folder, error.value());
     remove_files(folder, {restart_file_in({}), "results.h5", "results.xdmf", "histories.csv", "summary.json"});
+    remove_files(folder, {"video.mp4", "video.gif", "video.webp", "report.html", "report.md", "report.json"});
     remove_files(folder, pictures_in(folder));
 }
 

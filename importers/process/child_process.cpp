@@ -67,7 +67,8 @@ struct Conversation {
     Channel text;    // the child's standard input and output
     Channel errors;  // its standard error
     std::string unsent, output, error_output;
-    std::size_t max_output = 0;
+    std::size_t max_output = 0, told = 0;  // bytes; told: of the output, to on_line
+    std::function<void(const std::string&)> on_line;
 };
 
 int start(const std::filesystem::path& program, const Conversation& talk, pid_t& child)
@@ -101,6 +102,14 @@ bool receive_some(const Descriptor& from, std::string& text)
     return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
+/// Tells the lines that have come whole.
+void tell_lines(Conversation& talk)
+{
+    if (!talk.on_line) return;
+    for (std::size_t end; (end = talk.output.find('\n', talk.told)) != std::string::npos; talk.told = end + 1)
+        talk.on_line(talk.output.substr(talk.told, end - talk.told));
+}
+
 /// Why a child has to be stopped; no words when it ended by itself.
 struct Stop {
     std::string why;
@@ -123,6 +132,7 @@ Stop converse(Conversation& talk, double seconds)
         if (streams[0].revents & POLLOUT) send_some(talk);
         if (streams[0].revents & (POLLIN | POLLHUP | POLLERR))
             text_open = receive_some(talk.text.ours, talk.output);
+        tell_lines(talk);
         if (streams[1].revents & (POLLIN | POLLHUP | POLLERR))
             errors_open = receive_some(talk.errors.ours, talk.error_output);
         if (talk.output.size() > talk.max_output || talk.error_output.size() > talk.max_output)
@@ -170,9 +180,10 @@ std::string describe_end(int status, const std::string& error_output)
 }  // namespace
 
 ChildAnswer ask_child(const std::filesystem::path& program, const std::string& input, double seconds,
-                      std::size_t max_output)
+                      std::size_t max_output, const std::function<void(const std::string& line)>& on_line)
 {
     Conversation talk;
+    talk.on_line = on_line;
     talk.unsent = input;
     talk.max_output = max_output;
     if (!talk.text.open() || !talk.errors.open())

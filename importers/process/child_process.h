@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace voussoir::importers::process
@@ -17,8 +18,9 @@ struct ChildAnswer {
 
 /// Starts `program`, writes `input` to it, reads until it ends; kills it after `seconds` of wall time, or when it
 /// writes more than `max_output` bytes. Never throws for what the child does.
+/// @param on_line is told each line of the output as it comes
 ChildAnswer ask_child(const std::filesystem::path& program, const std::string& input, double seconds,
-                      std::size_t max_output);
+                      std::size_t max_output, const std::function<void(const std::string& line)>& on_line = {});
 
 /// Where the helpers are: in libexec/voussoir of an installed `voussoir`, else beside the running program; the
 /// environment's VOUSSOIR_BIN_DIR overrides both.

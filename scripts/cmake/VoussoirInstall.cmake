@@ -69,6 +69,7 @@ install(FILES ${manual}/completions/voussoir DESTINATION ${CMAKE_INSTALL_DATADIR
 # Cases, the schema of case files, documents.
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir)
 install(FILES docs/case.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir)
+install(FILES app/results/python/voussoir_results.py DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir/python)
 install(DIRECTORY docs/examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES README.md docs/embedding.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
@@ -86,6 +87,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${voussoir_library_folder})
 if(VOUSSOIR_RENDER)
   set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS ffmpeg)  # films
 endif()
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, libeigen3-dev")
 include(CPack)

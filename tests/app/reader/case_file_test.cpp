@@ -199,6 +199,38 @@ TEST(CaseFile, ARigidSceneHasNoStressToDraw)
               std::string::npos);
 }
 
+TEST(CaseFile, AFilmIsAskedForByTrueOrByItsWishes)
+{
+    EXPECT_FALSE(read(two_boxes).output.film);
+    EXPECT_FALSE(read(two_boxes, {"output.video=false"}).output.film);
+    const Case plain = read(two_boxes, {"output.video=true"});
+    ASSERT_TRUE(plain.output.film);
+    EXPECT_EQ(plain.output.film->width, 1280);
+    EXPECT_EQ(plain.output.film->slow_down, 1);
+    const Case slow = read(two_boxes, {"output.video={color: slip, format: webp, size: [640, 360], fps: 30, "
+                                       "slow_down: 10}"});
+    ASSERT_TRUE(slow.output.film);
+    EXPECT_EQ(slow.output.film->color, SnapshotColor::slip);
+    EXPECT_EQ(slow.output.film->format, FilmFormat::webp);
+    EXPECT_EQ(slow.output.film->height, 360);
+    EXPECT_EQ(slow.output.film->frames_per_second, 30);
+    EXPECT_EQ(slow.output.film->slow_down, 10);
+}
+
+TEST(CaseFile, AFilmThatCannotBeIsRefused)
+{
+    const auto said = [](const std::string& setting) { return faults_of(two_boxes, {setting}); };
+    EXPECT_NE(said("output.video={size: [641, 360]}").find("even width and height"), std::string::npos);
+    EXPECT_NE(said("output.video={slow_down: 30000}").find("<= 10000"), std::string::npos);
+    EXPECT_NE(said("output.video={fps: 0}").find("from 1 to 120"), std::string::npos);
+    EXPECT_NE(said("output.video=yes_please").find("output.video"), std::string::npos);
+    EXPECT_NE(faults_of(two_boxes, {"output.video={slow_down: 9000}", "stages[1].duration=5 s"})
+                  .find("a film of 1125000 frames"),
+              std::string::npos);
+    EXPECT_NE(faults_of(two_boxes, {"output.video=true", "stages[1]=null"}).find("no time passes"),
+              std::string::npos);
+}
+
 TEST(CaseFile, KeysOfTheOtherKindOfStageSaySo)
 {
     EXPECT_EQ(faults_of(two_boxes, {"stages[0].duration=3 s"}),

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 #include <thread>
 
 #include "app/results/restart_file.h"
@@ -123,7 +124,10 @@ void expect_equal_results(const fs::path& folder, const fs::path& reference)
     EXPECT_EQ(app::results::every_dataset(folder / "results.h5"),
               app::results::every_dataset(reference / "results.h5"));
     EXPECT_EQ(app::contents(folder / "histories.csv"), app::contents(reference / "histories.csv"));
-    EXPECT_EQ(app::contents(folder / "results.xdmf"), app::contents(reference / "results.xdmf"));
+    // Where in results.h5 the values lie may differ.
+    const std::regex address("Seek=\"[0-9]+\"");
+    EXPECT_EQ(std::regex_replace(app::contents(folder / "results.xdmf"), address, ""),
+              std::regex_replace(app::contents(reference / "results.xdmf"), address, ""));
     EXPECT_EQ(summary_without_times(folder), summary_without_times(reference));
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename();

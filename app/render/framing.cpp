@@ -1,0 +1,146 @@
+#include "app/render/framing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libdda/errors.h"
+
+namespace voussoir::app::render
+{
+
+using Eigen::Vector3d;
+
+namespace
+{
+
+/// "12.3 mm"; micrometres only where a tenth of a millimetre is too coarse.
+std::string length_in_words(double metres)
+{
+    const double size = std::abs(metres);
+    if (size < 5e-5) return fmt::format("{:.3g} µm", metres * 1e6);
+    return size < 1 ? fmt::format("{:.3g} mm", metres * 1e3) : fmt::format("{:.3g} m", metres);
+}
+
+/// "ground displacement x 12.3 mm, z -4 mm": components that the eye could see; empty when there are none.
+std::string ground_in_words(const Vector3d& ground)
+{
+    std::string words;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(ground[axis]) < 1e-6) continue;
+        words += fmt::format("{} {} {}", words.empty() ? "ground displacement" : ",", "xyz"[axis],
+                             length_in_words(ground[axis]));
+    }
+    return words;
+}
+
+/// The box of the structure, or of foundations alone.
+Eigen::AlignedBox3d built_in(const Scene& scene)
+{
+    Eigen::AlignedBox3d built;
+    for (const bool foundation : {false, true}) {
+        for (const Triangle& triangle : scene.triangles) {
+            if (triangle.foundation != foundation) continue;
+            for (const Vector3d& corner : triangle.corners) built.extend(corner);
+        }
+        if (!built.isEmpty()) break;
+    }
+    return built;
+}
+
+/// What is shown of the values, and in which units.
+std::pair<const char*, const std::vector<drawing::Unit>&> quantity(SnapshotColor color)
+{
+    switch (color) {
+        case SnapshotColor::principal_stress:
+            return {"largest compressive principal stress", drawing::stress_units};
+        case SnapshotColor::velocity:
+            return {"speed", drawing::speed_units};
+        case SnapshotColor::opening:
+            return {"largest opening of a stone's joints", drawing::length_units};
+        case SnapshotColor::slip:
+            return {"largest slip of a stone's joints", drawing::length_units};
+        case SnapshotColor::displacement:
+            break;
+    }
+    return {"displacement relative to the ground", drawing::length_units};
+}
+
+}  // namespace
+
+void Framing::add(const Scene& scene, bool in_sight)
+{
+    if (built_.isEmpty()) built_ = built_in(scene);
+    const double size = built_.diagonal().norm();
+    for (const Triangle& triangle : scene.triangles) {
+        const Vector3d reach = Vector3d::Constant((triangle.foundation ? 0.25 : 1.0) * size);
+        for (int k = 0; k < 3; ++k) {
+            if (in_sight)
+                points_.emplace_back(
+                    triangle.corners[k].cwiseMax(built_.min() - reach).cwiseMin(built_.max() + reach));
+            if (triangle.foundation) continue;
+            lowest_ = std::min(lowest_, triangle.values[k]);
+            highest_ = std::max(highest_, triangle.values[k]);
+        }
+    }
+}
+
+Camera Framing::camera(int width, int height, bool planar, bool strip) const
+{
+    return camera_for(points_, drawing_area(width, height, strip), static_cast<double>(width) / height,
+                      planar ? View::straight_on : View::from_aside);
+}
+
+drawing::ColorScale Framing::scale() const
+{
+    double lowest = lowest_, highest = highest_;
+    if (lowest > highest) lowest = highest = 0;  // foundations only
+    if (color_ != SnapshotColor::principal_stress) lowest = 0;
+    const auto& [name, units] = quantity(color_);
+    return drawing::make_scale(lowest, highest, name, units);
+}
+
+PageText words_of(const Scene& scene, const results::RecordedModel& model, const SceneOptions& options)
+{
+    PageText text;
+    text.title = model.title.empty() ? "voussoir" : model.title;
+    text.subtitle = fmt::format("t = {:.3f} s", scene.time);
+    if (!scene.stage.empty()) text.subtitle += "   ·   " + scene.stage;
+    const std::string threshold = length_in_words(options.joint_threshold);
+    text.opened = fmt::format("joint open by more than {} ({})", threshold, scene.opened_joints);
+    text.slid = fmt::format("joint slid by more than {} ({})", threshold, scene.slid_joints);
+    text.foundations = !model.foundations.empty();
+    if (const std::string ground = ground_in_words(scene.ground); !ground.empty()) text.notes.push_back(ground);
+    if (is_planar(model.kinematics))
+        text.notes.push_back(fmt::format("planar scene, drawn {:g} m thick", model.thickness));
+    if (options.deformation_scale != 1) {
+        text.notes.push_back(fmt::format("displacements magnified {:g} times", options.deformation_scale));
+    }
+    return text;
+}
+
+void expect_drawable(const results::ResultsReader& results, const std::filesystem::path& file, SnapshotColor color)
+{
+    if (results.times.empty()) {
+        throw InputError(file.string(), "no frame", "give the results of a run that has written a frame");
+    }
+    if (color == SnapshotColor::principal_stress && !is_deformable(results.model.kinematics)) {
+        throw InputError("color", "principal_stress of rigid blocks, which have none", "colour by displacement");
+    }
+    if (results.model.mesh.face_block.empty())
+        throw InputError(file.string(), "no block", "give a model with blocks");
+}
+
+/// The first frame of a dynamic stage; 0 when the run has none.
+std::size_t first_dynamic_frame(const results::ResultsReader& results)
+{
+    const std::vector<std::int32_t>& stages = results.stages;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const auto stage = static_cast<std::size_t>(stages[i]);
+        if (stage < results.model.stage_is_dynamic.size() && results.model.stage_is_dynamic[stage]) return i;
+    }
+    return 0;
+}
+
+}  // namespace voussoir::app::render

@@ -1,0 +1,228 @@
+// What was analysed, how well, and how it can be done again.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "app/report/sections.h"
+#include "records/measures/measures.h"
+
+namespace voussoir::app::report
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+std::string text_of(const Json& value)
+{
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_integer()) return value.dump();
+    if (value.is_number()) return figure(value.get<double>());
+    return value.is_null() ? "none" : value.dump();
+}
+
+Table materials_table(const RunRecord& record)
+{
+    Table table{
+        "materials", "Stone", {"material", "density [kg/m3]", "Young's modulus [GPa]", "Poisson's ratio"}, {}};
+    for (const RecordedMaterial& material : record.materials)
+        table.rows.push_back(
+            {material.name, figure(material.density), figure(material.young / 1e9), figure(material.poisson)});
+    return table;
+}
+
+Table joint_materials_table(const RunRecord& record)
+{
+    Table table{
+        "joint_materials", "Joints", {"joint", "friction [deg]", "cohesion [kPa]", "tensile strength [kPa]"}, {}};
+    for (const RecordedJointMaterial& joint : record.joint_materials)
+        table.rows.push_back({joint.name, figure(joint.friction_angle * 180 / std::numbers::pi),
+                              figure(joint.cohesion / 1e3), figure(joint.tensile_strength / 1e3)});
+    return table;
+}
+
+Table stages_table(const RunRecord& record)
+{
+    Table table{"stages", "Stages", {"stage", "type", "duration [s]"}, {}};
+    for (const Json& stage : Json::parse(record.settings))
+        table.rows.push_back(
+            {text_of(stage.at("name")), text_of(stage.at("type")),
+             stage.contains("duration_s") ? figure(stage.at("duration_s").get<double>()) : "to rest"});
+    return table;
+}
+
+/// FNV-1a over the bytes of a text, sixteen digits.
+std::string checksum(const std::string& text)
+{
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    return fmt::format("{:016x}", hash);
+}
+
+/// The figures of an object of the summary, by the name of each.
+Table object_table(const Json& summary, const char* key, Table table)
+{
+    if (!summary.contains(key)) return table;
+    for (const auto& [name, value] : summary.at(key).items())
+        if (value.is_primitive()) table.rows.push_back({name, text_of(value)});
+    return table;
+}
+
+Table costs_table(const Json& summary)
+{
+    Table table{"computation", "The computation", {"quantity", "value"}, {}};
+    for (const char* key :
+         {"steps", "step_cuts", "unconverged_steps", "open_close_iterations", "factorisations",
+          "max_penetration_m", "static_unbalanced", "simulated_time_s", "wall_time_s", "cpu_time_s"})
+        if (summary.contains(key)) table.rows.push_back({key, text_of(summary.at(key))});
+    return table;
+}
+
+Table modes_table(const Json& summary)
+{
+    Table table{"modes", "Natural modes found", {"frequency [Hz]", "mass along x, y, z"}, {}};
+    if (!summary.contains("trust") || !summary.at("trust").contains("modes")) return table;
+    for (const Json& mode : summary.at("trust").at("modes"))
+        table.rows.push_back({text_of(mode.at("frequency_Hz")), mode.at("mass_fraction").dump()});
+    return table;
+}
+
+Table damping_table(const Json& summary)
+{
+    Table table{"damping",
+                "What the integrator and the dashpots damp, fractions of critical",
+                {"frequency [Hz]", "algorithmic", "dashpots", "asked for", "period error"},
+                {}};
+    if (!summary.contains("trust") || !summary.at("trust").contains("damping")) return table;
+    for (const Json& mode : summary.at("trust").at("damping"))
+        table.rows.push_back({text_of(mode.at("frequency_Hz")), text_of(mode.at("algorithmic_damping")),
+                              text_of(mode.at("damping_by_dashpots")), text_of(mode.at("damping_asked_for")),
+                              text_of(mode.at("period_error"))});
+    return table;
+}
+
+Table estimate_table(const Json& summary)
+{
+    Table table{"error_estimate",
+                "Differences with half the time step and with twice the stiffness",
+                {"quantity", "largest", "half the step", "twice the stiffness"},
+                {}};
+    if (!summary.contains("error_estimate") || !summary.at("error_estimate").contains("quantities")) return table;
+    const auto share = [](const Json& quantity, const char* key) {
+        if (!quantity.contains(key)) return std::string("not run");
+        const Json& relative = quantity.at(key).at("relative");
+        return relative.is_number() ? figure(100 * relative.get<double>()) + " %" : "none";
+    };
+    for (const Json& quantity : summary.at("error_estimate").at("quantities"))
+        table.rows.push_back({text_of(quantity.at("name")) + " [" + text_of(quantity.at("unit")) + "]",
+                              text_of(quantity.at("largest")), share(quantity, "half_step"),
+                              share(quantity, "twice_stiffness")});
+    return table;
+}
+
+records::Channel channel_of(const results::RecordedMotion& motion)
+{
+    records::Channel channel;
+    channel.time_step = motion.times.size() > 1 ? motion.times[1] - motion.times[0] : 0;
+    channel.samples = motion.acceleration;
+    channel.unit_in_file = "m/s2";
+    return channel;
+}
+
+}  // namespace
+
+Section what_was_analysed(const RunRecord& record)
+{
+    Section section{"What was analysed", {}, {}, {}, {}, {}};
+    const results::RecordedModel& model = record.results.model;
+    const double mass = std::accumulate(record.mass.begin(), record.mass.end(), 0.0);
+    std::string kinematics = std::string(voussoir::name_of(model.kinematics));
+    section.paragraphs.push_back(fmt::format(
+        "{} blocks ({} of them foundations) of {:.4g} t in all, with {} joints between faces that touch at the "
+        "start; "
+        "kinematics: {}.",
+        model.block_names.size(), model.foundations.size(), mass / 1e3, model.joints.size(), kinematics));
+    section.tables = {materials_table(record), joint_materials_table(record), stages_table(record)};
+    return section;
+}
+
+Section motion_section(const RunRecord& record)
+{
+    Section section{"Ground motion", {}, {}, {}, {}, {}};
+    Table table{"motions",
+                "Measures of the motions as applied",
+                {"component", "source", "PGA [m/s2]", "PGV [m/s]", "PGD [m]", "Arias [m/s]", "duration 5-95 % [s]",
+                 "left over [mm]"},
+                {}};
+    for (const results::RecordedMotion& motion : record.motions) {
+        if (motion.times.size() < 2) continue;
+        const records::measures::Measures measures = records::measures::measures_of(channel_of(motion));
+        const std::string follower = motion.followers.empty() ? "?" : motion.followers.front();
+        table.rows.push_back({follower.substr(follower.rfind(' ') + 1), motion.source,
+                              figure(motion.peak_acceleration), figure(measures.peak_velocity),
+                              figure(measures.peak_displacement), figure(measures.arias_intensity),
+                              figure(measures.duration_5_95), figure(1e3 * motion.residual_displacement)});
+    }
+    if (!table.rows.empty()) section.tables.push_back(table);
+    return section;
+}
+
+Section how_well_computed(const RunRecord& record)
+{
+    Section section{"How well it was computed", {}, {}, {}, {}, {}};
+    const Json summary = Json::parse(record.summary);
+    if (summary.empty()) {
+        section.paragraphs.emplace_back(
+            "The run has not ended, so nothing is known of its energy balance, its error and its cost.");
+        return section;
+    }
+    if (summary.contains("energy"))
+        section.paragraphs.push_back(fmt::format(
+            "Energy that no term accounts for: {} of what was put in, stored or lost. Largest penetration: {} m.",
+            figure(summary.at("energy").value("residual", 0.0)), figure(summary.value("max_penetration_m", 0.0))));
+    if (!summary.contains("error_estimate"))
+        section.paragraphs.emplace_back(
+            "No error estimate was asked for (output: {error_estimate: true}); how far the figures depend on the "
+            "time step "
+            "and on the contact stiffness is not known from this run alone.");
+    section.tables = {costs_table(summary),
+                      object_table(summary, "energy", {"energy", "Energy balance [J]", {"term", "value"}, {}}),
+                      modes_table(summary), damping_table(summary), estimate_table(summary)};
+    std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
+    for (Table& table : section.tables) table.shown = 40;
+    return section;
+}
+
+Section assumptions(const RunRecord& record)
+{
+    Section section{"Assumptions and warnings", {}, {}, {}, {}, {}};
+    section.paragraphs.push_back(record.warnings.empty() ? "There are no warnings."
+                                                         : "Warnings and repairs of the geometry:");
+    section.points = record.warnings;
+    const auto list = [&section](const char* name, const char* title, const std::vector<std::string>& texts) {
+        Table table{name, title, {"what"}, {}};
+        for (const std::string& text : texts) table.rows.push_back({text});
+        if (!table.rows.empty()) section.tables.push_back(table);
+    };
+    list("defaults", "Defaults that were taken", record.defaults);
+    list("left_out", "Left out: the case does not ask for it", record.left_out);
+    return section;
+}
+
+Section how_to_reproduce(const RunRecord& record)
+{
+    Section section{"How to reproduce it", {}, {}, {}, {}, {}};
+    std::string command = "voussoir run " + record.case_file;
+    for (const std::string& setting : record.overrides) command += " --set '" + setting + "'";
+    section.paragraphs = {"Made by " + record.engine + ".", "Command: " + command,
+                          "Checksum (FNV-1a) of the case file's text: " + checksum(record.case_text) +
+                              ". The same engine, case and records give the same bits. The case file:"};
+    section.verbatim = record.case_text;
+    return section;
+}
+
+}  // namespace voussoir::app::report

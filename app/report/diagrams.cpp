@@ -1,0 +1,200 @@
+#include "app/report/diagrams.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "records/measures/response_spectrum.h"
+
+namespace voussoir::app::report
+{
+namespace
+{
+
+using plots::Curve;
+using plots::Diagram;
+
+constexpr std::size_t most_points = 2000;  // of a curve: more than a picture has columns
+
+/// The curve, thinned where it is long: of each stretch its least and its greatest value.
+Curve thinned(const std::string& name, const std::vector<double>& x, const std::vector<double>& y, double unit = 1)
+{
+    Curve curve;
+    curve.name = name;
+    const std::size_t count = std::min(x.size(), y.size()),
+                      stretch = std::max<std::size_t>(1, 2 * count / most_points);
+    for (std::size_t i = 0; i < count; i += stretch) {
+        const auto first = y.begin() + static_cast<std::ptrdiff_t>(i),
+                   end = y.begin() + static_cast<std::ptrdiff_t>(std::min(i + stretch, count));
+        auto [low, high] = std::minmax_element(first, end);
+        for (const auto& place : {std::min(low, high), std::max(low, high)}) {
+            curve.x.push_back(x[static_cast<std::size_t>(place - y.begin())]);
+            curve.y.push_back(*place / unit);
+            if (low == high) break;
+        }
+    }
+    return curve;
+}
+
+Diagram over_time(const std::string& y_title, std::vector<Curve> curves)
+{
+    Diagram diagram;
+    diagram.x_title = "time [s]";
+    diagram.y_title = y_title;
+    diagram.curves = std::move(curves);
+    diagram.logarithmic_x = diagram.logarithmic_y = diagram.marks = false;
+    return diagram;
+}
+
+/// a - b, or a alone where there is no b.
+std::vector<double> minus(std::vector<double> a, const std::vector<double>& b)
+{
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) a[i] -= b[i];
+    return a;
+}
+
+plots::Figure figure_of(const std::string& name, const std::string& title, std::vector<Diagram> diagrams)
+{
+    plots::Figure figure;
+    figure.name = name;
+    figure.title = title;
+    figure.diagrams = std::move(diagrams);
+    figure.stacked = figure.diagrams.size() > 0 && figure.diagrams[0].x_title == "time [s]";
+    return figure;
+}
+
+std::string component_of(const results::RecordedMotion& motion)
+{
+    const std::string follower = motion.followers.empty() ? "?" : motion.followers.front();
+    return follower.substr(follower.rfind(' ') + 1);
+}
+
+void add_motion(const RunRecord& record, std::vector<NamedFigure>& figures)
+{
+    std::vector<Diagram> accelerograms;
+    Diagram spectra;
+    spectra.x_title = "period [s]";
+    spectra.y_title = "pseudo-acceleration [m/s²]";
+    spectra.logarithmic_y = spectra.marks = false;
+    for (const results::RecordedMotion& motion : record.motions) {
+        if (motion.times.size() < 2 || accelerograms.size() == 6) continue;
+        accelerograms.push_back(over_time("a" + component_of(motion) + " [m/s²]",
+                                          {thinned(component_of(motion), motion.times, motion.acceleration)}));
+        records::Channel channel;
+        channel.time_step = motion.times[1] - motion.times[0];
+        channel.samples = motion.acceleration;
+        channel.unit_in_file = "m/s2";
+        const auto periods = records::measures::logarithmic_periods(std::max(0.03, channel.time_step), 4, 120);
+        const auto spectrum = records::measures::response_spectrum(channel, periods);
+        Curve curve;
+        curve.name = component_of(motion);
+        curve.x = spectrum.periods;
+        curve.y = spectrum.pseudo_acceleration;
+        spectra.curves.push_back(curve);
+    }
+    if (accelerograms.empty()) return;
+    figures.push_back({figure_of("motion", "Ground acceleration", accelerograms), "Ground motion",
+                       "Acceleration of the ground as applied."});
+    figures.push_back({figure_of("spectrum", "Response spectra, 5 % damping", {spectra}), "Ground motion",
+                       "Response spectra of the motions as applied, 5 % damping."});
+}
+
+void add_histories(const RunRecord& record, std::vector<NamedFigure>& figures)
+{
+    if (record.histories.names.empty() || record.histories.rows() < 2) return;
+    const std::vector<double> times = record.histories.column(record.histories.names.front());
+    std::vector<Diagram> diagrams;
+    for (const char* component : {"ux", "uy", "uz"}) {
+        std::vector<Curve> curves;
+        const std::string ground = std::string("ground ") + component;
+        std::vector<double> ground_moved;
+        for (const std::string& name : record.histories.names)
+            if (name.rfind(ground, 0) == 0) ground_moved = record.histories.column(name);
+        for (const std::string& name : record.histories.names) {
+            const std::size_t at = name.find(std::string(" ") + component);
+            if (at == std::string::npos || curves.size() == 8 || name.rfind(ground, 0) == 0) continue;
+            const std::vector<double> moved = minus(record.histories.column(name), ground_moved);
+            curves.push_back(thinned(name.substr(0, at), times, moved, 1e-3));
+        }
+        if (!curves.empty()) diagrams.push_back(over_time(std::string(component) + " [mm]", curves));
+    }
+    if (diagrams.empty()) return;
+    figures.push_back(
+        {figure_of("histories", "Displacements of the chosen points, relative to the ground", diagrams),
+         "Histories", "Displacements since the start, relative to the ground."});
+}
+
+void add_course(const RunRecord& record, std::vector<NamedFigure>& figures)
+{
+    const Course& course = record.course;
+    if (course.times.size() < 2 || !(course.times.back() > course.times.front())) return;
+    figures.push_back(
+        {figure_of(
+             "course", "The largest of each at every moment",
+             {over_time("displacement [mm]", {thinned("displacement", course.times, course.displacement, 1e-3)}),
+              over_time("joints [mm]", {thinned("opening", course.times, course.opening, 1e-3),
+                                        thinned("slip", course.times, course.slip, 1e-3)})}),
+         "Histories",
+         "The largest displacement relative to the ground, opening and slip at every stored moment."});
+    Diagram shear;
+    shear.x_title = "drift of the highest stone [mm]";
+    shear.y_title = "base shear [kN]";
+    shear.logarithmic_x = shear.logarithmic_y = shear.marks = false;
+    for (const int axis : {0, 1}) {
+        Curve curve;
+        curve.name = axis == 0 ? "x" : "y";
+        double largest = 0;
+        for (std::size_t i = 0; i < course.times.size(); ++i) {
+            curve.x.push_back(1e3 * course.drift[i][axis]);
+            curve.y.push_back(-course.base_force[i][axis] / 1e3);
+            largest = std::max(largest, std::abs(curve.y.back()));
+        }
+        if (largest > 0) shear.curves.push_back(curve);
+    }
+    if (shear.curves.empty()) return;
+    figures.push_back({figure_of("base_shear", "Base shear against drift", {shear}), "Histories",
+                       "What the structure exerts on its foundations, against the drift of its highest stone."});
+}
+
+void add_computation(const RunRecord& record, std::vector<NamedFigure>& figures)
+{
+    const std::vector<double>& times = record.course.times;
+    if (times.size() < 3 || !(times.back() > times.front())) return;
+    std::vector<Curve> curves;
+    for (const char* name : {"kinetic_J", "strain_J", "contact_J", "friction_J", "impact_J", "algorithmic_J"}) {
+        if (std::find(record.energy.names.begin(), record.energy.names.end(), name) == record.energy.names.end())
+            continue;
+        const std::string word = name;
+        curves.push_back(thinned(word.substr(0, word.size() - 2), times, record.energy.column(name), 1e3));
+    }
+    figures.push_back({figure_of("energies", "Energies", {over_time("energy [kJ]", curves)}),
+                       "How well it was computed", "Energies stored and lost."});
+    const std::vector<double> steps = record.steps.column("steps"),
+                              iterations = record.steps.column("open_close_iterations");
+    std::vector<double> when, size, each;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        if (!(times[i] > times[i - 1]) || !(steps[i] > steps[i - 1])) continue;
+        when.push_back(times[i]);
+        size.push_back(1e3 * (times[i] - times[i - 1]) / (steps[i] - steps[i - 1]));
+        each.push_back((iterations[i] - iterations[i - 1]) / (steps[i] - steps[i - 1]));
+    }
+    if (when.size() < 2) return;
+    figures.push_back({figure_of("steps", "Steps",
+                                 {over_time("step size [ms]", {thinned("mean step size", when, size)}),
+                                  over_time("iterations a step", {thinned("open-close iterations", when, each)})}),
+                       "How well it was computed", "Mean step size and iterations between two stored frames."});
+}
+
+}  // namespace
+
+std::vector<NamedFigure> diagrams_of(const RunRecord& record)
+{
+    std::vector<NamedFigure> figures;
+    add_motion(record, figures);
+    add_histories(record, figures);
+    add_course(record, figures);
+    add_computation(record, figures);
+    return figures;
+}
+
+}  // namespace voussoir::app::report

@@ -1,0 +1,56 @@
+// A report as data, whatever it is written as.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace voussoir::app::report
+{
+
+struct Table {
+    std::string name;  // of its CSV file, without ending
+    std::string title;
+    std::vector<std::string> columns;            // with units
+    std::vector<std::vector<std::string>> rows;  // (rows x columns)
+    std::size_t shown = 25;                      // rows on the page; the CSV file has all
+};
+
+struct Picture {
+    std::filesystem::path file;  // PNG, or a film
+    std::string caption;
+    bool is_film = false;
+};
+
+struct Section {
+    std::string title;
+    std::vector<std::string> paragraphs;
+    std::vector<std::string> points;  // a list
+    std::vector<Table> tables;
+    std::vector<Picture> pictures;
+    std::string verbatim;  // as it was written, line by line
+};
+
+struct Document {
+    std::string title;
+    std::string outcome;         // of the run, as in summary.json; "unfinished" of one that was killed
+    std::string first_line;      // what became of it, in words
+    bool alarm = false;          // it did not go as planned
+    std::string mechanism;       // name_of(MechanismKind)
+    std::string mechanism_line;  // in words
+    std::vector<Section> sections;
+};
+
+/// One page with all pictures in it, which asks nothing of any network and prints.
+std::string to_html(const Document& document);
+
+/// The same as Markdown. @param folder that the names of its pictures begin from
+std::string to_markdown(const Document& document, const std::filesystem::path& folder);
+
+/// The same as JSON, without the pictures.
+std::string to_json(const Document& document);
+
+/// A table as comma-separated values. Texts that a spreadsheet would take for a formula are made plain.
+std::string to_csv(const Table& table);
+
+}  // namespace voussoir::app::report

@@ -1,0 +1,178 @@
+#include "app/report/make_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "app/plots/plots.h"
+#include "app/render/snapshots.h"
+#include "app/report/diagrams.h"
+#include "app/report/mechanism_words.h"
+#include "app/report/sections.h"
+#include "app/results/atomic_file.h"
+#include "libdda/errors.h"
+
+namespace voussoir::app::report
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// How much displacements are magnified so that the eye sees them: where the structure moves by less than a
+/// thousandth of its size, so that it is about a fiftieth; a round number.
+double magnification(const RunRecord& record)
+{
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& centroid : record.results.model.centroids) box.extend(centroid);
+    const double size = box.isEmpty() ? 0 : box.diagonal().norm();
+    const double largest =
+        record.course.displacement.empty()
+            ? 0
+            : *std::max_element(record.course.displacement.begin(), record.course.displacement.end());
+    if (!(largest > 0) || largest > 1e-3 * size) return 1;
+    const double wanted = std::min(0.02 * size / largest, 1e4),
+                 power = std::pow(10, std::floor(std::log10(wanted)));
+    return wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
+}
+
+/// Draws, or says why not.
+template <typename Make>
+void attempt(Section& section, const char* what, const Make& make)
+{
+    try {
+        make();
+    } catch (const InputError& error) {
+        section.paragraphs.push_back(fmt::format("{}: {}.", what, error.what()));
+    }
+}
+
+/// The structure at the start of the motion, at the moment that is described, and at the end.
+Section pictures_of(const RunRecord& record, const fs::path& folder)
+{
+    Section section{"Pictures", {}, {}, {}, {}, {}};
+    SnapshotOptions options;
+    options.width = 1280;
+    options.height = 720;
+    options.deformation_scale = magnification(record);
+    options.times = {record.course.times.front(), record.mechanism.time, record.course.times.back()};
+    attempt(section, "There are no pictures", [&] {
+        for (const fs::path& picture : render::render_snapshots(record.file, folder, options)) {
+            const std::string name = picture.stem().string();
+            section.pictures.push_back({picture, "Displacement relative to the ground, " +
+                                                     name.substr(std::min(name.find("t="), name.size())) + "."});
+        }
+    });
+    if (!is_deformable(record.results.model.kinematics)) return section;
+    options.color = SnapshotColor::principal_stress;
+    options.times = {record.course.times.back()};
+    attempt(section, "There is no picture of the stresses", [&] {
+        for (const fs::path& picture : render::render_snapshots(record.file, folder / "stress", options))
+            section.pictures.push_back(
+                {picture, "Largest compressive principal stress of each stone at the end."});
+    });
+    return section;
+}
+
+/// The film that the run has made, or a new one; a short run is slowed down to some six seconds.
+Section film_of(const RunRecord& record, const fs::path& folder, const std::function<void(int, int)>& told)
+{
+    Section section{"Film", {}, {}, {}, {}, {}};
+    const fs::path made = record.file.parent_path() / "video.mp4";
+    std::error_code none;
+    if (fs::exists(made, none) && fs::last_write_time(made, none) >= fs::last_write_time(record.file, none)) {
+        section.pictures.push_back({made, "The film of the run.", true});
+        return section;
+    }
+    const double duration = record.course.times.back() - record.course.times.front();
+    if (!(duration > 0)) {
+        section.paragraphs.emplace_back("No time passes in this run, so there is no film.");
+        return section;
+    }
+    FilmOptions options;
+    options.width = 960;
+    options.height = 540;
+    options.slow_down = std::clamp(std::round(6 / duration), 1.0, 1e4);
+    options.deformation_scale = magnification(record);
+    attempt(section, "There is no film", [&] {
+        render::request_film(record.file, folder / "film.mp4", options, told);
+        section.pictures.push_back({folder / "film.mp4",
+                                    options.slow_down > 1
+                                        ? fmt::format("The run, slowed down {:g} times.", options.slow_down)
+                                        : "The run in true time.",
+                                    true});
+    });
+    return section;
+}
+
+void add_diagrams(const RunRecord& record, const fs::path& folder, std::vector<Section>& sections)
+{
+    const std::vector<NamedFigure> figures = diagrams_of(record);
+    std::vector<plots::Figure> drawn;
+    for (const NamedFigure& figure : figures) drawn.push_back(figure.figure);
+    if (drawn.empty()) return;
+    try {
+        plots::draw_figures(drawn, folder);
+    } catch (const InputError& error) {
+        sections.front().paragraphs.push_back(std::string("There are no diagrams: ") + error.what() + ".");
+        return;
+    }
+    for (const NamedFigure& figure : figures)
+        for (Section& section : sections)
+            if (section.title == figure.section)
+                section.pictures.push_back({folder / (figure.figure.name + ".png"), figure.caption});
+}
+
+Document document_of(const RunRecord& record, const fs::path& folder, bool film,
+                     const std::function<void(int, int)>& told)
+{
+    Document document;
+    document.title = record.results.model.title.empty() ? record.case_file : record.results.model.title;
+    document.outcome = record.end.outcome.empty() ? "unfinished" : record.end.outcome;
+    document.first_line = first_line_of(record);
+    document.alarm = document.outcome != "completed" || record.mechanism.kind != MechanismKind::stands;
+    document.mechanism = name_of(record.mechanism.kind);
+    document.mechanism_line = words_of(record.mechanism, record.results.model, record.course).headline;
+    document.sections.push_back(key_results(record));
+    document.sections.push_back(mechanism_section(record));
+    document.sections.push_back(pictures_of(record, folder));
+    if (film) document.sections.push_back(film_of(record, folder, told));
+    document.sections.push_back({"Histories", {}, {}, {}, {}, {}});
+    document.sections.push_back(stones_and_joints(record));
+    document.sections.push_back(what_was_analysed(record));
+    document.sections.push_back(motion_section(record));
+    document.sections.push_back(how_well_computed(record));
+    document.sections.push_back(assumptions(record));
+    document.sections.push_back(how_to_reproduce(record));
+    add_diagrams(record, folder, document.sections);
+    std::erase_if(document.sections, [](const Section& section) {
+        return section.paragraphs.empty() && section.points.empty() && section.tables.empty() &&
+               section.pictures.empty() && section.verbatim.empty();
+    });
+    return document;
+}
+
+}  // namespace
+
+std::vector<fs::path> make_report(const fs::path& results_file, const fs::path& folder, bool film,
+                                  const std::function<void(int done, int all)>& told)
+{
+    const RunRecord record(fs::absolute(results_file));
+    const fs::path companions = fs::absolute(folder) / "report";
+    std::error_code error;
+    fs::create_directories(companions, error);
+    if (error) throw InputError(companions.string(), error.message(), "name a folder that can be created");
+    const Document document = document_of(record, companions, film, told);
+    for (const Section& section : document.sections)
+        for (const Table& table : section.tables)
+            results::write_atomically(companions / (table.name + ".csv"), to_csv(table));
+    const std::vector<fs::path> files = {folder / "report.html", folder / "report.md", folder / "report.json"};
+    results::write_atomically(files[1], to_markdown(document, fs::absolute(folder)));
+    results::write_atomically(files[2], to_json(document));
+    results::write_atomically(files[0], to_html(document));
+    return {files[0], files[1], files[2], folder / "report"};
+}
+
+}  // namespace voussoir::app::report

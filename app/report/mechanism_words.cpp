@@ -1,0 +1,192 @@
+#include "app/report/mechanism_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace voussoir::app::report
+{
+
+using Eigen::Vector3d;
+
+namespace
+{
+
+constexpr std::size_t most_told = 12;
+
+std::string number(int n)
+{
+    constexpr std::array<const char*, 13> words = {"no",    "one",   "two",  "three", "four",   "five",  "six",
+                                                   "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+    return n >= 0 && n < static_cast<int>(words.size()) ? words[n] : std::to_string(n);
+}
+
+std::string degrees(double radians)
+{
+    return fmt::format("{:.2g}°", radians * 180 / std::numbers::pi);
+}
+
+/// "upper edge", or "edge towards -x" in a joint that lies flat.
+std::string edge_in_words(const Vector3d& edge)
+{
+    if (std::abs(edge.z()) > 0.4) return edge.z() > 0 ? "upper edge" : "lower edge";
+    const int axis = std::abs(edge.x()) >= std::abs(edge.y()) ? 0 : 1;
+    return fmt::format("edge towards {}{}", edge[axis] > 0 ? '+' : '-', "xy"[axis]);
+}
+
+std::string joint_in_words(const MovedJoint& moved, const results::RecordedModel& model)
+{
+    const WatchedJoint& joint = model.joints[moved.joint];
+    const std::string pair = model.block_names[joint.block_a] + " and " + model.block_names[joint.block_b];
+    const std::string opening = length_in_words(moved.opening), slip = length_in_words(moved.slip);
+    if (moved.parted)
+        return fmt::format("{} have come apart: {} open{}", pair, opening,
+                           moved.slides ? ", " + slip + " of slip" : "");
+    if (!moved.opens) return fmt::format("{} slide on each other: {} of slip", pair, slip);
+    const std::string hinge = fmt::format("Hinge between {}: turns about its {}, {} open, {}", pair,
+                                          edge_in_words(moved.edge), opening, degrees(moved.turn));
+    return moved.slides ? hinge + ", and slides by " + slip : hinge;
+}
+
+/// What opened and slid in all, and most.
+std::string of_what_stands(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course)
+{
+    int opened = 0, slid = 0;
+    for (const Peak& peak : course.joint_opening) opened += peak.value > noteworthy_opening;
+    for (const Peak& peak : course.joint_slip) slid += peak.value > noteworthy_opening;
+    if (opened + slid == 0) return "The structure stands; no joint opened or slid by more than 0.1 mm.";
+    if (mechanism.joints.empty())
+        return fmt::format("The structure stands. Of {} joints {} opened and {} slid by more than 0.1 mm.",
+                           model.joints.size(), opened, slid);
+    const MovedJoint& most = mechanism.joints.front();
+    const WatchedJoint& joint = model.joints[most.joint];
+    return fmt::format(
+        "The structure stands. Of {} joints {} opened and {} slid by more than 0.1 mm, most at t = {:.3g} s "
+        "between {} and "
+        "{}: {} open, {} of slip. At the end {} remain open and {} slid.",
+        model.joints.size(), opened, slid, mechanism.time, model.block_names[joint.block_a],
+        model.block_names[joint.block_b], length_in_words(most.opening), length_in_words(most.slip),
+        length_in_words(course.opening.back()), length_in_words(course.slip.back()));
+}
+
+/// The blocks that move, and how far they have turned at the end.
+struct Moving {
+    std::vector<int> blocks;
+    int bodies = 0;
+    double last_turn = 0;  // rad
+};
+
+Moving moving_in(const Mechanism& mechanism)
+{
+    Moving moving;
+    for (const Body& body : mechanism.bodies) {
+        if (body.rests || !(std::max(body.displacement, body.last_displacement) > noteworthy_opening)) continue;
+        ++moving.bodies;
+        moving.blocks.insert(moving.blocks.end(), body.blocks.begin(), body.blocks.end());
+        moving.last_turn = std::max(moving.last_turn, body.last_turn);
+    }
+    std::sort(moving.blocks.begin(), moving.blocks.end());
+    return moving;
+}
+
+/// "one body", "three bodies".
+std::string count_of(int n, const char* one, const char* several)
+{
+    return number(n) + " " + (n == 1 ? one : several);
+}
+
+/// "two hinges" as words that follow others; empty when there are none.
+std::string also(const char* before, int n, const char* one, const char* several)
+{
+    return n == 0 ? "" : before + count_of(n, one, several);
+}
+
+std::string of_what_fails(const Mechanism& mechanism, const results::RecordedModel& model)
+{
+    const Moving moving = moving_in(mechanism);
+    const std::string names = names_in_words(moving.blocks, model.block_names);
+    const int turning = mechanism.hinges + mechanism.parted, stones = static_cast<int>(moving.blocks.size());
+    const std::string bodies = count_of(moving.bodies, "body of stones moves", "bodies of stones move"),
+                      who = count_of(stones, "stone", "stones"), hinges = count_of(turning, "hinge", "hinges"),
+                      places = count_of(mechanism.sliding, "place", "places");
+    switch (mechanism.kind) {
+        case MechanismKind::hinges:
+            return fmt::format("The structure fails as a mechanism of {}: {} ({}).", hinges, bodies, names);
+        case MechanismKind::slides:
+            return fmt::format("The structure fails by sliding at {}{}: {} ({}).", places,
+                               also(", while it turns at ", turning, "other", "others"), bodies, names);
+        case MechanismKind::overturns:
+            return fmt::format("The structure overturns about {}: {} ({}); turned by up to {} at the end.",
+                               count_of(turning, "edge", "edges"), who, names, degrees(moving.last_turn));
+        case MechanismKind::sheds:
+            return fmt::format("The structure sheds its upper part by {}: {} off ({}), what is below stays.",
+                               mechanism.slip > mechanism.opening ? "sliding" : "turning over",
+                               count_of(stones, "stone comes", "stones come"), names);
+        case MechanismKind::mixed:
+            return fmt::format("The structure fails by turning and sliding together: {}, sliding at {}; {} ({}).",
+                               hinges, places, bodies, names);
+        case MechanismKind::loose:
+            if (stones == 0)
+                return "The structure did not stand, but no stone had moved by more than 0.1 mm in any stored "
+                       "frame.";
+            return fmt::format("Stones that no joint held at the start moved off: {} ({}).", who, names);
+        case MechanismKind::stands:
+            break;
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string length_in_words(double metres)
+{
+    const double size = std::abs(metres);
+    if (size == 0) return "0 mm";
+    if (size < 5e-5) return fmt::format("{:.3g} µm", metres * 1e6);
+    return size < 1 ? fmt::format("{:.3g} mm", metres * 1e3) : fmt::format("{:.3g} m", metres);
+}
+
+const char* name_of(MechanismKind kind)
+{
+    constexpr std::array<const char*, 7> names = {"stands", "hinges", "slides", "overturns",
+                                                  "sheds",  "mixed",  "loose"};
+    return names.at(static_cast<std::size_t>(kind));
+}
+
+std::string names_in_words(const std::vector<int>& blocks, const std::vector<std::string>& names, std::size_t most)
+{
+    std::string text;
+    const std::size_t told = blocks.size() <= most + 1 ? blocks.size() : most;
+    for (std::size_t i = 0; i < told; ++i) {
+        const bool last = i + 1 == told && told == blocks.size();
+        text += (i == 0 ? "" : last ? " and " : ", ") + names[blocks[i]];
+    }
+    if (told < blocks.size()) text += fmt::format(" and {} others", blocks.size() - told);
+    return text;
+}
+
+MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course)
+{
+    MechanismWords words;
+    words.headline = mechanism.kind == MechanismKind::stands ? of_what_stands(mechanism, model, course)
+                                                             : of_what_fails(mechanism, model);
+    for (const MovedJoint& joint : mechanism.joints) {
+        if (words.joints.size() == most_told) {
+            words.joints.push_back(fmt::format("and {} others", mechanism.joints.size() - most_told));
+            break;
+        }
+        words.joints.push_back(joint_in_words(joint, model) + ".");
+    }
+    for (const Body& body : mechanism.bodies) {
+        if (body.rests || words.bodies.size() == most_told) continue;
+        words.bodies.push_back(fmt::format("{}: moved by {}, turned by {}.",
+                                           names_in_words(body.blocks, model.block_names),
+                                           length_in_words(body.displacement), degrees(body.turn)));
+    }
+    return words;
+}
+
+}  // namespace voussoir::app::report

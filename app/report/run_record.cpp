@@ -1,0 +1,122 @@
+#include "app/report/run_record.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "libdda/errors.h"
+
+namespace voussoir::app::report
+{
+namespace
+{
+
+using results::Hdf5File;
+
+Columns columns_of(const Hdf5File& file, const std::string& name)
+{
+    if (!file.has(name)) return {};
+    return {file.texts_attribute(name, "columns"), file.read<double>(name)};
+}
+
+/// The list, or none in a file of an earlier version.
+template <typename T>
+std::vector<T> values(const Hdf5File& file, const std::string& name, std::size_t count)
+{
+    std::vector<T> list = file.read<T>(name);
+    list.resize(count);
+    return list;
+}
+
+void read_case(const Hdf5File& file, RunRecord& record)
+{
+    record.case_file = file.read_text("/case/file");
+    record.case_text = file.read_text("/case/text");
+    record.settings = file.read_text("/case/settings");
+    record.overrides = file.read_texts("/case/overrides");
+    record.defaults = file.read_texts("/case/defaults");
+    record.warnings = file.read_texts("/case/warnings");
+    record.left_out = file.read_texts("/case/left_out");
+    record.engine = "voussoir " + file.text_attribute("/", "voussoir_version") + ", commit " +
+                    file.text_attribute("/", "engine_commit") +
+                    " (changed since: " + file.text_attribute("/", "engine_dirty") + "), sources " +
+                    file.text_attribute("/", "engine_sources") + ", " +
+                    file.text_attribute("/", "engine_compilation");
+}
+
+void read_materials(const Hdf5File& file, RunRecord& record)
+{
+    const std::vector<std::string> names = file.read_texts("/model/materials/name");
+    const auto of = [&](const std::string& group, const char* what, std::size_t count) {
+        return values<double>(file, group + what, count);
+    };
+    const std::string stones = "/model/materials/", joints = "/model/joint_materials/";
+    const std::vector<double> density = of(stones, "density", names.size()),
+                              young = of(stones, "young", names.size()),
+                              poisson = of(stones, "poisson", names.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        record.materials.push_back({names[i], density[i], young[i], poisson[i]});
+    const std::vector<std::string> kinds = file.read_texts(joints + "name");
+    const std::vector<double> angle = of(joints, "friction_angle", kinds.size()),
+                              cohesion = of(joints, "cohesion", kinds.size()),
+                              tension = of(joints, "tensile_strength", kinds.size());
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        record.joint_materials.push_back({kinds[i], angle[i], cohesion[i], tension[i]});
+}
+
+/// The summary in the file tells more than what was known at the start; it is in a file of its own as well.
+void read_summary(const Hdf5File& file, RunRecord& record)
+{
+    record.summary = file.has("/summary") ? file.read_text("/summary") : "{}";
+    try {
+        const nlohmann::json summary = nlohmann::json::parse(record.summary);
+        if (summary.contains("warnings")) record.warnings = summary.at("warnings").get<std::vector<std::string>>();
+        const bool fell = summary.contains("fallen_blocks") && !summary.at("fallen_blocks").empty();
+        const bool mechanism =
+            record.end.outcome == "gave_up" && record.end.message.find("mechanism") != std::string::npos;
+        record.failed =
+            record.end.outcome == "collapsed" || mechanism || (fell && record.end.outcome != "completed");
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(record.file.string(), "a summary that cannot be read",
+                         "the file is damaged: run the case again");
+    }
+}
+
+}  // namespace
+
+std::vector<double> Columns::column(const std::string& name) const
+{
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) throw InputError("results", "no column \"" + name + "\"", "run the case again");
+    std::vector<double> column;
+    for (std::size_t i = static_cast<std::size_t>(found - names.begin()); i < values.size(); i += names.size())
+        column.push_back(values[i]);
+    return column;
+}
+
+RunRecord::RunRecord(const std::filesystem::path& results_file)
+    : file(results_file), results(results_file), end(results::run_end_of(results_file))
+{
+    if (results.times.empty())
+        throw InputError(file.string(), "no frame", "give the results of a run that has written a frame");
+    const Hdf5File open = Hdf5File::open(results_file);
+    read_case(open, *this);
+    read_materials(open, *this);
+    read_summary(open, *this);
+    const std::size_t blocks = results.model.block_names.size();
+    groups = open.read_texts("/model/groups");
+    block_group = values<std::int32_t>(open, "/model/block_group", blocks);
+    for (std::int32_t& group : block_group)
+        group = std::clamp(group, 0, std::max(0, static_cast<std::int32_t>(groups.size()) - 1));
+    mass = values<double>(open, "/model/mass", blocks);
+    volume = values<double>(open, "/model/volume", blocks);
+    energy = columns_of(open, "/frames/energy");
+    steps = columns_of(open, "/frames/report");
+    for (Columns* columns : {&energy, &steps})  // of the whole frames alone
+        columns->values.resize(std::min(columns->values.size(), columns->names.size() * results.times.size()));
+    histories = columns_of(open, "/histories/values");
+    motions = results::recorded_motions(results_file);
+    course = course_of(results);
+    mechanism = mechanism_in(results, course, failed);
+}
+
+}  // namespace voussoir::app::report

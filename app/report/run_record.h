@@ -1,0 +1,59 @@
+// All that a report is made from: one results file, and the summary in it or beside it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/report/course.h"
+#include "app/report/mechanism.h"
+#include "app/results/recorded_motions.h"
+#include "app/results/results_reader.h"
+#include "app/results/run_end.h"
+
+namespace voussoir::app::report
+{
+
+/// Numbers in named columns, row by row.
+struct Columns {
+    std::vector<std::string> names;
+    std::vector<double> values;  // (rows x names)
+
+    std::size_t rows() const { return names.empty() ? 0 : values.size() / names.size(); }
+    /// @throws InputError when there is no such column
+    std::vector<double> column(const std::string& name) const;
+};
+
+struct RecordedMaterial {
+    std::string name;
+    double density = 0, young = 0, poisson = 0;  // kg/m3, Pa, -
+};
+
+struct RecordedJointMaterial {
+    std::string name;
+    double friction_angle = 0, cohesion = 0, tensile_strength = 0;  // rad, Pa, Pa
+};
+
+struct RunRecord {
+    explicit RunRecord(const std::filesystem::path& results_file);
+
+    std::filesystem::path file;
+    results::ResultsReader results;
+    results::RunEnd end;
+    bool failed = false;  // it collapsed, or gave up at a mechanism
+    std::string summary;  // JSON text; "{}" of a run that was killed
+    std::string case_file, case_text, engine, settings;
+    std::vector<std::string> overrides, defaults, warnings, left_out;
+    std::vector<std::string> groups;
+    std::vector<std::int32_t> block_group;
+    std::vector<double> mass, volume;  // kg, m3
+    std::vector<RecordedMaterial> materials;
+    std::vector<RecordedJointMaterial> joint_materials;
+    std::vector<results::RecordedMotion> motions;
+    Columns energy, steps;  // one row a frame
+    Columns histories;      // one row a step; no names where the case has none
+    Course course;
+    Mechanism mechanism;
+};
+
+}  // namespace voussoir::app::report
