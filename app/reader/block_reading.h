@@ -137,6 +137,9 @@ void read_wall(YamlCursor& entry, YamlCursor& wall, BlockReading& reading);
 /// `{house: {length, width, height, wall_thickness, block, ...}}`: adds its blocks.
 void read_house(YamlCursor& entry, YamlCursor& house, BlockReading& reading);
 
+/// `{soil: {layers: [...], width, highest_frequency, ...}}`: adds layered ground, and the materials of its layers.
+void read_soil(YamlCursor& entry, YamlCursor& soil, BlockReading& reading);
+
 /// `{mesh: file}`: adds to reading.meshes.
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading);
 

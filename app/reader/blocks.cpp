@@ -85,17 +85,19 @@ struct ShapeReader {
     const char* key;
     void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
 };
-constexpr std::array<ShapeReader, 5> shape_readers = {{
+constexpr std::array<ShapeReader, 6> shape_readers = {{
     {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
     {"box", read_box},
     {"polygon", read_polygon},
     {"wall", read_wall},
     {"house", read_house},
+    {"soil", read_soil},
 }};
 
 void read_entry(YamlCursor& entry, BlockReading& reading)
 {
-    if (!entry.expect_map("a block {mesh: file}, {box: {...}}, {polygon: {...}}, {wall: {...}} or {house: {...}}"))
+    if (!entry.expect_map("a block {mesh: file}, {box: {...}}, {polygon: {...}}, {wall: {...}}, {house: {...}} or "
+                          "{soil: {...}}"))
         return;
     const ShapeReader* chosen = nullptr;
     std::optional<YamlCursor> shape;
@@ -115,8 +117,8 @@ void read_entry(YamlCursor& entry, BlockReading& reading)
             return;
         }
     }
-    const std::string all = "mesh, box, polygon, wall ";
-    entry.fault(shapes == 0 ? "no " + all + "or house" : "more than one of " + all + "and house",
+    const std::string all = "mesh, box, polygon, wall, house ";
+    entry.fault(shapes == 0 ? "no " + all + "or soil" : "more than one of " + all + "and soil",
                 "give one of them");
 }
 

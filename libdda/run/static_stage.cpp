@@ -129,6 +129,7 @@ Stage let_go_in(const Stage& loaded)
 {
     Stage free = loaded;
     free.type = StageType::dynamic;
+    free.boundaries_carry = true;
     free.control.integrator = Integrator::newmark;
     return free;
 }
