@@ -179,11 +179,11 @@ void read_wave(YamlCursor& map, const Model& model, std::optional<double> stage_
         name = given->as_text();
         const auto at = std::find(names.begin(), names.end(), name);
         wave.boundary = static_cast<int>(at - names.begin());
-        if (at == names.end() && !name.empty())
+        if (at == names.end() && !name.empty() && !names.empty())
             given->fault("no boundary \"" + name + "\"", words::suggestion(name, names));
     } else if (names.size() == 1) {
         map.took_default("boundary", name);
-    } else {
+    } else if (!names.empty()) {
         map.require("boundary", "the name of the boundary that it comes in through");
     }
     wave.share = read_share(map);
@@ -217,9 +217,9 @@ void read_boundaries(YamlCursor& top, Model& model)
 void read_incoming_waves(YamlCursor& value, const Model& model, std::optional<double> stage_duration,
                          MotionContext& context, Stage& stage)
 {
+    // Its keys are read all the same, so that their faults are listed too.
     if (model.boundaries.empty())
-        return value.fault("a wave without a boundary",
-                           "add boundaries: [{name: base, blocks: ..., side: bottom}]");
+        value.fault("a wave without a boundary", "add boundaries: [{name: base, blocks: ..., side: bottom}]");
     if (!value.is_list()) return read_wave(value, model, stage_duration, context, stage);
     for (YamlCursor& item : value.items("a list of waves {boundary, motion_is, x: motion}"))
         read_wave(item, model, stage_duration, context, stage);

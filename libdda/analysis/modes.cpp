@@ -110,14 +110,11 @@ RayleighDamping rayleigh_of(const Model& model, double eigenvalue, const Eigen::
 {
     constexpr int n = K::unknowns;
     RayleighDamping mean;
-    int row = 0;
-    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-        const bool held = std::any_of(model.foundations.begin(), model.foundations.end(),
-                                      [&](const Foundation& f) { return f.block == b && f.fully_held(); });
-        if (held) continue;
+    for (int row = 0; row < vibration.stiffness.rows(); ++row) {
+        const int b = vibration.block_of_row[row];
         const RayleighDamping& own = model.materials[model.blocks[b].material].rayleigh;
         const typename K::Unknowns moved = shape.segment<n>(n * row);
-        const Eigen::Map<const typename K::Square> mass(vibration.mass.data() + n * n * row++);
+        const Eigen::Map<const typename K::Square> mass(vibration.mass.data() + n * n * row);
         mean.of_mass += own.of_mass * moved.dot(mass * moved);
         if constexpr (K::deformable) {
             const typename K::Matrix l = K::gradient(moved), strain = 0.5 * (l + l.transpose());
