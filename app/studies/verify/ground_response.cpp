@@ -268,7 +268,7 @@ std::vector<Benchmark> ground_response_rows()
     row.run = run_layer_on_rock;
     rows.push_back(row);
 
-    row.name = "site-on-rock";
+    row.name = "layers-on-rock";
     row.title = "15 layers on rock with damping in their blocks, at default joints";
     row.source = "yagoda-biran-hatzor, section 3.5: the layers; exact ratio by [Kramer1996], 7.2.1";
     row.quantity =
