@@ -132,10 +132,12 @@ void print_stages(const std::vector<Stage>& stages)
 {
     for (const Stage& stage : stages) {
         const bool is_dynamic = stage.type == StageType::dynamic;
-        fmt::print("stage {}: {}, time step {:g} s{}, {} motions, {} body accelerations\n", stage.name,
-                   is_dynamic ? "dynamic" : "static", stage.control.time_step,
-                   is_dynamic ? fmt::format(", {:g} s", stage.duration) : "", stage.motions.size(),
-                   stage.body_accelerations.size());
+        fmt::print(
+            "stage {}: {}, time step {:g} s{}, {} motions, {} body accelerations{}\n", stage.name,
+            is_dynamic ? "dynamic" : "static", stage.control.time_step,
+            is_dynamic ? fmt::format(", {:g} s", stage.duration) : "", stage.motions.size(),
+            stage.body_accelerations.size(),
+            stage.incoming_waves.empty() ? "" : fmt::format(", {} incoming waves", stage.incoming_waves.size()));
     }
 }
 

@@ -8,6 +8,8 @@
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
 #include "importers/helper/repair_summary.h"
+#include "libdda/analysis/integrator_accuracy.h"
+#include "libdda/step/block_step.h"
 
 namespace voussoir::app::commands
 {
@@ -68,6 +70,49 @@ std::string in_words(const Model& model)
     return fmt::format("{} ({}{:g} m thick)", words, plane, model.thickness);
 }
 
+constexpr double frequencies_of_damping[] = {0.5, 1, 2, 5, 10, 20};  // Hz
+
+/// Damping ratios against frequency, of each material that has any and of the integrator beside them.
+void print_damping(const Case& the_case)
+{
+    const Model& model = the_case.model;
+    const auto print_row = [](const std::string& name, const auto& ratio) {
+        fmt::print("  {:<28}", name);
+        for (const double frequency : frequencies_of_damping)
+            fmt::print(" {:>8.3g}", 100 * ratio(2 * std::numbers::pi * frequency));
+        fmt::print("\n");
+    };
+    if (std::none_of(model.materials.begin(), model.materials.end(),
+                     [](const auto& m) { return m.rayleigh.any(); }))
+        return;
+    fmt::print("damping, % of critical, at   ");
+    for (const double frequency : frequencies_of_damping) fmt::print(" {:>5g} Hz", frequency);
+    fmt::print("\n");
+    for (const BlockMaterial& material : model.materials)
+        if (material.rayleigh.any())
+            print_row(material.name, [&](double omega) {
+                return 0.5 * material.rayleigh.of_mass / omega + 0.5 * material.rayleigh.of_stiffness * omega;
+            });
+    for (const Stage& stage : the_case.stages) {
+        if (stage.type != StageType::dynamic) continue;
+        if (stage.damping.rate > 0)
+            print_row("damping of " + stage.name, [&](double omega) { return 0.5 * stage.damping.rate / omega; });
+        print_row("integrator in " + stage.name, [&](double omega) {
+            return integrator_accuracy(omega * stage.control.time_step, step::end_share(stage)).damping;
+        });
+    }
+}
+
+/// Where the model ends in the ground.
+void print_boundaries(const Model& model)
+{
+    for (const ViscousBoundary& boundary : model.boundaries)
+        fmt::print("boundary {}: {} viscous {} of blocks {} ...; at rest {}\n", boundary.name,
+                   boundary.faces.size(), boundary.faces.size() == 1 ? "face" : "faces",
+                   model.blocks[boundary.faces[0].block].name, results::name_of(boundary.at_rest));
+    if (!model.tied_sides.empty()) fmt::print("tied sides: {} blocks\n", model.tied_sides.size());
+}
+
 }  // namespace
 
 void print_materials(const Model& model)
@@ -106,6 +151,8 @@ void print_case(const Case& the_case)
                model.blocks.size(), mass / 1000, in_words(model), unknowns_per_block(model.kinematics),
                model.foundations.size());
     print_wrapped("left out: " + joined(results::left_out(the_case)), "");
+    print_boundaries(model);
+    print_damping(the_case);
     std::vector<std::string> motions;
     for (const MotionNote& note : the_case.motions)
         motions.push_back(fmt::format("{}; peak {:.3g} m/s2, residual {:.3g} m/s and {:.3g} m", note.description,

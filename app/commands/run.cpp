@@ -160,7 +160,7 @@ void print_report(const Case& the_case, const Ended& ended, double wall_time)
         "  energy: {:.4g} kJ put in; {:.4g} stored, {:.4g} removed in static stages, {:.4g} friction, {:.4g} "
         "impacts, {:.4g} damping, {:.4g} loss of the integrator\n",
         e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3, e.impact / 1e3,
-        (e.damping_kinetic + e.damping_contact + e.fracture) / 1e3,
+        (e.damping_kinetic + e.damping_contact + e.damping_material + e.fracture) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3);
     print_joints(report.joints);
     const std::vector<std::string> doubts = print_trust(the_case, ended.trust, report.energy);

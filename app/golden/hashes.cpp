@@ -43,6 +43,7 @@ void add(const EnergyLedger& energy, Hash& hash)
           energy.damping_contact, energy.fracture, energy.impact, energy.algorithmic, energy.algorithmic_rotation,
           energy.redetection, energy.peak_stored, energy.peak_given})
         hash.add(joules);
+    if (energy.damping_material != 0) hash.add(energy.damping_material);  // scenes without it keep their hashes
 }
 
 }  // namespace

@@ -173,6 +173,9 @@ void read_dome(YamlCursor& entry, YamlCursor& dome, BlockReading& reading);
 void read_barrel_vault(YamlCursor& entry, YamlCursor& vault, BlockReading& reading);
 void read_cross_vault(YamlCursor& entry, YamlCursor& vault, BlockReading& reading);
 
+/// `{soil: {layers: [...], width, highest_frequency, ...}}`: adds layered ground, and the materials of its layers.
+void read_soil(YamlCursor& entry, YamlCursor& soil, BlockReading& reading);
+
 /// `{mesh: file}`: adds to reading.meshes.
 void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading);
 

@@ -85,7 +85,7 @@ struct ShapeReader {
     const char* key;
     void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
 };
-constexpr std::array<ShapeReader, 15> shape_readers = {{
+constexpr std::array<ShapeReader, 16> shape_readers = {{
     {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
     {"box", read_box},
     {"polygon", read_polygon},
@@ -101,6 +101,7 @@ constexpr std::array<ShapeReader, 15> shape_readers = {{
     {"cross_vault", read_cross_vault},
     {"rock", read_rock},
     {"polyhedron", read_polyhedron},
+    {"soil", read_soil},
 }};
 
 /// "mesh, box, ... and house".

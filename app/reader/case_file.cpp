@@ -5,6 +5,7 @@
 
 #include "app/reader/attached_masses.h"
 #include "app/reader/blocks.h"
+#include "app/reader/boundaries.h"
 #include "app/reader/drawn_fit.h"
 #include "app/reader/foundation.h"
 #include "app/reader/initial_state.h"
@@ -57,6 +58,7 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
     model.joint_of_groups = read_joint_rules(top, model.joints, model.groups);
     read_attached_masses(top, model);
     foundations = read_foundations(top, model);
+    read_boundaries(top, model);
     give_initial_motions(initial_state, model);
     findings.apart = blocks_named_in(initial_state, model);
     settle_fit(top, fit_tolerance, result, findings);

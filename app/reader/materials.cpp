@@ -14,20 +14,6 @@ namespace voussoir::app::reader
 namespace
 {
 
-/// A density, or the weight per volume that engineers' tables give.
-double read_density(YamlCursor& map)
-{
-    const std::optional<YamlCursor> value = map.require("density", "a density such as 2400 kg/m3");
-    if (!value) return 0;
-    const bool is_weight =
-        value->is_scalar() && words::parse_quantity(value->as_text()).has(words::dimension::unit_weight);
-    if (!is_weight) return value->as_quantity(words::dimension::density, words::Range::positive());
-    const double density =
-        value->as_quantity(words::dimension::unit_weight, words::Range::positive()) / standard_gravity;
-    map.took_default("density", fmt::format("{} / 9.80665 m/s2 = {:g} kg/m3", value->as_text(), density));
-    return density;
-}
-
 /// The two spellings are told apart by the unit, so a bare number says nothing.
 ContactStiffness read_stiffness(YamlCursor& map)
 {
@@ -158,6 +144,54 @@ void read_rule(YamlCursor& rule, const std::vector<JointMaterial>& joints, const
 
 }  // namespace
 
+double read_density(YamlCursor& map)
+{
+    const std::optional<YamlCursor> value = map.require("density", "a density such as 2400 kg/m3");
+    if (!value) return 0;
+    const bool is_weight =
+        value->is_scalar() && words::parse_quantity(value->as_text()).has(words::dimension::unit_weight);
+    if (!is_weight) return value->as_quantity(words::dimension::density, words::Range::positive());
+    const double density =
+        value->as_quantity(words::dimension::unit_weight, words::Range::positive()) / standard_gravity;
+    map.took_default("density", fmt::format("{} / 9.80665 m/s2 = {:g} kg/m3", value->as_text(), density));
+    return density;
+}
+
+RayleighDamping read_rayleigh(YamlCursor& map)
+{
+    if (!map.expect_map("rayleigh {ratio: 0.05, at: [1 Hz, 10 Hz]}")) return {};
+    const words::Range shares{0, 1, true, false};
+    const std::size_t faults = map.fault_count();
+    std::vector<double> ratios, omegas;
+    if (const auto given = map.require("ratio", "the share of critical damping, such as 0.05, or two of them")) {
+        if (!given->is_list())
+            ratios.assign(2, given->as_quantity(words::dimension::number, shares));
+        else
+            for (const YamlCursor& ratio : given->items("two ratios"))
+                ratios.push_back(ratio.as_quantity(words::dimension::number, shares));
+    }
+    const auto at = map.require("at", "the two frequencies at which it holds, such as [1 Hz, 10 Hz]");
+    if (at)
+        for (const YamlCursor& frequency : at->items("two frequencies, [1 Hz, 10 Hz]"))
+            omegas.push_back(2 * std::numbers::pi *
+                             frequency.as_quantity(words::dimension::frequency, words::Range::positive()));
+    map.reject_unknown_keys();
+    if (map.fault_count() != faults) return {};
+    if (ratios.size() != 2 || omegas.size() != 2 || !(omegas[0] < omegas[1])) {
+        map.fault(fmt::format("{} ratios at {} frequencies", ratios.size(), omegas.size()),
+                  "give two frequencies in ascending order, and one ratio or two");
+        return {};
+    }
+    const double square = omegas[1] * omegas[1] - omegas[0] * omegas[0];
+    const RayleighDamping damping{
+        2 * omegas[0] * omegas[1] * (ratios[0] * omegas[1] - ratios[1] * omegas[0]) / square,
+        2 * (ratios[1] * omegas[1] - ratios[0] * omegas[0]) / square};
+    if (damping.of_mass < 0 || damping.of_stiffness < 0)
+        map.fault("two ratios that need a negative share of mass or of stiffness",
+                  "bring the ratios nearer to one another, or the frequencies farther apart");
+    return damping;
+}
+
 std::vector<BlockMaterial> read_materials(YamlCursor& top)
 {
     std::vector<BlockMaterial> materials;
@@ -173,6 +207,8 @@ std::vector<BlockMaterial> read_materials(YamlCursor& top)
         material.compressive_strength =
             map.find_quantity("compressive_strength", words::dimension::pressure, words::Range::positive())
                 .value_or(0);
+        if (std::optional<YamlCursor> rayleigh = map.find("rayleigh"))
+            material.rayleigh = read_rayleigh(*rayleigh);
         map.reject_unknown_keys();
         materials.push_back(material);
     }

@@ -12,6 +12,13 @@ namespace voussoir::app::reader
 
 std::vector<BlockMaterial> read_materials(YamlCursor& top);
 
+/// `density` of a material: a density, or the weight per volume that engineers' tables give [kg/m3].
+double read_density(YamlCursor& map);
+
+/// `{ratio: 5 %, at: [1 Hz, 10 Hz]}`, or a ratio for each frequency: a / (2 omega) + b omega / 2 is what was asked
+/// for at both.
+RayleighDamping read_rayleigh(YamlCursor& map);
+
 std::vector<JointMaterial> read_joints(YamlCursor& top);
 
 /// Which joint lies between which groups: `default_joint` (the only one, if there is one), then `joint_rules`.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/reader/boundaries.h"
 #include "app/reader/gravity.h"
 #include "app/reader/step_control.h"
 #include "app/words/nearest_word.h"
@@ -18,7 +19,7 @@ struct StageEntry {
     Stage stage;
     YamlCursor written;
     std::optional<double> duration;
-    std::optional<YamlCursor> motion, body_acceleration;
+    std::optional<YamlCursor> motion, body_acceleration, incoming_wave;
     bool expects_motion = false;
 };
 
@@ -55,7 +56,8 @@ void read_dynamic(YamlCursor& map, StageEntry& entry)
     entry.duration = map.find_quantity("duration", words::dimension::time, words::Range::positive());
     entry.motion = map.find("motion");
     entry.body_acceleration = map.find("body_acceleration");
-    entry.expects_motion = entry.motion || entry.body_acceleration;
+    entry.incoming_wave = map.find("incoming_wave");
+    entry.expects_motion = entry.motion || entry.body_acceleration || entry.incoming_wave;
     if (std::optional<YamlCursor> collapse = map.find("collapse"))
         entry.stage.stop_after_fallen = read_collapse(*collapse);
     if (std::optional<YamlCursor> damping = map.find("damping"))
@@ -67,7 +69,8 @@ void read_dynamic(YamlCursor& map, StageEntry& entry)
 void read_static(YamlCursor& map, Stage& stage)
 {
     map.forbid("duration", "a static stage ends at equilibrium");
-    for (const char* key : {"motion", "body_acceleration", "damping", "collapse", "integrator", "dissipation"})
+    for (const char* key :
+         {"motion", "body_acceleration", "incoming_wave", "damping", "collapse", "integrator", "dissipation"})
         map.forbid(key, "it belongs to dynamic stages");
     stage.unbalanced_tolerance = map.quantity_or("unbalanced_tolerance", words::dimension::number,
                                                  {0, 1, false, false}, stage.unbalanced_tolerance);
@@ -77,7 +80,7 @@ void read_static(YamlCursor& map, Stage& stage)
 
 StageEntry read_stage(YamlCursor& map, const Eigen::Vector3d& gravity, Kinematics kinematics, std::size_t index)
 {
-    StageEntry entry{{}, map, {}, {}, {}, false};
+    StageEntry entry{{}, map, {}, {}, {}, {}, false};
     Stage& stage = entry.stage;
     stage.gravity = gravity;
     const std::optional<std::string> name = map.find_text("name");
@@ -154,6 +157,7 @@ void settle_duration(StageEntry& entry)
     };
     for (const FoundationMotion& motion : stage.motions) consider(motion.motion);
     for (const BodyAcceleration& load : stage.body_accelerations) consider(load.motion);
+    for (const IncomingWave& wave : stage.incoming_waves) consider(wave.motion);
     stage.duration = entry.duration.value_or(longest);
     if (stage.duration / stage.control.time_step > max_steps)
         entry.written.fault(
@@ -224,11 +228,16 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
         entry->expects_motion = true;
         read_foundation_motions(*foundation.motion, {foundation}, entry->duration, context, entry->stage);
     }
+    bool has_rested = false;
     for (StageEntry& entry : entries) {
+        has_rested = has_rested || !is_dynamic(entry.stage);
+        refuse_unsupported(entry.written, model, entry.stage, has_rested);
         refuse_published_iteration_of(model.joints, entry);
         refuse_rebound_by_newmark(model.joints, entry);
         if (entry.motion)
             read_foundation_motions(*entry.motion, foundations, entry.duration, context, entry.stage);
+        if (entry.incoming_wave)
+            read_incoming_waves(*entry.incoming_wave, model, entry.duration, context, entry.stage);
         if (entry.body_acceleration) read_body_accelerations(entry, model, context);
         settle_duration(entry);
         stages.push_back(std::move(entry.stage));

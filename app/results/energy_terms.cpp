@@ -16,6 +16,7 @@ std::vector<std::pair<std::string, double>> energy_terms(const EnergyLedger& ene
             {"damping_kinetic_J", energy.damping_kinetic},
             {"damping_static_J", energy.damping_static},
             {"damping_contact_J", energy.damping_contact},
+            {"damping_material_J", energy.damping_material},
             {"fracture_J", energy.fracture},
             {"impact_J", energy.impact},
             {"algorithmic_J", energy.algorithmic},

@@ -69,6 +69,7 @@ std::uint64_t hash_of_motions(const std::vector<Stage>& stages)
         };
         for (const FoundationMotion& m : stage.motions) add(m.motion.get(), m.foundation, m.component);
         for (const BodyAcceleration& m : stage.body_accelerations) add(m.motion.get(), m.block, m.component);
+        for (const IncomingWave& m : stage.incoming_waves) add(m.motion.get(), m.boundary, m.component);
     }
     return hash;
 }

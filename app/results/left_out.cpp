@@ -20,6 +20,12 @@ bool any_joint(const Case& the_case, Predicate predicate)
     return std::any_of(the_case.model.joints.begin(), the_case.model.joints.end(), predicate);
 }
 
+template <typename Predicate>
+bool any_material(const Case& the_case, Predicate predicate)
+{
+    return std::any_of(the_case.model.materials.begin(), the_case.model.materials.end(), predicate);
+}
+
 }  // namespace
 
 std::vector<std::string> left_out(const Case& the_case)
@@ -50,7 +56,9 @@ std::vector<std::string> left_out(const Case& the_case)
     leave_out(
         !any_stage(the_case, [](const Stage& s) { return s.damping.rate != 0 || s.damping.factor_per_step != 1; }),
         "kinetic damping (no stage has any)");
-    leave_out(true, "viscous boundaries (not in this model)");
+    leave_out(!any_material(the_case, [](const BlockMaterial& m) { return m.rayleigh.any(); }),
+              "Rayleigh damping (no material has any)");
+    leave_out(the_case.model.boundaries.empty(), "viscous boundaries (no face of a block is one)");
     leave_out(the_case.output.histories.empty(), "histories (no points are requested)");
     leave_out(!the_case.output.snapshots && !the_case.output.film && !the_case.output.report,
               "renderer (no snapshots are requested)");

@@ -53,6 +53,21 @@ void write_case(const Case& the_case, Hdf5File& file)
     file.write_text("/case/settings", settings_json(the_case.stages, the_case.model.kinematics));
 }
 
+/// Only if a material has any.
+void write_rayleigh(const Model& model, Hdf5File& file)
+{
+    std::vector<double> rows;
+    bool any = false;
+    for (const BlockMaterial& material : model.materials) {
+        rows.insert(rows.end(), {material.rayleigh.of_mass, material.rayleigh.of_stiffness});
+        any = any || material.rayleigh.any();
+    }
+    if (!any) return;
+    file.write("/model/materials/rayleigh", rows, {rows.size() / 2, 2});
+    file.attribute("/model/materials/rayleigh", "columns",
+                   std::vector<std::string>{"of_mass_1_s", "of_stiffness_s"});
+}
+
 void write_materials(const Model& model, Hdf5File& file)
 {
     std::vector<std::string> names;
@@ -68,6 +83,7 @@ void write_materials(const Model& model, Hdf5File& file)
     file.write("/model/materials/density", density);
     file.write("/model/materials/young", young);
     file.write("/model/materials/poisson", poisson);
+    write_rayleigh(model, file);
 }
 
 /// Only if friction depends on the speed of slip in some joint.
@@ -156,6 +172,29 @@ void write_foundations(const Model& model, Hdf5File& file)
     file.attribute("/model/foundations/held", "columns", columns);
 }
 
+/// Only if there are any.
+void write_boundaries(const Model& model, Hdf5File& file)
+{
+    if (!model.tied_sides.empty())
+        file.write("/model/tied_sides",
+                   std::vector<std::int32_t>(model.tied_sides.begin(), model.tied_sides.end()));
+    if (model.boundaries.empty()) return;
+    std::vector<std::string> names, at_rest;
+    std::vector<std::int32_t> faces;
+    for (std::size_t b = 0; b < model.boundaries.size(); ++b) {
+        names.push_back(model.boundaries[b].name);
+        at_rest.emplace_back(name_of(model.boundaries[b].at_rest));
+        for (const BlockFace& face : model.boundaries[b].faces)
+            faces.insert(faces.end(), {static_cast<std::int32_t>(b), face.block, face.part, face.face});
+    }
+    file.make_group("/model/boundaries");
+    file.write_texts("/model/boundaries/name", names);
+    file.write_texts("/model/boundaries/at_rest", at_rest);
+    file.write("/model/boundaries/faces", faces, {faces.size() / 4, 4});
+    file.attribute("/model/boundaries/faces", "columns",
+                   std::vector<std::string>{"boundary", "block", "part", "face"});
+}
+
 /// Polygons as XDMF wants mixed cells: kind 3 (polygon), number of corners, corners.
 std::vector<std::int32_t> xdmf_topology(const SurfaceMesh& mesh)
 {
@@ -210,6 +249,11 @@ std::vector<MotionUse> motion_uses(const Case& the_case)
             add(static_cast<int>(s), body.motion.get(),
                 "body acceleration of " + model.blocks[body.block].name + " " + axes[body.component]);
         }
+        for (const IncomingWave& wave : the_case.stages[s].incoming_waves) {
+            const std::string share = wave.share == 1 ? "" : ", half of it";
+            add(static_cast<int>(s), wave.motion.get(),
+                "wave through " + model.boundaries[wave.boundary].name + " " + axes[wave.component] + share);
+        }
     }
     return uses;
 }
@@ -263,6 +307,7 @@ void write_model_records(const Case& the_case, const SurfaceMesh& mesh, Hdf5File
     write_materials(model, file);
     write_joints(model, file);
     write_foundations(model, file);
+    write_boundaries(model, file);
     write_mesh(mesh, file);
     write_motions(the_case, file);
 }

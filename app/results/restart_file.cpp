@@ -11,7 +11,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 14\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 15\n";  // its number rises when the layout changes
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -19,11 +19,12 @@ template <typename Archive, typename Ledger>
 void ledger_fields(Archive& archive, Ledger& ledger)
 {
     auto& [kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
-           damping_static, damping_contact, fracture, impact, algorithmic, algorithmic_rotation, redetection,
-           start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given] = ledger;
+           damping_static, damping_contact, damping_material, fracture, impact, algorithmic, algorithmic_rotation,
+           redetection, start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given] = ledger;
     archive.fields(kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
-                   damping_static, damping_contact, fracture, impact, algorithmic, algorithmic_rotation,
-                   redetection, start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given);
+                   damping_static, damping_contact, damping_material, fracture, impact, algorithmic,
+                   algorithmic_rotation, redetection, start_kinetic, start_strain, start_contact, peak_stored,
+                   peak_taken, peak_given);
 }
 
 template <typename Archive, typename SomeDiagnosis>
@@ -89,10 +90,12 @@ void trust_fields(Archive& archive, Start& start)
     auto& [at_rest, modes, energy] = start;
     archive.fields(at_rest, modes.outcome, modes.loose, modes.rigid);
     archive.list(modes.modes, [](auto& to, auto& mode) {
-        auto& [frequency, mass_share, joint_share, lowered_by_joints, raised_by_stones, dashpot_time] = mode;
+        auto& [frequency, mass_share, joint_share, lowered_by_joints, raised_by_stones, dashpot_time, rayleigh] =
+            mode;
         to.field(frequency);
         to.field(mass_share);
-        to.fields(joint_share, lowered_by_joints, raised_by_stones, dashpot_time);
+        to.fields(joint_share, lowered_by_joints, raised_by_stones, dashpot_time, rayleigh.of_mass,
+                  rayleigh.of_stiffness);
     });
     ledger_fields(archive, energy);
 }

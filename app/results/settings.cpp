@@ -53,6 +53,19 @@ std::string_view name_of(PlaneCondition plane)
     return plane == PlaneCondition::strain ? "strain" : "stress";
 }
 
+std::string_view name_of(RestSupport support)
+{
+    switch (support) {
+        case RestSupport::full:
+            return "full";
+        case RestSupport::normal:
+            return "normal";
+        case RestSupport::none:
+            break;
+    }
+    return "none";
+}
+
 namespace
 {
 

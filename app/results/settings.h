@@ -16,6 +16,7 @@ std::string_view name_of(LinearSolverKind solver);
 std::string_view name_of(StageType type);
 std::string_view name_of(ContactStiffness::Kind kind);
 std::string_view name_of(PlaneCondition plane);
+std::string_view name_of(RestSupport support);
 
 /// All settings of all stages as JSON text, SI units, keys as in the Stage struct with units appended.
 std::string settings_json(const std::vector<Stage>& stages, Kinematics kinematics);

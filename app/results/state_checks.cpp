@@ -70,10 +70,12 @@ bool fits(const State& state, const Model& model)
     const std::size_t blocks = model.blocks.size(),
                       coordinates = blocks * static_cast<std::size_t>(coordinates_per_block(model.kinematics)),
                       velocities = blocks * static_cast<std::size_t>(unknowns_per_block(model.kinematics)),
-                      anchors = model.foundations.size() * axes_of(model.kinematics).size();
+                      anchors = model.foundations.size() * axes_of(model.kinematics).size(),
+                      reactions = initial_state(model).boundary_reactions.size();
     return state.coordinates.size() == coordinates && state.velocities.size() == velocities &&
-           state.foundation_anchors.size() == anchors && are_finite(state.coordinates) &&
-           are_finite(state.velocities) && are_finite(state.foundation_anchors) && fits(state.contacts, model) &&
+           state.foundation_anchors.size() == anchors && state.boundary_reactions.size() == reactions &&
+           are_finite(state.boundary_reactions) && are_finite(state.coordinates) && are_finite(state.velocities) &&
+           are_finite(state.foundation_anchors) && fits(state.contacts, model) &&
            fits(state.planar_contacts, model);
 }
 

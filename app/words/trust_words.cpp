@@ -17,7 +17,7 @@ constexpr double worth_naming = 1e-4;  // of the energy put in
 /// "4.7 %", "0.0012 %".
 std::string percent(double share)
 {
-    return fmt::format("{:.2g} %", 100 * share);
+    return share >= 0.995 ? fmt::format("{:.0f} %", 100 * share) : fmt::format("{:.2g} %", 100 * share);
 }
 
 /// A figure of at most one digit that is no larger.

@@ -36,7 +36,7 @@ void join(const ContactSetIn<D>& contacts, std::vector<int>& parent)
                 parent[root_of(patch.block_a, parent)] = root_of(patch.block_b, parent);
 }
 
-/// Whether a chain of closed contacts joins each block to one that the ground holds.
+/// Whether a chain of closed contacts joins each block to one that the ground holds, or goes on beyond.
 std::vector<bool> supported(const Model& model, const State& state)
 {
     std::vector<int> parent(model.blocks.size());
@@ -45,6 +45,8 @@ std::vector<bool> supported(const Model& model, const State& state)
     join(state.planar_contacts, parent);
     std::vector<bool> holds(parent.size(), false), result(parent.size());
     for (const Foundation& foundation : model.foundations) holds[root_of(foundation.block, parent)] = true;
+    for (const ViscousBoundary& boundary : model.boundaries)
+        for (const BlockFace& face : boundary.faces) holds[root_of(face.block, parent)] = true;
     for (std::size_t b = 0; b < parent.size(); ++b) result[b] = holds[root_of(static_cast<int>(b), parent)];
     return result;
 }
@@ -74,13 +76,20 @@ std::vector<bool> in_flight_at_start(const Model& model)
     return touched;
 }
 
-/// How far the ground has moved since the start; where supports moved differently, their mean [m].
+/// How far the ground has moved since the start; where supports moved differently, their mean [m]. Without
+/// foundations it is the blocks at the end of the model that are the ground.
 Vector3d ground_displacement(const Model& model, const CollapseWatch& watch, const State& state)
 {
     Vector3d sum = Vector3d::Zero();
-    for (const Foundation& foundation : model.foundations)
-        sum += centroid(model, state, foundation.block) - watch.start[foundation.block];
-    return sum / static_cast<double>(model.foundations.size());
+    std::size_t count = model.foundations.size();
+    const auto add = [&](int block) { sum += centroid(model, state, block) - watch.start[block]; };
+    for (const Foundation& foundation : model.foundations) add(foundation.block);
+    for (const ViscousBoundary& boundary : model.boundaries) {
+        if (!model.foundations.empty()) break;
+        for (const BlockFace& face : boundary.faces) add(face.block);
+        count += boundary.faces.size();
+    }
+    return sum / static_cast<double>(count);
 }
 
 }  // namespace
@@ -96,7 +105,7 @@ CollapseWatch::CollapseWatch(const Model& model, const State& state)
 void note_fallen(const Model& model, const CollapseWatch& watch, const Vector3d& gravity, const State& state,
                  RunReport& report)
 {
-    if (model.foundations.empty()) return;
+    if (model.foundations.empty() && model.boundaries.empty()) return;
     const Vector3d down = gravity.norm() > 0 ? Vector3d(gravity.normalized()) : Vector3d::Zero();
     std::vector<FallenBlock*> known(model.blocks.size(), nullptr);
     for (FallenBlock& fallen : report.fallen) known[fallen.block] = &fallen;

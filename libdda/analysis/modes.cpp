@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "libdda/analysis/vibration.h"
+#include "libdda/model/elasticity.h"
 #include "libdda/solve/lowest_modes.h"
 
 namespace voussoir
@@ -102,9 +103,31 @@ double lowered_by(const ModeEnergies& twice, double stored_in_stones, bool rigid
     return computed > real ? 1 - std::sqrt(real / computed) : 0;
 }
 
+/// What the Rayleigh damping of blocks is to a mode. Joints have none, but their share of the energy counts.
+template <class K>
+RayleighDamping rayleigh_of(const Model& model, double eigenvalue, const Eigen::VectorXd& shape,
+                            const Vibration<K>& vibration)
+{
+    constexpr int n = K::unknowns;
+    RayleighDamping mean;
+    for (int row = 0; row < vibration.stiffness.rows(); ++row) {
+        const int b = vibration.block_of_row[row];
+        const RayleighDamping& own = model.materials[model.blocks[b].material].rayleigh;
+        const typename K::Unknowns moved = shape.segment<n>(n * row);
+        const Eigen::Map<const typename K::Square> mass(vibration.mass.data() + n * n * row);
+        mean.of_mass += own.of_mass * moved.dot(mass * moved);
+        if constexpr (K::deformable) {
+            const typename K::Matrix l = K::gradient(moved), strain = 0.5 * (l + l.transpose());
+            mean.of_stiffness += own.of_stiffness * 2 * elasticity_of(model, b).energy(strain) / eigenvalue;
+        }
+    }
+    return mean;
+}
+
 /// @param eigenvalue omega^2 of a shape with unit modal mass
 template <class K>
-NaturalMode mode_of(double eigenvalue, const Eigen::VectorXd& shape, const Vibration<K>& vibration)
+NaturalMode mode_of(const Model& model, double eigenvalue, const Eigen::VectorXd& shape,
+                    const Vibration<K>& vibration)
 {
     NaturalMode mode;
     mode.frequency = std::sqrt(eigenvalue) / (2 * std::numbers::pi);
@@ -117,6 +140,9 @@ NaturalMode mode_of(double eigenvalue, const Eigen::VectorXd& shape, const Vibra
     mode.lowered_by_joints = lowered_by(twice, stored, !K::deformable);
     if (K::deformable) mode.raised_by_stones = raised_by(stored, twice.stones, joints);
     mode.dashpot_time = twice.dashpots / eigenvalue;
+    if (std::any_of(model.materials.begin(), model.materials.end(),
+                    [](const auto& m) { return m.rayleigh.any(); }))
+        mode.rayleigh = rayleigh_of(model, eigenvalue, shape, vibration);
     return mode;
 }
 
@@ -154,7 +180,7 @@ NaturalModes modes_about(const Model& model, const State& state, const ModesSear
     }
     for (auto i = 0; i < lowest.eigenvalues.size() && static_cast<int>(found.modes.size()) < search.count; ++i)
         if (lowest.eigenvalues[i] > 0)
-            found.modes.push_back(mode_of<K>(lowest.eigenvalues[i], lowest.shapes.col(i), vibration));
+            found.modes.push_back(mode_of<K>(model, lowest.eigenvalues[i], lowest.shapes.col(i), vibration));
     if (!found.modes.empty()) found.outcome = ModesOutcome::found;
     return found;
 }

@@ -22,7 +22,8 @@ struct NaturalMode {
     // Deformable scenes: by how much elastic stones would lower it, for those of uniform strain do not bend;
     // roughly.
     double raised_by_stones = 0;
-    double dashpot_time = 0;  // s, mean relaxation time: dashpots damp it with omega x this / 2 of critical
+    double dashpot_time = 0;        // s, mean relaxation time: dashpots damp it with omega x this / 2 of critical
+    RayleighDamping rayleigh = {};  // means of the blocks', of mass by kinetic and of stiffness by strain energy
 };
 
 /// What became of a search for modes.

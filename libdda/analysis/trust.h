@@ -35,7 +35,7 @@ struct DampingAt {
     double frequency = 0;     // Hz
     double algorithmic = 0;   // by the integrator
     double dashpots = 0;      // by the relaxation time of joints
-    double asked = 0;         // by the damping of the stage
+    double asked = 0;         // by the damping of the stage and of materials
     double period_error = 0;  // -, > 0: too long
     bool matters = false;     // is judged
 };
@@ -47,7 +47,7 @@ struct EnergyShares {
     double contacts = 0;    // redetection, by its size
     double friction = 0;    // in joints
     double impact = 0;      // of stones that land
-    double damping = 0;     // of the stage
+    double damping = 0;     // of the stage and of materials
     double dashpots = 0;    // of joints
     double fracture = 0;    // of joints
 };

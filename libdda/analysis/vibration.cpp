@@ -7,6 +7,7 @@
 #include "libdda/contact/contact_history.h"
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/contact/placed_part.h"
+#include "libdda/step/applied_forces.h"
 #include "libdda/step/block_step.h"
 
 namespace voussoir
@@ -15,7 +16,8 @@ namespace voussoir
 namespace
 {
 
-/// The blocks as they are at the start of a step from rest that nothing drives.
+/// The blocks as they are at the start of a step from rest that nothing drives. Boundaries carry them: dashpots
+/// hold nothing, and a structure that floats has no modes to speak of.
 template <class K>
 std::vector<step::BlockStep<K>> blocks_at_rest(const Model& model, const State& state)
 {
@@ -30,6 +32,8 @@ std::vector<step::BlockStep<K>> blocks_at_rest(const Model& model, const State& 
         step::begin_block(model, stage, rest, b, 1.0, 1.0, blocks[b]);
         blocks[b].row = -1;
     }
+    std::vector<step::AppliedForce<K>> springs;
+    step::find_applied_forces(model, stage, rest, 1.0, 1.0, blocks, springs);
     return blocks;
 }
 
@@ -118,19 +122,23 @@ class ClosedJoints
 };
 
 /// Gives rows to the blocks that move and that a closed joint holds, and puts them into the points.
+/// @returns the block of each row
 template <class K>
-int number_rows(ClosedJoints<K>& joints, std::vector<step::BlockStep<K>>& blocks)
+std::vector<int> number_rows(ClosedJoints<K>& joints, std::vector<step::BlockStep<K>>& blocks)
 {
     std::vector<bool> touched(blocks.size(), false);
     for (const auto& [a, b] : joints.blocks_of_points) touched[a] = touched[b] = true;
-    int rows = 0;
-    for (std::size_t b = 0; b < blocks.size(); ++b)
-        if (touched[b] && !all_held(blocks[b])) blocks[b].row = rows++;
+    std::vector<int> block_of_row;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (!touched[b] || all_held(blocks[b])) continue;
+        blocks[b].row = static_cast<int>(block_of_row.size());
+        block_of_row.push_back(static_cast<int>(b));
+    }
     for (std::size_t i = 0; i < joints.points.size(); ++i) {
         joints.points[i].row_a = blocks[joints.blocks_of_points[i].first].row;
         joints.points[i].row_b = blocks[joints.blocks_of_points[i].second].row;
     }
-    return rows;
+    return block_of_row;
 }
 
 template <class K>
@@ -212,8 +220,9 @@ Vibration<K> vibration_about(const Model& model, const State& state)
     if (state.step == 0) find_initial_contacts(model, with_contacts);
     std::vector<step::BlockStep<K>> blocks = blocks_at_rest<K>(model, with_contacts);
     ClosedJoints<K> joints(model, with_contacts, blocks);
-    const int rows = number_rows(joints, blocks);
     Vibration<K> vibration;
+    vibration.block_of_row = number_rows(joints, blocks);
+    const int rows = static_cast<int>(vibration.block_of_row.size());
     vibration.points = std::move(joints.points);
     vibration.mass.assign(static_cast<std::size_t>(rows) * n * n, 0.0);
     vibration.translating_mass.assign(static_cast<std::size_t>(rows) * K::dimension, 0.0);

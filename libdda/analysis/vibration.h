@@ -31,6 +31,7 @@ struct Vibration {
     solve::BlockMatrix stiffness;
     std::vector<double> mass;              // (rows x unknowns x unknowns)
     std::vector<double> translating_mass;  // (rows x dimension) kg; 0 where it is held
+    std::vector<int> block_of_row;
     std::vector<VibratingPoint<K>> points;
 };
 

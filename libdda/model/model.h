@@ -10,10 +10,21 @@
 #include "libdda/geometry/convex_polygon.h"
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
+#include "libdda/model/boundary.h"
 #include "libdda/model/kinematics.h"
 
 namespace voussoir
 {
+
+/// Damping that grows with mass and with stiffness: ratio a / (2 omega) + b omega / 2 at the angular frequency
+/// omega.
+struct RayleighDamping {
+    double of_mass = 0;       // 1/s, a
+    double of_stiffness = 0;  // s, b
+
+    /// Whether there is any.
+    bool any() const { return of_mass != 0 || of_stiffness != 0; }
+};
 
 /// What blocks are made of: linear elastic, of one density.
 struct BlockMaterial {
@@ -22,6 +33,7 @@ struct BlockMaterial {
     double young = 0;                 // Pa; a rigid scene uses it for the default contact stiffness only
     double poisson = 0;               // -
     double compressive_strength = 0;  // Pa, by which joints are judged; 0: not given. No block ever breaks
+    RayleighDamping rayleigh = {};    // in dynamic stages; none by default
 };
 
 /// How stiff a contact is, in the two spellings that are used.
@@ -112,6 +124,10 @@ struct Model {
     std::vector<Block> blocks;                               // in the order of the state
     std::vector<Foundation> foundations;                     // one per held block
     std::vector<InitialMotion> initial_motions;              // at most one per block; the others start at rest
+    std::vector<ViscousBoundary> boundaries;                 // where the model ends in the ground
+    // Ascending: deformable blocks whose opposite sides move alike, so that they are ground that goes on for ever
+    // sideways. Neither their horizontal lines nor they themselves turn or stretch; what is left is c and dx/dZ.
+    std::vector<int> tied_sides;
     // m: what two stones share or lack at a corner of their contact when the run begins, up to this much, is the
     // error of the drawing and the zero of their contact. 0: stones are what is drawn
     double fit_tolerance = 0;

@@ -26,6 +26,7 @@ struct EnergyLedger {
     double damping_kinetic = 0;       // dissipated by the kinetic damping rate or factor
     double damping_static = 0;        // velocity removed in static stages, and springs of contacts found in them
     double damping_contact = 0;       // dissipated by contact dashpots
+    double damping_material = 0;      // dissipated by the Rayleigh damping of blocks
     double fracture = 0;              // elastic energy lost when an intact joint breaks
     double impact = 0;                // taken by the impulses of landing stones
     double algorithmic = 0;           // loss of the integrator, from its own identity
@@ -42,8 +43,8 @@ struct EnergyLedger {
     /// All losses [J].
     double dissipated() const
     {
-        return friction + damping_kinetic + damping_static + damping_contact + fracture + impact + algorithmic +
-               algorithmic_rotation + redetection;
+        return friction + damping_kinetic + damping_static + damping_contact + damping_material + fracture +
+               impact + algorithmic + algorithmic_rotation + redetection;
     }
     /// What kinetic, strain and contact energy have grown by since the start [J].
     double stored_change() const

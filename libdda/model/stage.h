@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "libdda/model/boundary.h"
 #include "libdda/model/gravity_ramp.h"
 #include "libdda/model/ground_motion.h"
 #include "libdda/model/standard_gravity.h"
@@ -49,8 +50,11 @@ struct Stage {
     GravityRamp gravity_ramp;                          // dynamic only: how gravity comes to its value
     std::vector<FoundationMotion> motions;             // components without one stay
     std::vector<BodyAcceleration> body_accelerations;  // beside gravity
-    Damping damping;                                   // none by default
-    StepControl control;                               // how its steps are made
+    std::vector<IncomingWave> incoming_waves;          // dynamic only
+    bool boundaries_carry =
+        false;            // dynamic: boundaries still carry as in a static stage, of which this is a part
+    Damping damping;      // none by default
+    StepControl control;  // how its steps are made
     // Static only: the stage ends when every block's unbalanced force is below this share of its load in two
     // consecutive steps without change of contact state.
     double unbalanced_tolerance = 1e-8;

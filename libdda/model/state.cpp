@@ -182,6 +182,9 @@ State initial_state(const Model& model)
         else if (dimension == 3)
             x[3] = 1;
     }
+    std::size_t faces = 0;
+    for (const ViscousBoundary& boundary : model.boundaries) faces += boundary.faces.size();
+    state.boundary_reactions.assign(faces * dimension * (1 + dimension), 0.0);
     set_in_motion(model, state);
     begin_stage(model, 0, state);
     return state;
@@ -212,6 +215,7 @@ std::uint64_t hash_of(const State& state)
     fnv.add(std::span<const double>(state.coordinates));
     fnv.add(std::span<const double>(state.velocities));
     fnv.add(std::span<const double>(state.foundation_anchors));
+    fnv.add(std::span<const double>(state.boundary_reactions));
     add_contacts(state.contacts, fnv);
     add_contacts(state.planar_contacts, fnv);
     return fnv.hash();

@@ -70,8 +70,11 @@ struct State {
     std::vector<double> coordinates;  // (blocks x coordinates_per_block): centroid and map, quaternion or angle
     std::vector<double> velocities;   // (blocks x unknowns_per_block): dc/dt and dA/dt (column major), or omega
     std::vector<double> foundation_anchors;  // (foundations x dimension) m: centroid at the start of the stage
-    ContactSetIn<3> contacts;                // of a spatial scene
-    ContactSetIn<2> planar_contacts;         // of a planar one
+    // (faces of all boundaries x dimension x (1 + dimension)) N, Nm: the reaction of static stages, its integral
+    // of t (1, X), t the traction and X the reference lever
+    std::vector<double> boundary_reactions;
+    ContactSetIn<3> contacts;         // of a spatial scene
+    ContactSetIn<2> planar_contacts;  // of a planar one
 };
 
 /// The contacts of a scene of D dimensions.

@@ -5,6 +5,7 @@
 #include "libdda/step/energy_book.h"
 #include "libdda/step/part_timer.h"
 #include "libdda/step/update.h"
+#include "libdda/step/viscous_boundary.h"
 
 namespace voussoir::step
 {
@@ -82,6 +83,7 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
     report.time_step = system.h;
     book_redetection(stage, state, contact::spring_energy(model, work.contacts) - energy.contact, energy);
     update_blocks(system, state);
+    update_reactions(model, stage, system.blocks, state);
     const EnergyLedger before = energy;
     book_step(state, system, work.contacts, energy);
     if (stage.type == StageType::static_equilibrium) book_with_what_the_stage_takes(system, before, energy);

@@ -1,6 +1,7 @@
 #include "libdda/step/block_step.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace voussoir::step
@@ -54,6 +55,9 @@ void hold_components(const Model& model, int block, BlockStep<K>& step)
             step.held[k] = foundation.translation_held[axis_in_space<K::dimension>(k)];
         for (int k = K::dimension; k < K::unknowns; ++k) step.held[k] = foundation.rotation_held;
     }
+    // The columns of L that horizontal lines would turn and stretch by.
+    step.sides_tied = std::binary_search(model.tied_sides.begin(), model.tied_sides.end(), block);
+    if (step.sides_tied) std::fill(step.held.begin() + K::dimension, step.held.end() - K::dimension, true);
 }
 
 /// Places held components on the ground of the end of the step.
@@ -88,6 +92,12 @@ typename K::Matrix read_velocities(const State& state, int block, BlockStep<K>& 
     const typename K::Matrix& map = step.start.map;
     if constexpr (K::deformable) {
         typename K::Matrix rate(v + K::dimension);
+        if (step.sides_tied) {
+            step.momentum.setZero();
+            step.start_spin.setZero();
+            step.stretching = rate;
+            return rate;
+        }
         step.momentum = axial(typename K::Matrix(rate * step.density_second * map.transpose()));
         step.start_spin = spin_of<K::dimension>(spread_of(map, step.density_second), step.momentum);
         step.stretching = rate - skew(step.start_spin) * map;
@@ -192,6 +202,13 @@ void predict(const State& state, int block, double h, const Jump<K>* jump, Block
         step.velocity.template tail<K::spins>() = step.predicted_spin;
 }
 
+/// The b of the block's Rayleigh damping [s]; static stages have none.
+double stiffness_damping(const Model& model, const Stage& stage, int block)
+{
+    if (stage.type != StageType::dynamic || stage.boundaries_carry) return 0;
+    return model.materials[model.blocks[block].material].rayleigh.of_stiffness;
+}
+
 /// How the prediction moves levers, for contacts: they act where they are in the middle of the step.
 template <class K>
 void find_flow(BlockStep<K>& step)
@@ -251,9 +268,10 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
     step.base = step.inertia;
     if constexpr (K::deformable) {
         step.elasticity = elasticity_of(model, block);
-        step.elastic_blend = blend;
+        step.damping_blend = 2 / h * stiffness_damping(model, stage, block);
+        step.elastic_blend = blend + step.damping_blend;
         step.start_strain = green_strain_of(step.start.map);
-        add_elastic_stiffness<dimension>(step.elasticity, step.predicted.map, blend, step.base);
+        add_elastic_stiffness<dimension>(step.elasticity, step.predicted.map, step.elastic_blend, step.base);
         // Centrifugal load on the strains; its antisymmetric part is already in the predicted spin.
         const typename K::Matrix w = skew(step.predicted_spin), pull = w * w * step.spread;
         Map<typename K::Matrix>(step.steady.data() + dimension) = -0.5 * (pull + pull.transpose());
@@ -265,10 +283,11 @@ template <class K>
 void take_elasticity_at_end(BlockStep<K>& step)
 {
     if constexpr (K::deformable) {
-        if (step.elastic_blend == 1) return;
-        step.elastic_blend = 1;
+        const double blend = 1 + step.damping_blend;
+        if (step.elastic_blend == blend) return;
+        step.elastic_blend = blend;
         step.base = step.inertia;
-        add_elastic_stiffness<K::dimension>(step.elasticity, step.predicted.map, 1, step.base);
+        add_elastic_stiffness<K::dimension>(step.elasticity, step.predicted.map, blend, step.base);
     }
 }
 
@@ -301,7 +320,7 @@ InternalForce<K> internal_force(const BlockStep<K>& step, const typename K::Unkn
     if constexpr (K::deformable) {
         using Matrix = typename K::Matrix;
         // Work over the step of G = V A_mid S, A_mid the mean of R A_n and A, S the blend of the strains'
-        // stresses: dPsi + theta V dE:C:dE / 2, exactly.
+        // stresses: dPsi + theta V dE:C:dE / 2, exactly. A stress b C dE/h beside it is another 2 b / h of theta.
         const double theta = step.elastic_blend;
         const Matrix map = step.predicted.map + K::gradient(d) * step.predicted.map;
         result.admissible = map.determinant() > 0;
@@ -312,7 +331,9 @@ InternalForce<K> internal_force(const BlockStep<K>& step, const typename K::Unkn
         const Matrix g = step.elasticity.volume * middle * stress * step.predicted.map.transpose();
         Map<Matrix>(result.force.data() + K::dimension) = g;
         result.energy = step.elasticity.energy(strain);
-        result.loss = theta * step.elasticity.energy(Matrix(strain - step.start_strain));
+        const double of_change = step.elasticity.energy(Matrix(strain - step.start_strain));
+        result.loss = (theta - step.damping_blend) * of_change;
+        result.damped = step.damping_blend * of_change;
     }
     return result;
 }
@@ -339,8 +360,11 @@ void update_block(const BlockStep<K>& step, const typename K::Unknowns& d, const
         const Matrix l = K::gradient(d), map = step.predicted.map + l * step.predicted.map;
         Matrix rate =
             skew(step.predicted_spin) * step.predicted.map + step.stretching + 2 / h * l * step.predicted.map;
-        const typename K::Spin missing = momentum - axial(Matrix(rate * step.density_second * map.transpose()));
-        rate += skew(spin_of<dimension>(spread_of(map, step.density_second), missing)) * map;
+        if (!step.sides_tied) {
+            const typename K::Spin missing =
+                momentum - axial(Matrix(rate * step.density_second * map.transpose()));
+            rate += skew(spin_of<dimension>(spread_of(map, step.density_second), missing)) * map;
+        }
         Map<Matrix>{x + dimension} = map;
         Map<Matrix>{v + dimension} = rate;
     } else {

@@ -39,6 +39,7 @@ struct BlockStep {
 
     int row = -1;  // of its unknowns in the system; -1: fully held
     std::array<bool, K::unknowns> held{};
+    bool sides_tied = false;                 // it neither turns nor stretches sideways
     double mass = 0, size = 0;               // kg; m, D-th root of volume or area
     Matrix density_second = Matrix::Zero();  // kg m2, reference configuration
     Matrix spread = Matrix::Zero();          // kg m2, predicted configuration
@@ -61,13 +62,14 @@ struct BlockStep {
     Vector gravity = Vector::Zero();     // N, the gravity part of it
     Elasticity elasticity;
     Matrix start_strain = Matrix::Zero();  // Green
-    double elastic_blend = 1;              // theta of the integrator
+    double elastic_blend = 1;              // theta of the integrator, and what damps by stiffness
+    double damping_blend = 0;              // the latter, 2 b / h: stress b dE/dt beside that of E
     Unknowns steady = Unknowns::Zero();    // forces that do not depend on D: body forces, centrifugal load
     Square base = Square::Zero();          // 2 M / h^2 plus elastic stiffness
     Square inertia = Square::Zero();       // 2 M / h^2
     Unknowns velocity = Unknowns::Zero();  // predicted velocity in terms of the unknowns
 
-    bool rotation_held() const { return held[dimension]; }
+    bool rotation_held() const { return held.back(); }
 
     /// Velocity of the point at `lever` relative to the centroid, in the prediction [m/s].
     Vector spin_velocity(const Vector& lever) const { return K::gradient(velocity) * lever; }
@@ -79,6 +81,7 @@ struct InternalForce {
     typename K::Unknowns force = K::Unknowns::Zero();  // elastic resistance conjugate to D
     double energy = 0;                                 // J, stored
     double loss = 0;                                   // J, algorithmic, >= 0
+    double damped = 0;                                 // J, by damping that grows with stiffness, >= 0
     bool admissible = true;                            // false when the block would turn inside out
 };
 

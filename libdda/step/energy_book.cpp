@@ -45,7 +45,7 @@ double momentum_gain(const BlockStep<K>& block, const typename K::Unknowns& d, c
 {
     using Matrix = typename K::Matrix;
     using Spin = typename K::Spin;
-    if (block.rotation_held()) return 0;
+    if (block.rotation_held() || block.sides_tied) return 0;
     const Spin momentum = block.momentum + h * moment;
     const typename K::Unknowns linear = block.velocity + 2 / h * d;
     if constexpr (K::deformable) {
@@ -75,7 +75,7 @@ double rotation_gain(const BlockStep<K>& block, const InternalForce<K>& internal
         if (block.rotation_held()) return gain;
         const typename K::Unknowns path = h * block.velocity + d;
         gain += (block.steady - internal.force).template tail<strains>().dot(path.template tail<strains>());
-        gain += internal.energy - block.elasticity.energy(block.start_strain) + internal.loss;
+        gain += internal.energy - block.elasticity.energy(block.start_strain) + internal.loss + internal.damped;
     }
     return gain;
 }
@@ -114,6 +114,7 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
         energy.gravity_work += block.gravity.dot(moved);
         energy.load_work += (block.body_force - block.gravity).dot(moved);
         energy.algorithmic += internal.loss;
+        energy.damping_material += internal.damped;
         (block.jumps ? energy.impact : energy.algorithmic_rotation) -=
             rotation_gain(block, internal, d, moment, system.h) + block.body_force.dot(block.ballistic);
         energy.impact += block.impact;
@@ -133,6 +134,7 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
             book -= force.dot(p.linear + p.ballistic_a - p.ballistic_b) - work;
         }
     }
+    book_applied_forces(state, system.blocks, system.d, system.h, system.applied, energy);
     energy.note_peaks();
 }
 

@@ -71,6 +71,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         if (!all_held) system.block_of_row.push_back(b);
     }
     damp_sliding_blocks<K>(model, stage, contacts, system.blocks);
+    find_applied_forces(model, stage, state, h, end_time, system.blocks, system.applied);
     add_body_accelerations(stage, h, end_time, system.blocks);
     begin_contacts(model, stage, h, contacts, system.blocks, system.contacts);
 
@@ -128,6 +129,20 @@ void gather_contact_forces(StepSystem<K>& system)
     }
 }
 
+/// What acts on blocks by itself, at the iterate d.
+template <class K>
+void gather_applied_forces(const VectorXd& d, StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns;
+    for (const AppliedForce<K>& applied : system.applied) {
+        const int row = system.blocks[applied.block].row;
+        if (row < 0) continue;
+        const typename K::Unknowns force = applied.at(d.segment<n>(n * row));
+        system.contact_force.template segment<n>(n * row) += force;
+        system.load[row] += force.template head<K::dimension>().norm();
+    }
+}
+
 }  // namespace
 
 template <class K>
@@ -135,6 +150,7 @@ bool evaluate_residual(const VectorXd& d, StepSystem<K>& system)
 {
     constexpr int n = K::unknowns;
     gather_contact_forces(system);
+    gather_applied_forces(d, system);
     bool admissible = true;
     for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
         const BlockStep<K>& block = system.blocks[system.block_of_row[row]];

@@ -7,6 +7,7 @@
 
 #include "libdda/contact/find_contacts.h"
 #include "libdda/solve/linear_solver.h"
+#include "libdda/step/applied_forces.h"
 #include "libdda/step/block_step.h"
 #include "libdda/step/contact_step.h"
 
@@ -20,10 +21,11 @@ struct StepSystem {
     std::vector<BlockStep<K>> blocks;  // of the scene
     std::vector<int> block_of_row;     // blocks that have unknowns
     ContactStep<K> contacts;
+    std::vector<AppliedForce<K>> applied;    // of viscous boundaries and mass damping; empty without them
     double fracture = 0;                     // J, tension energy lost by joints that broke in this step
     Eigen::VectorXd d;                       // unknowns, the accepted ones after the iteration
     Eigen::VectorXd residual;                // inertia + internal - external
-    Eigen::VectorXd contact_force;           // generalised contact forces on the blocks
+    Eigen::VectorXd contact_force;           // generalised forces of contacts and applied ones
     std::vector<InternalForce<K>> internal;  // per row
     std::vector<double> load;                // N per row: weight plus contact forces, the scale of its residual
     solve::BlockMatrix matrix;

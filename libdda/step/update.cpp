@@ -9,11 +9,6 @@ namespace voussoir::step
 
 using Eigen::Vector3d;
 
-namespace
-{
-
-/// The velocity that complete kinetic damping would leave: that of the ground; where supports move differently,
-/// the mean of their motions, rest among them.
 Vector3d ground_velocity(const Model& model, const Stage& stage, double time)
 {
     Vector3d velocity = Vector3d::Zero();
@@ -33,8 +28,6 @@ Vector3d ground_velocity(const Model& model, const Stage& stage, double time)
     }
     return velocity;
 }
-
-}  // namespace
 
 template <class K>
 void update_blocks(const StepSystem<K>& system, State& state)

@@ -11,6 +11,10 @@
 namespace voussoir::step
 {
 
+/// The velocity that complete kinetic damping would leave: that of the ground [m/s]; where supports move
+/// differently, the mean of their motions, rest among them. @param time since the stage's start [s]
+Eigen::Vector3d ground_velocity(const Model& model, const Stage& stage, double time);
+
 /// Moves all blocks to the end of the step.
 template <class K>
 void update_blocks(const StepSystem<K>& system, State& state);

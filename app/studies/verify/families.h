@@ -40,6 +40,9 @@ std::vector<Benchmark> wave_benchmarks();
 /// Bonded rods, layers at resonance and a tower that vibrates, at the program's defaults.
 std::vector<Benchmark> vibration_benchmarks();
 
+/// Waves through viscous boundaries, layers on rock, and Rayleigh's damping.
+std::vector<Benchmark> ground_benchmarks();
+
 /// A slender tower of 100 courses. Source: [Ma1996].
 std::vector<Benchmark> tower_benchmarks();
 

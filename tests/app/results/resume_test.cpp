@@ -72,6 +72,28 @@ TEST(Resume, AFrameStoppedAfterEveryThirteenSteps)
     stop_again_and_again(killed_runs::shaken_frame, 13);
 }
 
+// The reactions of the boundary are in the state: without them the soil would sink after the first interruption.
+TEST(Resume, SoilOnAViscousBaseStoppedAfterEverySevenSteps)
+{
+    stop_again_and_again(
+        "kinematics: planar_deformable\n"
+        "materials: {stone: {density: 2000 kg/m3, young: 3 GPa, poisson: 0.2}}\n"
+        "joints: {bond: {friction: 30 deg, cohesion: 100 MPa, tensile_strength: 100 MPa}}\n"
+        "blocks:\n"
+        "  - soil: {width: 4 m, columns: 1, highest_frequency: 5 Hz, layers: [{thickness: 20 m, shear_wave: 200 "
+        "m/s,\n"
+        "      density: 1900 kg/m3, poisson: 0.3, rayleigh: {ratio: 5 %, at: [1 Hz, 5 Hz]}}]}\n"
+        "boundaries: [{name: base, blocks: soil, side: bottom}]\n"
+        "tied_sides: soil\n"
+        "stages:\n"
+        "  - {name: self-weight, type: static}\n"
+        "  - {name: earthquake, type: dynamic, time_step: 5 ms, duration: 0.4 s, incoming_wave: {motion_is: "
+        "outcrop,\n"
+        "      x: {ricker: {acceleration: 1 m/s2, frequency: 4 Hz}}}}\n"
+        "output: {every: 20 ms}\n",
+        7);
+}
+
 // The engine is the same after all, so the numbers are those of the run that was never stopped.
 TEST(Resume, AnotherEngineGoesOnIfAskedAndTheResultsSayWhich)
 {

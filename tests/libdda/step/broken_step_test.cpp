@@ -19,6 +19,7 @@ namespace
 /// What may be done wrongly, at the place in the step where it would be.
 template <class K>
 struct Mistake {
+    std::function<void(Model&)> in_model = [](Model&) {};  // no mistake: what else the scene has
     std::function<void(step::StepSystem<K>&)> in_equations = [](step::StepSystem<K>&) {
     };  // between assembly and solution
     std::function<void(step::StepSystem<K>&)> in_forces = [](step::StepSystem<K>&) {
@@ -34,6 +35,8 @@ EnergyLedger run_with(const Mistake<K>& mistake)
 {
     FewBlocks scene(K::kinematics, {});
     scene.model.joints[0].relaxation_time = 1e-4;
+    mistake.in_model(scene.model);
+    scene.state.boundary_reactions = initial_state(scene.model).boundary_reactions;
     Stage stage = shaking(0.3, 1e-3);
     stage.control.force_tolerance = 1e-8;
     EnergyLedger energy = open_ledger(scene.model, scene.state);
@@ -146,6 +149,32 @@ TYPED_TEST(BrokenStep, ThatMovesBlocksFartherThanItsForces)
                              for (const int b : system.block_of_row)
                                  state.coordinates[b * size + TypeParam::dimension - 1] += 1e-5;
                          }});
+}
+
+/// Dashpots on a face of a free block, and all of them damped.
+void damp_blocks(Model& model)
+{
+    model.materials[0].rayleigh = {2, 1e-4};
+    if (is_deformable(model.kinematics)) model.boundaries.push_back({"face", {{1, 0, 0}}, RestSupport::none});
+}
+
+TYPED_TEST(BrokenStep, WithDampedBlocksThatIsNotBrokenLeavesNothing)
+{
+    const EnergyLedger energy = run_with<TypeParam>({.in_model = damp_blocks});
+    EXPECT_LT(energy.relative_residual(), 1e-6);
+    EXPECT_GT(energy.damping_material, 0);
+    EXPECT_EQ(energy.boundary_work != 0, TypeParam::deformable);
+}
+
+TYPED_TEST(BrokenStep, WithHalfTheForceOfDamping)
+{
+    this->expect_noticed("damping of blocks halved",
+                         {.in_model = damp_blocks, .in_the_book = [](step::StepSystem<TypeParam>& system) {
+                              for (auto& force : system.applied) {
+                                  force.constant *= 0.5;
+                                  force.resistance *= 0.5;
+                              }
+                          }});
 }
 
 }  // namespace voussoir::testing

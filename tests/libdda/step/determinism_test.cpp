@@ -188,6 +188,9 @@ TEST(Hash, SeesTheLastBitOfEverythingThatChanges)
     EXPECT_TRUE(changes(scene.state.coordinates[17]));
     EXPECT_TRUE(changes(scene.state.velocities[17]));
     EXPECT_TRUE(changes(scene.state.foundation_anchors[0]));
+    scene.state.boundary_reactions = {1};
+    EXPECT_NE(hash_of(scene.state), before);
+    scene.state.boundary_reactions.clear();
     EXPECT_TRUE(changes(scene.state.contacts.patches.back().stiffness));
     EXPECT_TRUE(changes(scene.state.contacts.points.back().rest_gap));
     EXPECT_TRUE(changes(scene.state.contacts.points.back().elastic_slip[1]));

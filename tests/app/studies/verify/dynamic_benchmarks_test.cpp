@@ -46,6 +46,10 @@ TEST(DynamicBenchmarks, Vibration)
 {
     run_and_judge(vibration_benchmarks());
 }
+TEST(DynamicBenchmarks, Ground)
+{
+    run_and_judge(ground_benchmarks());
+}
 TEST(DynamicBenchmarks, ModeChart)
 {
     run_and_judge(mode_chart_benchmarks(1));

@@ -1,0 +1,239 @@
+#include "app/reader/boundaries.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "app/reader/foundation.h"
+#include "app/reader/plane.h"
+#include "app/words/nearest_word.h"
+#include "libdda/geometry/plane.h"
+
+namespace voussoir::app::reader
+{
+namespace
+{
+
+using Eigen::Vector3d;
+
+constexpr double same_way = 0.99619;  // cosine of 5 degrees: a face that looks as asked
+constexpr double same_plane = 0.01;   // of a block's size: how far the faces of one side may lie apart
+constexpr double slowest_wave = 1;    // m/s along the ground: less is a slip of the pen
+
+/// A face that looks the way that was asked for, and how far out it lies.
+struct Candidate {
+    BlockFace face;
+    double farthest = 0;  // m, of its corners along the direction
+};
+
+void add_candidates(const Model& model, int block, const Vector3d& direction, std::vector<Candidate>& found)
+{
+    const Block& stone = model.blocks[block];
+    const double base = stone.moments.centroid.dot(direction);
+    for (int p = 0; p < static_cast<int>(stone.parts.size()); ++p) {
+        const ConvexPolyhedron& part = stone.parts[p];
+        for (int f = 0; f < static_cast<int>(part.faces.size()); ++f) {
+            if (part.is_glued(f) || face_normal(part, f).dot(direction) < same_way) continue;
+            found.push_back({{block, p, f}, base + part.vertices[part.faces[f][0]].dot(direction)});
+        }
+    }
+    for (int p = 0; p < static_cast<int>(stone.outlines.size()); ++p) {
+        const auto& corners = stone.outlines[p].vertices;
+        for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
+            const Eigen::Vector2d along = corners[(i + 1) % corners.size()] - corners[i];
+            const Vector3d normal = to_space(Eigen::Vector2d(Eigen::Vector2d(along.y(), -along.x()).normalized()));
+            if (normal.dot(direction) < same_way) continue;
+            found.push_back({{block, p, i}, base + to_space(corners[i]).dot(direction)});
+        }
+    }
+}
+
+/// The faces of blocks that look along `direction` and lie farthest out.
+std::vector<BlockFace> faces_towards(const Model& model, const std::vector<int>& blocks, const Vector3d& direction)
+{
+    std::vector<Candidate> candidates;
+    for (const int block : blocks) add_candidates(model, block, direction, candidates);
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : candidates) farthest = std::max(farthest, candidate.farthest);
+    std::vector<BlockFace> faces;
+    for (const Candidate& candidate : candidates)
+        if (candidate.farthest > farthest - same_plane * size_of(model, candidate.face.block))
+            faces.push_back(candidate.face);
+    return faces;
+}
+
+/// A word or a direction; zero, with a fault, if it is neither.
+Vector3d read_side(const YamlCursor& value, Kinematics kinematics)
+{
+    if (value.is_list()) {
+        const Vector3d direction = read_direction(value, kinematics);
+        if (direction.norm() == 0) value.fault("a direction of length 0", "give one such as [0, 0, -1]");
+        return direction.norm() > 0 ? Vector3d(direction.normalized()) : Vector3d(Vector3d::Zero());
+    }
+    const std::pair<std::string_view, Vector3d> sides[] = {{"bottom", {0, 0, -1}}, {"left", {-1, 0, 0}},
+                                                           {"right", {1, 0, 0}},   {"front", {0, -1, 0}},
+                                                           {"back", {0, 1, 0}},    {"top", {0, 0, 1}}};
+    const std::string word = value.as_text();
+    for (const auto& [name, direction] : sides)
+        if (word == name && !(is_planar(kinematics) && direction.y() != 0)) return direction;
+    if (!word.empty())
+        value.fault("\"" + word + "\"", is_planar(kinematics)
+                                            ? "expected bottom, top, left, right or a direction [x, z]"
+                                            : "expected bottom, top, left, right, front, back or a direction");
+    return Vector3d::Zero();
+}
+
+/// Blocks of a group, or of a list of them, that have unknowns.
+std::vector<int> free_blocks(const YamlCursor& group, const Model& model)
+{
+    std::vector<int> blocks;
+    for (const YamlCursor& one :
+         group.is_list() ? group.items("a list of groups") : std::vector<YamlCursor>{group})
+        for (const int block : blocks_of_group(one, model)) blocks.push_back(block);
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    for (const Foundation& foundation : model.foundations)
+        if (std::find(blocks.begin(), blocks.end(), foundation.block) != blocks.end()) {
+            group.fault("block " + model.blocks[foundation.block].name + " follows the ground",
+                        "a block has a foundation or a boundary; leave one of them away");
+            return {};
+        }
+    return blocks;
+}
+
+using TakenFaces = std::set<std::tuple<int, int, int>>;
+
+void read_boundary(YamlCursor& map, Model& model, TakenFaces& taken)
+{
+    ViscousBoundary boundary;
+    boundary.name = map.find_text("name").value_or(fmt::format("boundary {}", model.boundaries.size() + 1));
+    boundary.at_rest = map.choice_or<RestSupport>(
+        "at_rest", {{"full", RestSupport::full}, {"normal", RestSupport::normal}, {"none", RestSupport::none}},
+        RestSupport::full);
+    const auto group = map.require("blocks", "the group of blocks whose faces are viscous, or a list of groups");
+    const auto side = map.require("side", "the side of it: bottom, left, right, ... or a direction [0, 0, -1]");
+    map.reject_unknown_keys();
+    for (const ViscousBoundary& other : model.boundaries)
+        if (other.name == boundary.name)
+            map.fault("a second boundary named " + boundary.name, "give each boundary its own name");
+    if (!group || !side) return;
+    const Vector3d direction = read_side(*side, model.kinematics);
+    const std::vector<int> blocks = free_blocks(*group, model);
+    if (blocks.empty() || direction.norm() == 0) return;
+    boundary.faces = faces_towards(model, blocks, direction);
+    if (boundary.faces.empty())
+        side->fault("no face of these blocks looks that way", "name a side that they have");
+    for (const BlockFace& face : boundary.faces)
+        if (!taken.insert({face.block, face.part, face.face}).second)
+            return map.fault("block " + model.blocks[face.block].name + " has this face in another boundary",
+                             "keep one of them");
+    model.boundaries.push_back(std::move(boundary));
+}
+
+/// What share of a motion is the wave by itself. The word must be given: half or whole is a factor of two.
+double read_share(YamlCursor& map)
+{
+    const auto value = map.require("motion_is", "outcrop (of a free rock surface) or upgoing (the wave alone)");
+    if (!value) return 1;
+    const std::string word = value->as_text();
+    if (word == "outcrop") return 0.5;
+    if (word == "within")
+        value->fault("a motion within the ground, which holds waves that go up and others that come back",
+                     "give it to a foundation below, or give the outcrop motion or the upgoing wave");
+    else if (!word.empty() && word != "upgoing")
+        value->fault("\"" + word + "\"", "expected outcrop or upgoing");
+    return 1;
+}
+
+/// `passes: {speed: 2000 m/s, direction: [1, 0, 0], from: [0, 0, 0]}`: how the wave runs along the ground.
+void read_passage(YamlCursor& map, const Model& model, IncomingWave& wave)
+{
+    if (!map.expect_map("passes {speed: 2000 m/s, direction: [1, 0, 0]}")) return;
+    const double speed = map.quantity("speed", words::dimension::velocity,
+                                      {slowest_wave, std::numeric_limits<double>::infinity(), true, true});
+    const auto direction = map.require("direction", "the way it goes, such as [1, 0, 0]");
+    if (direction) {
+        const Vector3d way = read_direction(*direction, model.kinematics);
+        if (way.norm() == 0) direction->fault("a direction of length 0", "give one such as [1, 0, 0]");
+        wave.slowness = way.normalized() / speed;
+    }
+    if (const auto from = map.find("from"))
+        wave.origin = read_place(*from, model.kinematics) - model.origin;
+    else
+        map.took_default("from", "the origin");
+    map.reject_unknown_keys();
+}
+
+void read_wave(YamlCursor& map, const Model& model, std::optional<double> stage_duration, MotionContext& context,
+               Stage& stage)
+{
+    if (!map.expect_map("a wave {boundary: base, motion_is: outcrop, x: motion}")) return;
+    std::vector<std::string> names;
+    for (const ViscousBoundary& boundary : model.boundaries) names.push_back(boundary.name);
+    IncomingWave wave;
+    std::string name = names.empty() ? "" : names[0];
+    if (const auto given = map.find("boundary")) {
+        name = given->as_text();
+        const auto at = std::find(names.begin(), names.end(), name);
+        wave.boundary = static_cast<int>(at - names.begin());
+        if (at == names.end() && !name.empty() && !names.empty())
+            given->fault("no boundary \"" + name + "\"", words::suggestion(name, names));
+    } else if (names.size() == 1) {
+        map.took_default("boundary", name);
+    } else if (!names.empty()) {
+        map.require("boundary", "the name of the boundary that it comes in through");
+    }
+    wave.share = read_share(map);
+    if (auto passage = map.find("passes")) read_passage(*passage, model, wave);
+    for (const AxisMotion& axis :
+         read_axis_motions(map, stage.name + ": wave through " + name, stage_duration, context)) {
+        wave.component = axis.component;
+        wave.motion = axis.motion;
+        if (wave.motion) stage.incoming_waves.push_back(wave);
+    }
+    map.reject_unknown_keys();
+}
+
+}  // namespace
+
+void read_boundaries(YamlCursor& top, Model& model)
+{
+    std::optional<YamlCursor> section = top.find("boundaries");
+    const std::optional<YamlCursor> tied = top.find("tied_sides");
+    for (const auto& key : {section, tied})
+        if (key && !is_deformable(model.kinematics))
+            return key->fault("rigid blocks, in which no wave runs",
+                              "choose spatial_deformable or planar_deformable");
+    if (tied) model.tied_sides = free_blocks(*tied, model);
+    if (!section) return;
+    TakenFaces taken;
+    for (YamlCursor& item : section->items("a list of boundaries {name, blocks, side}"))
+        if (item.expect_map("a boundary {name, blocks, side}")) read_boundary(item, model, taken);
+}
+
+void read_incoming_waves(YamlCursor& value, const Model& model, std::optional<double> stage_duration,
+                         MotionContext& context, Stage& stage)
+{
+    // Its keys are read all the same, so that their faults are listed too.
+    if (model.boundaries.empty())
+        value.fault("a wave without a boundary", "add boundaries: [{name: base, blocks: ..., side: bottom}]");
+    if (!value.is_list()) return read_wave(value, model, stage_duration, context, stage);
+    for (YamlCursor& item : value.items("a list of waves {boundary, motion_is, x: motion}"))
+        read_wave(item, model, stage_duration, context, stage);
+}
+
+void refuse_unsupported(const YamlCursor& written, const Model& model, const Stage& stage, bool has_rested)
+{
+    if (has_rested || model.boundaries.empty() || stage.gravity.norm() == 0) return;
+    const bool may_carry =
+        std::any_of(model.boundaries.begin(), model.boundaries.end(),
+                    [](const ViscousBoundary& boundary) { return boundary.at_rest != RestSupport::none; });
+    if (may_carry)
+        written.fault("a dynamic stage with gravity, and no static one before it: dashpots carry no weight",
+                      "put a static stage first, or gravity: {magnitude: 0}");
+}
+
+}  // namespace voussoir::app::reader

@@ -1,0 +1,235 @@
+#include "libdda/step/viscous_boundary.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace voussoir::step
+{
+
+using Eigen::Map;
+
+namespace
+{
+
+// Springs that carry a face at rest: so many times what a block as deep as it is wide resists with.
+constexpr double rest_stiffness = 1000;
+
+/// A face in its block: points and weights that integrate cubics (planar) and quadratics (spatial) exactly.
+template <int D>
+struct FaceIn {
+    struct Point {
+        VectorIn<D> lever;  // m, from the centroid
+        double weight;      // m2
+    };
+    std::vector<Point> points;
+    VectorIn<D> normal = VectorIn<D>::Zero();  // unit, outward
+};
+
+/// Triangles from a corner, each by the middles of its edges.
+FaceIn<3> face_of(const Model& model, const BlockFace& face, const Eigen::Matrix3d& map)
+{
+    const ConvexPolyhedron& part = model.blocks[face.block].parts[face.part];
+    const std::vector<int>& loop = part.faces[face.face];
+    const auto corner = [&](std::size_t i) { return Eigen::Vector3d(map * part.vertices[loop[i]]); };
+    FaceIn<3> result;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+        const Eigen::Vector3d a = corner(0), b = corner(i), c = corner(i + 1), twice = (b - a).cross(c - a);
+        for (const Eigen::Vector3d& sum : {Eigen::Vector3d(a + b), Eigen::Vector3d(b + c), Eigen::Vector3d(c + a)})
+            result.points.push_back({0.5 * sum, twice.norm() / 6});
+        result.normal += twice;
+    }
+    result.normal.normalize();
+    return result;
+}
+
+/// Two points of Gauss.
+FaceIn<2> face_of(const Model& model, const BlockFace& face, const Eigen::Matrix2d& map)
+{
+    const std::vector<Eigen::Vector2d>& corners = model.blocks[face.block].outlines[face.part].vertices;
+    const Eigen::Vector2d a = map * corners[face.face], b = map * corners[(face.face + 1) % corners.size()];
+    const Eigen::Vector2d along = b - a, off = along / (2 * std::sqrt(3.0));
+    const double weight = 0.5 * along.norm() * model.thickness;
+    FaceIn<2> result;
+    for (const double side : {-1.0, 1.0}) result.points.push_back({0.5 * (a + b) + side * off, weight});
+    result.normal = Eigen::Vector2d(along.y(), -along.x()).normalized();
+    return result;
+}
+
+template <int D>
+MatrixIn<D> along_and_across(double along, double across, const VectorIn<D>& normal)
+{
+    const MatrixIn<D> n = normal * normal.transpose();
+    return along * n + across * (MatrixIn<D>::Identity() - n);
+}
+
+template <int D>
+MatrixIn<D> impedance_of(const Model& model, int block, const VectorIn<D>& normal)
+{
+    const Elasticity e = elasticity_of(model, block);
+    const double density = model.materials[model.blocks[block].material].density;
+    return along_and_across<D>(std::sqrt(density * (e.lambda + 2 * e.mu)), std::sqrt(density * e.mu), normal);
+}
+
+/// Integral of T^T C T over a face.
+template <class K>
+typename K::Square integral_of(const FaceIn<K::dimension>& face, const typename K::Matrix& c)
+{
+    typename K::Square sum = K::Square::Zero();
+    for (const auto& point : face.points)
+        K::add_stiffness(sum, point.lever, point.lever, typename K::Matrix(point.weight * c));
+    return sum;
+}
+
+template <class K>
+typename K::Matrix springs_of(const Model& model, const ViscousBoundary& boundary, int block,
+                              const typename K::Vector& normal)
+{
+    const Elasticity e = elasticity_of(model, block);
+    const double along =
+        boundary.at_rest == RestSupport::none ? 0 : rest_stiffness * (e.lambda + 2 * e.mu) / size_of(model, block);
+    return along_and_across<K::dimension>(along, boundary.at_rest == RestSupport::full ? along : 0, normal);
+}
+
+/// Where a face is in the model [m].
+template <int D>
+Eigen::Vector3d middle_of(const Model& model, const BlockFace& face)
+{
+    const FaceIn<D> drawn = face_of(model, face, MatrixIn<D>(MatrixIn<D>::Identity()));
+    VectorIn<D> sum = VectorIn<D>::Zero();
+    double area = 0;
+    for (const auto& point : drawn.points) {
+        sum += point.weight * point.lever;
+        area += point.weight;
+    }
+    return model.blocks[face.block].moments.centroid + to_space(VectorIn<D>(sum / area));
+}
+
+/// Velocity of what comes in through a face in the step, blended as the dashpots' own [m/s].
+template <int D>
+VectorIn<D> incoming(const Model& model, const Stage& stage, int boundary, const BlockFace& face, double h,
+                     double end_time)
+{
+    const double end = end_share(stage);
+    VectorIn<D> velocity = VectorIn<D>::Zero();
+    for (const IncomingWave& wave : stage.incoming_waves) {
+        if (wave.boundary != boundary) continue;
+        double time = end_time;
+        if (!wave.slowness.isZero(0)) time -= wave.slowness.dot(middle_of<D>(model, face) - wave.origin);
+        const double mean = (wave.motion->displacement(time) - wave.motion->displacement(time - h)) / h;
+        const double blended = (1 - end) * mean + end * wave.motion->velocity(time);
+        for (int k = 0; k < D; ++k)
+            if (wave.component == axis_in_space<D>(k)) velocity[k] += wave.share * blended;
+    }
+    return velocity;
+}
+
+/// Reactions of one face as the state has them: integrals of t (1, X).
+template <int D>
+Map<Eigen::Matrix<double, D, D + 1>> reaction_in(State& state, int face)
+{
+    return Map<Eigen::Matrix<double, D, D + 1>>(state.boundary_reactions.data() + face * D * (D + 1));
+}
+
+/// The same as a force on the unknowns of the block. @param map of its prediction
+template <class K>
+typename K::Unknowns reaction_of(const State& state, int face, const typename K::Matrix& map)
+{
+    constexpr int dimension = K::dimension;
+    const auto reaction = reaction_in<dimension>(const_cast<State&>(state), face);
+    typename K::Unknowns force = K::Unknowns::Zero();
+    force.template head<dimension>() = reaction.col(0);
+    if constexpr (K::deformable)
+        Map<typename K::Matrix>(force.data() + dimension) =
+            reaction.template rightCols<dimension>() * map.transpose();
+    return force;
+}
+
+template <class K>
+AppliedForce<K> force_on(const Model& model, const Stage& stage, int index, const BlockFace& face, double h,
+                         double end_time, const BlockStep<K>& block)
+{
+    const ViscousBoundary& boundary = model.boundaries[index];
+    const FaceIn<K::dimension> shape = face_of(model, face, block.predicted.map);
+    AppliedForce<K> force;
+    force.block = face.block;
+    if (boundaries_carry(stage)) {
+        force.resistance = integral_of<K>(shape, springs_of<K>(model, boundary, face.block, shape.normal));
+        force.constant = -h * (force.resistance * block.velocity);
+        return force;
+    }
+    // Dashpots of the mean velocity v^ + D/h, and by the integrator's share of that at the end, v^ + 2 D/h.
+    const typename K::Matrix impedance = impedance_of<K::dimension>(model, face.block, shape.normal);
+    const typename K::Square dashpots = integral_of<K>(shape, impedance);
+    force.resistance = (1 + end_share(stage)) / h * dashpots;
+    force.constant = -(dashpots * block.velocity);
+    const typename K::Vector pull =
+        2 * (impedance * incoming<K::dimension>(model, stage, index, face, h, end_time));
+    for (const auto& point : shape.points)
+        K::add_force(force.constant, point.lever, typename K::Vector(point.weight * pull));
+    return force;
+}
+
+}  // namespace
+
+bool boundaries_carry(const Stage& stage)
+{
+    return stage.type == StageType::static_equilibrium || stage.boundaries_carry;
+}
+
+template <class K>
+typename K::Square dashpots_of(const Model& model, const BlockFace& face, const typename K::Matrix& map)
+{
+    const FaceIn<K::dimension> shape = face_of(model, face, map);
+    return integral_of<K>(shape, impedance_of<K::dimension>(model, face.block, shape.normal));
+}
+
+template <class K>
+void add_boundary_forces(const Model& model, const Stage& stage, const State& state, double h, double end_time,
+                         const std::vector<BlockStep<K>>& blocks, std::vector<AppliedForce<K>>& forces)
+{
+    int index = 0;
+    for (std::size_t b = 0; b < model.boundaries.size(); ++b) {
+        for (const BlockFace& face : model.boundaries[b].faces) {
+            const BlockStep<K>& block = blocks[face.block];
+            forces.push_back(force_on<K>(model, stage, static_cast<int>(b), face, h, end_time, block));
+            forces.back().constant += reaction_of<K>(state, index++, block.predicted.map);
+        }
+    }
+}
+
+template <class K>
+void update_reactions(const Model& model, const Stage& stage, const std::vector<BlockStep<K>>& blocks,
+                      State& state)
+{
+    using Vector = typename K::Vector;
+    constexpr int dimension = K::dimension;
+    if (!boundaries_carry(stage)) return;
+    int index = 0;
+    for (const ViscousBoundary& boundary : model.boundaries) {
+        for (const BlockFace& face : boundary.faces) {
+            const BlockStep<K>& block = blocks[face.block];
+            const FaceIn<dimension> shape = face_of(model, face, block.predicted.map);
+            const auto springs = springs_of<K>(model, boundary, face.block, shape.normal);
+            const typename K::Matrix back = block.predicted.map.inverse();
+            const auto end = pose_in<dimension>(K::kinematics, state, face.block);
+            auto reaction = reaction_in<dimension>(state, index++);
+            for (const auto& point : shape.points) {
+                const Vector lever = back * point.lever;
+                const Vector moved = end.centroid - block.start.centroid + (end.map - block.start.map) * lever;
+                const Vector pull = -point.weight * (springs * moved);
+                reaction.col(0) += pull;
+                reaction.template rightCols<dimension>() += pull * lever.transpose();
+            }
+        }
+    }
+}
+
+#define VOUSSOIR_INSTANTIATE(K)                                                                         \
+    template K::Square dashpots_of<K>(const Model&, const BlockFace&, const K::Matrix&);                \
+    template void add_boundary_forces(const Model&, const Stage&, const State&, double, double,         \
+                                      const std::vector<BlockStep<K>>&, std::vector<AppliedForce<K>>&); \
+    template void update_reactions(const Model&, const Stage&, const std::vector<BlockStep<K>>&, State&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir::step
