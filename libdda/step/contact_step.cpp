@@ -16,7 +16,10 @@ namespace
 {
 
 constexpr double least_sliding = 0.1;  // of the speed that friction takes in a step
-constexpr double followed = 4;         // (omega h)^2 of the shear vibration of two stones, at most
+// (omega h)^2 of the shear vibration of two stones, between which a step is about a quarter of its period: the
+// joint turns round by its own spring. In shorter steps both are exact, in longer ones the joint is as good as
+// rigid.
+constexpr double spring_from = 1, spring_to = 4;
 constexpr double touching = 16 * std::numeric_limits<double>::epsilon();  // of the distances that make a gap
 
 template <class Vector>
@@ -202,7 +205,7 @@ void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const 
 }
 
 /// What friction takes from the speed of two stones in the step, as if nothing else held them [m/s]. None where
-/// the joint is so soft that the step follows its shear vibration: it turns round by its own spring.
+/// the joint turns round by its own spring.
 template <class K>
 double braking_of(const ContactSetIn<K::dimension>& contacts, const ContactPatchIn<K::dimension>& found,
                   double shear_to_normal, const PatchStep<K>& patch, const BlockStep<K>& a, const BlockStep<K>& b)
@@ -215,7 +218,8 @@ double braking_of(const ContactSetIn<K::dimension>& contacts, const ContactPatch
         area += point.area;
     }
     const double mobility = (a.row < 0 ? 0 : 1 / a.mass) + (b.row < 0 ? 0 : 1 / b.mass);
-    if (shear_to_normal * found.stiffness * area * mobility * patch.h * patch.h < followed) return 0;
+    const double stiffness = shear_to_normal * found.stiffness * area * mobility * patch.h * patch.h;
+    if (stiffness > spring_from && stiffness < spring_to) return 0;
     return patch.friction * pressing * mobility * patch.h;
 }
 
