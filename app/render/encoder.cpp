@@ -138,6 +138,7 @@ void Encoder::start(const std::vector<std::string>& words)
     if (errors_ >= 0) posix_spawn_file_actions_adddup2(&actions, errors_, STDERR_FILENO);
     std::vector<std::string> own = words;
     std::vector<char*> pointers;
+    pointers.reserve(own.size() + 1);
     for (std::string& word : own) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     const int error = posix_spawnp(&child_, "ffmpeg", &actions, nullptr, pointers.data(), environ);

@@ -59,7 +59,7 @@ plots::Figure figure_of(const std::string& name, const std::string& title, std::
     figure.name = name;
     figure.title = title;
     figure.diagrams = std::move(diagrams);
-    figure.stacked = figure.diagrams.size() > 0 && figure.diagrams[0].x_title == "time [s]";
+    figure.stacked = !figure.diagrams.empty() && figure.diagrams[0].x_title == "time [s]";
     return figure;
 }
 

@@ -157,6 +157,7 @@ std::vector<Body> bodies_in(const results::RecordedModel& model, const results::
     else if (!by_root.empty())
         std::max_element(by_root.begin(), by_root.end(), larger)->second.rests = true;
     std::vector<Body> bodies;
+    bodies.reserve(by_root.size());
     for (const auto& [root, body] : by_root) bodies.push_back(body);
     std::stable_sort(bodies.begin(), bodies.end(), [](const Body& a, const Body& b) {
         return a.rests != b.rests ? a.rests : a.blocks.size() > b.blocks.size();

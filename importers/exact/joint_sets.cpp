@@ -223,6 +223,7 @@ std::vector<std::vector<std::size_t>> blocks_of(const std::vector<Piece>& pieces
     std::map<std::size_t, std::vector<std::size_t>> members;
     for (std::size_t i = 0; i < pieces.size(); ++i) members[find(i)].push_back(i);
     std::vector<std::vector<std::size_t>> blocks;
+    blocks.reserve(members.size());
     for (auto& [first, own] : members) blocks.push_back(std::move(own));
     return blocks;
 }

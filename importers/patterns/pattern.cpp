@@ -79,6 +79,7 @@ ConvexPolyhedron frustum(const std::vector<Point>& lower, double foot, const std
                          const std::string& name)
 {
     std::vector<Vector3d> vertices;
+    vertices.reserve(lower.size() + upper.size());
     for (const Point& x : lower) vertices.emplace_back(x.x(), x.y(), foot);
     for (const Point& x : upper) vertices.emplace_back(x.x(), x.y(), top);
     return make_convex_polyhedron(std::move(vertices), drum_faces(static_cast<int>(lower.size())), name);

@@ -152,7 +152,9 @@ StackPeaks stack_peaks(const scenes::SceneSetting& setting, VerifyResult& result
             {1, stack_density, stack_density * column.layers[i].speed * column.layers[i].speed, INFINITY});
     const double interval = 0.05;
     std::vector<double> ours, exact;
-    for (double f = interval; f <= highest; f += interval) {
+    const int count = static_cast<int>(std::round(highest / interval));
+    for (int i = 1; i <= count; ++i) {
+        const double f = i * interval;
         ours.push_back(std::abs(references::fourier(up, setting.time_step, f) /
                                 references::fourier(down, setting.time_step, f)));
         exact.push_back(std::abs(references::amplification(site, f, stack_damping)));
