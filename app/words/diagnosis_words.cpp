@@ -172,12 +172,13 @@ std::string energy_unaccounted(double share)
         100 * share);
 }
 
-std::string energy_from_contacts(double share)
+/// @param made whether the step was made that brought it so far
+std::string energy_from_contacts(double share, bool made)
 {
     return fmt::format(
-        "{:g} % of the energy was supplied by contacts whose area grew or that were detected late under "
+        "{}{:g} % of the energy {} from contacts whose area grew or that were detected late under "
         "compression: impacts are too strong; try a smaller time_step, and look for impacts on edges and corners",
-        100 * share);
+        made ? "" : "after the next step, however short, ", 100 * share, made ? "came" : "would have come");
 }
 
 /// @param what became of the energy
@@ -238,7 +239,7 @@ std::string stop_in_words(const Subject& subject)
         case DiagnosisKind::energy_vanished:
             return wrong_energy(subject, "is unaccounted for (a loss)");
         default:
-            return energy_from_contacts(subject.value("share"));
+            return energy_from_contacts(subject.value("share"), false);
     }
 }
 
@@ -272,7 +273,7 @@ std::string warning_in_words(const Subject& subject)
         case DiagnosisKind::energy_unaccounted:
             return energy_unaccounted(subject.value("share"));
         case DiagnosisKind::energy_given:
-            return energy_from_contacts(subject.value("share"));
+            return energy_from_contacts(subject.value("share"), true);
         case DiagnosisKind::overlap:
             return overlap(subject, "overlapped",
                            "contacts this soft influence the results, and the integrator damps their vibration, "

@@ -1,5 +1,6 @@
 #include "libdda/run/progress.h"
 
+#include <optional>
 #include <utility>
 
 #include "libdda/analysis/crushing.h"
@@ -25,14 +26,16 @@ void add_step(const StepReport& step, RunReport& report)
     for (std::size_t i = 0; i < step.seconds.size(); ++i) report.seconds[i] += step.seconds[i];
 }
 
-/// Takes back a step after which to go on would be nonsense, and says why; false then.
-bool is_sound(RunProgress& progress)
+constexpr double shortening = 0.3;  // of a step after which to go on would be nonsense
+constexpr int most_shortened = 5;   // times
+
+/// Why it would be nonsense to go on after the step that was made; it is taken back then.
+std::optional<Diagnosis> judge(RunProgress& progress)
 {
     note_overlap(progress.model, progress.overlaps, progress.state, progress.report);
     auto wrong = diagnose(progress.model, progress.state, progress.report);
-    if (!wrong) return true;
-    take_back(progress);
-    return give_up(std::move(*wrong), progress);
+    if (wrong) take_back(progress);
+    return wrong;
 }
 
 /// Notes crushed joints, fallen blocks and how far joints have opened.
@@ -81,19 +84,53 @@ void take_back(RunProgress& progress)
     progress.report.energy = progress.energy_before;
 }
 
-bool keep_step(const Stage& stage, RunProgress& progress, const StepReport& step)
+namespace
 {
-    if (!is_sound(progress)) return false;
+
+void count_step(const Stage& stage, const StepReport& step, RunProgress& progress)
+{
     add_step(step, progress.report);
     if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
     note_damage(stage, step.time_step, progress);
     progress.shown = false;
+}
+
+/// What a step that was taken back has cost; the next attempt is one more cut of the same step.
+void add_cost(const StepReport& unsound, StepReport& step)
+{
+    step.cuts += unsound.cuts + 1;
+    step.open_close_iterations += unsound.open_close_iterations;
+    step.factorisations += unsound.factorisations;
+    step.linear_iterations += unsound.linear_iterations;
+    for (std::size_t i = 0; i < step.seconds.size(); ++i) step.seconds[i] += unsound.seconds[i];
+}
+
+}  // namespace
+
+bool keep_step(const Stage& stage, RunProgress& progress, const StepReport& step)
+{
+    if (auto wrong = judge(progress)) return give_up(std::move(*wrong), progress);
+    count_step(stage, step, progress);
     return true;
 }
 
 bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step)
 {
-    return try_step(stage, h, progress, step) && keep_step(stage, progress, step);
+    const DeepestOverlap deepest = progress.report.deepest;
+    std::optional<StepReport> unsound;
+    for (int shortened = 0;; ++shortened) {
+        if (!try_step(stage, h, progress, step)) return false;
+        if (unsound) add_cost(*unsound, step);
+        auto wrong = judge(progress);
+        if (!wrong) break;
+        h = shortening * step.time_step;
+        if (shortened == most_shortened || h < stage.control.min_time_step)
+            return give_up(std::move(*wrong), progress);
+        progress.report.deepest = deepest;
+        unsound = step;
+    }
+    count_step(stage, step, progress);
+    return true;
 }
 
 void save(RunProgress& progress)

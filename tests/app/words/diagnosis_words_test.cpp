@@ -114,11 +114,12 @@ const Sentence sentences[] = {
      "block is 'drum' with 3.5 m/s: the forces are not solved well enough for the step; try a smaller time_step "
      "or a smaller force_tolerance"},
     {{DiagnosisKind::energy_from_contacts, 0, {}, {0.12345678, 0.15}},
-     "stage 'motion' stopped at t = 0.123457 s: 15 % of the energy was supplied by contacts whose area grew or "
-     "that were detected late under compression: impacts are too strong; try a smaller time_step, and look for "
+     "stage 'motion' stopped at t = 0.123457 s: after the next step, however short, 15 % of the energy would have "
+     "come from contacts whose area grew or that were detected late under compression: impacts are too strong; "
+     "try a smaller time_step, and look for "
      "impacts on edges and corners"},
     {{DiagnosisKind::energy_given, -1, {}, {0.15}},
-     "15 % of the energy was supplied by contacts whose area grew or that were detected late under compression: "
+     "15 % of the energy came from contacts whose area grew or that were detected late under compression: "
      "impacts are too strong; try a smaller time_step, and look for impacts on edges and corners"},
     {{DiagnosisKind::energy_no_number, 0, {1}, {0.12345678}},
      "stage 'motion' stopped at t = 0.123457 s: an energy is not a finite number; the fastest block is 'drum'; "
