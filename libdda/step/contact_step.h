@@ -67,6 +67,13 @@ struct ContactStep {
     std::vector<PointStep<K::dimension>> points;
 };
 
+/// What of a vector lies in the plane of a contact.
+template <class Vector>
+Vector tangential(const Vector& v, const Vector& normal)
+{
+    return v - normal.dot(v) * normal;
+}
+
 /// @param contacts with the gaps and slips at the start of the step
 template <class K>
 void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSetIn<K::dimension>& contacts,

@@ -1,0 +1,54 @@
+// What the contacts of an accepted step have stored, lost and rubbed away.
+#include <algorithm>
+
+#include "libdda/step/contact_step.h"
+#include "libdda/step/turning.h"
+
+namespace voussoir::step
+{
+
+template <class K>
+typename K::Vector slip_at_end(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
+{
+    using Vector = typename K::Vector;
+    if (p.turns_round) return slip_after_turning(patch, p);
+    if (p.status == ContactStatus::locked) return p.slip_start + tangential(p.displacement, patch.normal);
+    if (p.status == ContactStatus::open) return Vector::Zero();
+    // Of a published step this is not p.shear, the load it was solved with, but the load of the pass to come.
+    const Vector shear = p.bound / p.trial.norm() * p.trial;
+    const double theta = p.shear_blend;
+    return (shear / p.shear_stiffness - 0.5 * (1 - theta) * p.slip_start) * (2 / (1 + theta));
+}
+
+template <class K>
+ContactEnergies contact_energies(const ContactStep<K>& step)
+{
+    ContactEnergies sum;
+    for (const PatchStep<K>& patch : step.patches)
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            const PointStep<K::dimension>& p = step.points[i];
+            const double depth_0 = patch.intact ? p.gap_start : std::min(p.gap_start, 0.0);
+            const double depth_1 = patch.intact ? p.gap : std::min(p.gap, 0.0);
+            const double normal_start = 0.5 * p.normal_stiffness * depth_0 * depth_0;
+            const double normal_end = 0.5 * p.normal_stiffness * depth_1 * depth_1;
+            const double closing = p.gap_start - p.gap;
+            const typename K::Vector slip = slip_at_end(patch, p);
+            const typename K::Vector elastic = slip - p.slip_start;
+            const double shear_start = 0.5 * p.shear_stiffness * p.slip_start.squaredNorm();
+            const double shear_end = 0.5 * p.shear_stiffness * slip.squaredNorm();
+            sum.stored += normal_end + shear_end;
+            sum.dashpot += (p.normal - p.elastic_normal) * closing;
+            sum.friction += p.shear.dot(tangential(p.displacement, patch.normal) - elastic);
+            sum.loss += p.elastic_normal * closing - (normal_end - normal_start);
+            sum.loss += p.shear.dot(elastic) - (shear_end - shear_start);
+        }
+    return sum;
+}
+
+#define VOUSSOIR_INSTANTIATE(K)                                       \
+    template ContactEnergies contact_energies(const ContactStep<K>&); \
+    template K::Vector slip_at_end(const PatchStep<K>&, const PointStep<K::dimension>&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir::step
