@@ -196,6 +196,19 @@ void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, Cont
 }
 
 template <class K>
+void follow_bounds(int threads, ContactStep<K>& step)
+{
+    const int count = static_cast<int>(step.patches.size());
+#pragma omp parallel for num_threads(threads) schedule(static) if (count > 256)
+    for (int k = 0; k < count; ++k) {
+        PatchStep<K>& patch = step.patches[k];
+        for (int i = patch.first; i < patch.first + patch.count; ++i)
+            shear_force(friction_of(patch, step.points[i]), FrictionBound::exact, patch, step.points[i]);
+        sum_forces(step.points, patch);
+    }
+}
+
+template <class K>
 void evaluate_published(const VectorXd& d, ContactStep<K>& step)
 {
     using Vector = typename K::Vector;
@@ -245,6 +258,7 @@ bool switch_published(ContactStep<K>& step)
 #define VOUSSOIR_INSTANTIATE(K)                                                            \
     template void scale_stiffness(double, ContactStep<K>&);                                \
     template void evaluate_contacts(const VectorXd&, FrictionBound, int, ContactStep<K>&); \
+    template void follow_bounds(int, ContactStep<K>&);                                     \
     template void evaluate_published(const VectorXd&, ContactStep<K>&);                    \
     template bool switch_published(ContactStep<K>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);

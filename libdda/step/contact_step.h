@@ -87,6 +87,10 @@ void scale_stiffness(double factor, ContactStep<K>& step);
 template <class K>
 void evaluate_contacts(const Eigen::VectorXd& d, FrictionBound bound, int threads, ContactStep<K>& step);
 
+/// The same with the exact bound where they were evaluated last with a frozen one.
+template <class K>
+void follow_bounds(int threads, ContactStep<K>& step);
+
 /// The same by the published open-close rules: every point keeps its status; a sliding point carries the friction
 /// of the pass before as a load.
 template <class K>

@@ -80,21 +80,27 @@ double slope_at(double s, FrictionBound bound, int threads, StepSystem<K>& syste
     return system.residual.dot(system.direction);
 }
 
+/// How far to go along a direction.
+struct Reach {
+    double s = 1;
+    bool at_hand = true;  // it was the last to be evaluated
+};
+
 /// Finds s in (0, 1] with slope(s) <= 0.5 |slope(0)|: regula falsi with bisection where it stalls, at most twelve
 /// evaluations, then the end where the potential still falls.
 template <class K>
-double line_search(double slope_0, FrictionBound bound, bool strict, int threads, StepSystem<K>& system)
+Reach line_search(double slope_0, FrictionBound bound, bool strict, int threads, StepSystem<K>& system)
 {
     const double enough = strict ? 0 : 0.5 * std::abs(slope_0);
     double high = 1, slope_high = slope_at(high, bound, threads, system);
-    if (slope_high <= enough) return high;
+    if (slope_high <= enough) return {high, true};
     double low = 0, slope_low = slope_0;
     for (int evaluation = 1; evaluation < 12; ++evaluation) {
         double s =
             std::isfinite(slope_high) ? low - slope_low * (high - low) / (slope_high - slope_low) : 0.5 * high;
         if (s - low < 0.1 * (high - low) || high - s < 0.1 * (high - low)) s = 0.5 * (low + high);
         const double slope = slope_at(s, bound, threads, system);
-        if (slope <= enough && slope >= -std::abs(0.5 * slope_0)) return s;
+        if (slope <= enough && slope >= -std::abs(0.5 * slope_0)) return {s, true};
         if (slope > 0) {
             high = s;
             slope_high = slope;
@@ -103,7 +109,7 @@ double line_search(double slope_0, FrictionBound bound, bool strict, int threads
             slope_low = slope;
         }
     }
-    return low > 0 ? low : high;
+    return {low > 0 ? low : high, false};
 }
 
 bool fail(Trouble trouble, StepReport& report)
@@ -141,10 +147,29 @@ bool solve_with_states(const StepControl& control, StepSystem<K>& system, StepRe
     return true;
 }
 
+/// What was evaluated at system.d: contacts and residual.
+enum class Known {
+    nothing,
+    frozen,  // with the bound as it was before
+    exact,
+};
+
 struct Guess {
-    bool evaluated = false;  // contacts and residual are those of system.d
+    Known known = Known::nothing;
     bool loose = false;
 };
+
+/// Contacts and residual at system.d with the exact bound. @returns false if a block inverts
+template <class K>
+bool evaluate_exactly(Known known, int threads, StepSystem<K>& system)
+{
+    if (known == Known::exact) return true;
+    if (known == Known::frozen)
+        follow_bounds(threads, system.contacts);
+    else
+        evaluate_contacts(system.d, FrictionBound::exact, threads, system.contacts);
+    return evaluate_residual(system.d, system);
+}
 
 /// First guess: every contact keeps the state it had at the end of the last step. Right when no state changes;
 /// kept only if it leaves less unbalanced force than the free flight D = 0.
@@ -160,28 +185,23 @@ bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report
     const double flight = unbalance(system, control.force_tolerance).worst;
     system.trial = system.direction;
     evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
-    found.evaluated =
-        evaluate_residual(system.trial, system) && unbalance(system, control.force_tolerance).worst < flight;
-    if (found.evaluated) system.d = system.trial;
+    if (evaluate_residual(system.trial, system) && unbalance(system, control.force_tolerance).worst < flight) {
+        system.d = system.trial;
+        found.known = Known::exact;
+    }
     found.loose = is_loose(before, system.contacts.points);
     return true;
 }
 
 /// Newton iteration from system.d until every block is in equilibrium within the tolerance.
-/// @param evaluated whether contacts and residual are those of system.d
 template <class K>
-bool descend(const StepControl& control, double tolerance, bool evaluated, StepSystem<K>& system,
-             StepReport& report)
+bool descend(const StepControl& control, double tolerance, Known known, StepSystem<K>& system, StepReport& report)
 {
     double last = std::numeric_limits<double>::infinity();
     double last_slope = -std::numeric_limits<double>::infinity();
     int stalled = 0, rises = 0;
     for (int iteration = 0;; ++iteration) {
-        if (!evaluated) {
-            evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
-            if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
-        }
-        evaluated = false;
+        if (!evaluate_exactly(known, control.threads, system)) return fail_inverted(system, report);
         if (!system.residual.allFinite()) return fail(Trouble::inaccurate_solution, report);
         const Unbalance now = unbalance(system, tolerance);
         report.unbalanced = now.ratio;
@@ -199,8 +219,9 @@ bool descend(const StepControl& control, double tolerance, bool evaluated, StepS
         rises += slope < last_slope;
         last_slope = slope;
         const FrictionBound bound = rises >= patience ? FrictionBound::exact : FrictionBound::frozen;
-        const double s = line_search(slope, bound, stalled >= patience, control.threads, system);
-        system.d += s * system.direction;
+        const Reach reach = line_search(slope, bound, stalled >= patience, control.threads, system);
+        system.d += reach.s * system.direction;
+        known = !reach.at_hand ? Known::nothing : bound == FrictionBound::exact ? Known::exact : Known::frozen;
     }
 }
 
@@ -216,7 +237,7 @@ bool find_states_softened(const Stage& stage, StepSystem<K>& system, StepReport&
     for (double share = is_static ? softest : softness; share < 1;) {
         const double next = is_static ? hardening * share : 1;
         scale_stiffness(share, system.contacts);
-        descend(control, soft_tolerance, false, system, report);
+        descend(control, soft_tolerance, Known::nothing, system, report);
         scale_stiffness(next / share, system.contacts);
         report.trouble = Trouble::none;
         if (!system.residual.allFinite()) system.d.setZero();
@@ -241,14 +262,14 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
     if (!system.contacts.patches.empty() && !guess(control, system, report, found)) return false;
     if (found.loose) {
         if (!find_states_softened(stage, system, report)) return false;
-        found.evaluated = false;
+        found.known = Known::nothing;
     }
-    while (descend(control, control.force_tolerance, found.evaluated, system, report)) {
+    while (descend(control, control.force_tolerance, found.known, system, report)) {
         const int broken = break_weakest_patch(model, contacts, system.contacts);
         if (broken < 0) return true;
         // Another structure, which has not been iterated on yet: any number of joints may break in a step.
         system.fracture += tension_energy(system.contacts, broken);
-        found.evaluated = false;
+        found.known = Known::nothing;
     }
     return false;
 }
