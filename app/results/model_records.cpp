@@ -214,7 +214,12 @@ void write_boundaries(const Model& model, Hdf5File& file)
     if (model.boundaries.empty()) return;
     std::vector<std::string> names, at_rest;
     std::vector<std::int32_t> faces;
+    std::vector<std::int32_t> free_field;
     for (std::size_t b = 0; b < model.boundaries.size(); ++b) {
+        const std::vector<int>& columns = model.boundaries[b].free_field;
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            free_field.insert(free_field.end(),
+                              {static_cast<std::int32_t>(b), static_cast<std::int32_t>(i), columns[i]});
         names.push_back(model.boundaries[b].name);
         at_rest.emplace_back(name_of(model.boundaries[b].at_rest));
         for (const BlockFace& face : model.boundaries[b].faces)
@@ -226,6 +231,10 @@ void write_boundaries(const Model& model, Hdf5File& file)
     file.write("/model/boundaries/faces", faces, {faces.size() / 4, 4});
     file.attribute("/model/boundaries/faces", "columns",
                    std::vector<std::string>{"boundary", "block", "part", "face"});
+    if (free_field.empty()) return;
+    file.write("/model/boundaries/free_field", free_field, {free_field.size() / 3, 3});
+    file.attribute("/model/boundaries/free_field", "columns",
+                   std::vector<std::string>{"boundary", "face_of_it", "block"});
 }
 
 /// Polygons as XDMF wants mixed cells: kind 3 (polygon), number of corners, corners.
