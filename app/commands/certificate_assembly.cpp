@@ -31,7 +31,7 @@ ConvexPolyhedron prism(const ConvexPolygon& outline, const Vector3d& centre, dou
 importers::assembly::AssemblyStone stone_of(const Model& model, int index)
 {
     const Block& block = model.blocks[index];
-    importers::assembly::AssemblyStone stone{block.name, {}, block.moments.volume, 0, false};
+    importers::assembly::AssemblyStone stone{block.name, {}, block.moments.volume, 0, false, false};
     for (const ConvexPolyhedron& part : block.parts)
         stone.parts.push_back(translated(part, block.moments.centroid));
     for (const ConvexPolygon& outline : block.outlines)
@@ -48,6 +48,7 @@ void add_others(const Model& model, std::map<std::string, int>& index,
             stones.push_back(stone_of(model, i));
     for (const Foundation& foundation : model.foundations)
         stones[index.at(model.blocks[foundation.block].name)].foundation = true;
+    for (const int block : model.tied_sides) stones[index.at(model.blocks[block].name)].endless = true;
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ importers::assembly::Assembly assembly_of(const std::vector<importers::helper::I
                 continue;
             }
             index.emplace(stone.name, static_cast<int>(stones.size()));
-            stones.push_back({stone.name, stone.parts, stone.moments.volume, stone.volume_error, false});
+            stones.push_back({stone.name, stone.parts, stone.moments.volume, stone.volume_error, false, false});
         }
     if (also) add_others(*also, index, stones);
     std::vector<importers::assembly::StoneOverlap> known;
@@ -88,6 +89,7 @@ importers::assembly::Assembly assembly_of(const Model& model, const std::map<std
         if (error != volume_errors.end()) stones.back().volume_error = error->second;
     }
     for (const Foundation& foundation : model.foundations) stones[foundation.block].foundation = true;
+    for (const int block : model.tied_sides) stones[block].endless = true;
     return importers::assembly::examine_assembly(std::move(stones), {}, origin);
 }
 

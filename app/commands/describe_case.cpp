@@ -83,15 +83,16 @@ void print_damping(const Case& the_case)
         fmt::print("\n");
     };
     if (std::none_of(model.materials.begin(), model.materials.end(),
-                     [](const auto& m) { return m.rayleigh.any(); }))
+                     [](const auto& m) { return m.rayleigh.any() || !m.branches.empty(); }))
         return;
     fmt::print("damping, % of critical, at   ");
     for (const double frequency : frequencies_of_damping) fmt::print(" {:>5g} Hz", frequency);
     fmt::print("\n");
     for (const BlockMaterial& material : model.materials)
-        if (material.rayleigh.any())
+        if (material.rayleigh.any() || !material.branches.empty())
             print_row(material.name, [&](double omega) {
-                return 0.5 * material.rayleigh.of_mass / omega + 0.5 * material.rayleigh.of_stiffness * omega;
+                return 0.5 * material.rayleigh.of_mass / omega + 0.5 * material.rayleigh.of_stiffness * omega +
+                       damping_ratio_of(material.branches, omega);
             });
     for (const Stage& stage : the_case.stages) {
         if (stage.type != StageType::dynamic) continue;
@@ -107,10 +108,14 @@ void print_damping(const Case& the_case)
 void print_boundaries(const Model& model)
 {
     for (const ViscousBoundary& boundary : model.boundaries)
-        fmt::print("boundary {}: {} viscous {} of blocks {} ...; at rest {}\n", boundary.name,
+        fmt::print("boundary {}: {} viscous {} of blocks {} ...; at rest {}{}\n", boundary.name,
                    boundary.faces.size(), boundary.faces.size() == 1 ? "face" : "faces",
-                   model.blocks[boundary.faces[0].block].name, results::name_of(boundary.at_rest));
+                   model.blocks[boundary.faces[0].block].name, results::name_of(boundary.at_rest),
+                   boundary.free_field.empty()
+                       ? ""
+                       : "; free field " + model.blocks[boundary.free_field[0]].name + " ...");
     if (!model.tied_sides.empty()) fmt::print("tied sides: {} blocks\n", model.tied_sides.size());
+    if (!model.side_ties.empty()) fmt::print("periodic sides: {} pairs of faces\n", model.side_ties.size());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The parts of a case that say where the model ends in the ground: `boundaries`, `tied_sides`, `incoming_wave`.
+// The parts of a case that say where the model ends in the ground: `boundaries`, `tied_sides`,
+// `periodic_sides`, `incoming_wave`.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,7 @@
 namespace voussoir::app::reader
 {
 
-/// Fills model.boundaries and model.tied_sides; blocks and foundations must have been read.
+/// Fills model.boundaries, model.tied_sides and model.side_ties; blocks and foundations must have been read.
 void read_boundaries(YamlCursor& top, Model& model);
 
 /// The waves of a stage, `{boundary: base, motion_is: outcrop, x: {record: ...}}` or a list of them.

@@ -49,7 +49,7 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
                                                   {"planar_rigid", Kinematics::planar_rigid}},
                                                  Kinematics::spatial_deformable);
     read_plane_condition(top, model);
-    model.materials = read_materials(top);
+    model.materials = read_materials(top, model.kinematics);
     model.joints = read_joints(top);
     const std::optional<double> fit_tolerance = read_fit_tolerance(top);
     model.fit_tolerance = fit_tolerance.value_or(0);

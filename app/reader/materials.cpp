@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -192,7 +193,33 @@ RayleighDamping read_rayleigh(YamlCursor& map)
     return damping;
 }
 
-std::vector<BlockMaterial> read_materials(YamlCursor& top)
+void read_hysteretic(YamlCursor& map, BlockMaterial& material)
+{
+    if (!map.expect_map("hysteretic {ratio: 5 %, band: [1 Hz, 10 Hz]}")) return;
+    const std::size_t faults = map.fault_count();
+    const double ratio = map.quantity("ratio", words::dimension::number, {0, most_hysteretic_ratio, false, true});
+    std::vector<double> band;
+    if (const auto given = map.require("band", "the lowest and the highest frequency, such as [1 Hz, 10 Hz]"))
+        for (const YamlCursor& frequency : given->items("two frequencies, [1 Hz, 10 Hz]"))
+            band.push_back(frequency.as_quantity(words::dimension::frequency, words::Range::positive()));
+    map.reject_unknown_keys();
+    if (map.fault_count() != faults) return;
+    if (band.size() != 2 || !(band[0] < band[1]) || band[1] > widest_band * band[0])
+        return map.fault(
+            fmt::format("a band of {} frequencies", band.size()),
+            fmt::format("give the lower and the higher one, at most {:g} times as high", widest_band));
+    material.branches = hysteretic_branches(ratio, band[0], band[1]);
+    if (material.branches.empty())
+        return map.fault("a ratio and a band that no branches fit", "give a lower ratio or a narrower band");
+    const double middle = std::sqrt(band[0] * band[1]),
+                 stiffer = modulus_over_rest(material.branches, 2 * std::numbers::pi * middle).real();
+    material.young /= stiffer;
+    map.took_default(
+        "at rest", fmt::format("softer by {:.3g}: what is given is the modulus at {:.3g} Hz; {} branches", stiffer,
+                               middle, material.branches.size()));
+}
+
+std::vector<BlockMaterial> read_materials(YamlCursor& top, Kinematics kinematics)
 {
     std::vector<BlockMaterial> materials;
     std::optional<YamlCursor> section = top.require("materials", "the block materials, {name: {density: ...}}");
@@ -209,6 +236,13 @@ std::vector<BlockMaterial> read_materials(YamlCursor& top)
                 .value_or(0);
         if (std::optional<YamlCursor> rayleigh = map.find("rayleigh"))
             material.rayleigh = read_rayleigh(*rayleigh);
+        if (std::optional<YamlCursor> hysteretic = map.find("hysteretic")) {
+            if (is_deformable(kinematics))
+                read_hysteretic(*hysteretic, material);
+            else
+                hysteretic->fault("rigid blocks, which are not strained",
+                                  "choose spatial_deformable or planar_deformable");
+        }
         map.reject_unknown_keys();
         materials.push_back(material);
     }

@@ -29,6 +29,7 @@ struct Soil {
     double frequency = 0;            // Hz
     int columns = 1;
     double side_columns = 0;        // m, width of the columns beside; 0: none
+    double side_gap = 0;            // m, between them and the soil; 0: they touch
     std::vector<SoilLayer> layers;  // from the surface down
 };
 
@@ -43,6 +44,7 @@ SoilLayer read_layer(YamlCursor& map, const Soil& soil, Model& model)
     material.poisson = map.quantity("poisson", words::dimension::number, {-1, 0.5, false, false});
     material.young = 2 * (1 + material.poisson) * material.density * layer.speed * layer.speed;
     if (std::optional<YamlCursor> rayleigh = map.find("rayleigh")) material.rayleigh = read_rayleigh(*rayleigh);
+    if (std::optional<YamlCursor> hysteretic = map.find("hysteretic")) read_hysteretic(*hysteretic, material);
     map.reject_unknown_keys();
     const bool known = std::any_of(model.materials.begin(), model.materials.end(),
                                    [&](const BlockMaterial& other) { return other.name == material.name; });
@@ -109,10 +111,11 @@ void draw_row(const Soil& soil, Kinematics kinematics, int number, double low, d
                                   left + i * step, left + (i + 1) * step, low, high));
     if (soil.side_columns == 0) return;
     const double right = left + soil.width;
-    beside.push_back(stone_of(fmt::format("{}_r{}_left", soil.name, number), soil, kinematics,
-                              left - soil.side_columns, left, low, high));
-    beside.push_back(stone_of(fmt::format("{}_r{}_right", soil.name, number), soil, kinematics, right,
-                              right + soil.side_columns, low, high));
+    const double gap = soil.side_gap, far = gap + soil.side_columns;
+    beside.push_back(stone_of(fmt::format("{}_r{}_left", soil.name, number), soil, kinematics, left - far,
+                              left - gap, low, high));
+    beside.push_back(stone_of(fmt::format("{}_r{}_right", soil.name, number), soil, kinematics, right + gap,
+                              right + far, low, high));
 }
 
 void add_layers(const Soil& soil, const YamlCursor& entry, const YamlCursor& map, BlockReading& reading)
@@ -158,6 +161,9 @@ void read_soil(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     soil.columns = read_columns(map, soil);
     soil.side_columns =
         map.find_quantity("side_columns", words::dimension::length, words::Range::positive()).value_or(0);
+    soil.side_gap = map.find_quantity("side_gap", words::dimension::length, words::Range::positive()).value_or(0);
+    if (soil.side_gap > 0 && soil.side_columns == 0)
+        map.fault("side_gap without side_columns", "give side_columns, or leave both away");
     map.reject_unknown_keys();
     entry.reject_unknown_keys();
     if (reading.findings.faults.size() > faults_before) return;

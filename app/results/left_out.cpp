@@ -58,6 +58,8 @@ std::vector<std::string> left_out(const Case& the_case)
         "kinetic damping (no stage has any)");
     leave_out(!any_material(the_case, [](const BlockMaterial& m) { return m.rayleigh.any(); }),
               "Rayleigh damping (no material has any)");
+    leave_out(!any_material(the_case, [](const BlockMaterial& m) { return !m.branches.empty(); }),
+              "hysteretic damping (no material has any)");
     leave_out(the_case.model.boundaries.empty(), "viscous boundaries (no face of a block is one)");
     leave_out(the_case.output.histories.empty(), "histories (no points are requested)");
     leave_out(!the_case.output.snapshots && !the_case.output.film && !the_case.output.report,

@@ -68,6 +68,19 @@ void write_rayleigh(const Model& model, Hdf5File& file)
                    std::vector<std::string>{"of_mass_1_s", "of_stiffness_s"});
 }
 
+/// Only if a material has any.
+void write_branches(const Model& model, Hdf5File& file)
+{
+    std::vector<double> rows;
+    for (std::size_t material = 0; material < model.materials.size(); ++material)
+        for (const MaxwellBranch& branch : model.materials[material].branches)
+            rows.insert(rows.end(), {static_cast<double>(material), branch.share, branch.time});
+    if (rows.empty()) return;
+    file.write("/model/materials/branches", rows, {rows.size() / 3, 3});
+    file.attribute("/model/materials/branches", "columns",
+                   std::vector<std::string>{"material", "share", "time_s"});
+}
+
 void write_materials(const Model& model, Hdf5File& file)
 {
     std::vector<std::string> names;
@@ -84,6 +97,25 @@ void write_materials(const Model& model, Hdf5File& file)
     file.write("/model/materials/young", young);
     file.write("/model/materials/poisson", poisson);
     write_rayleigh(model, file);
+    write_branches(model, file);
+}
+
+/// Only if there are any.
+void write_side_ties(const Model& model, Hdf5File& file)
+{
+    if (model.side_ties.empty()) return;
+    std::vector<std::int32_t> faces;
+    std::vector<double> stiffness;
+    for (const SideTie& tie : model.side_ties) {
+        faces.insert(faces.end(), {tie.a.block, tie.a.part, tie.a.face, tie.b.block, tie.b.part, tie.b.face});
+        stiffness.insert(stiffness.end(), {tie.normal, tie.shear});
+    }
+    file.make_group("/model/side_ties");
+    file.write("/model/side_ties/faces", faces, {faces.size() / 6, 6});
+    file.attribute("/model/side_ties/faces", "columns",
+                   std::vector<std::string>{"block_a", "part_a", "face_a", "block_b", "part_b", "face_b"});
+    file.write("/model/side_ties/stiffness", stiffness, {stiffness.size() / 2, 2});
+    file.attribute("/model/side_ties/stiffness", "columns", std::vector<std::string>{"normal_Pa_m", "shear_Pa_m"});
 }
 
 /// Only if friction depends on the speed of slip in some joint.
@@ -178,10 +210,16 @@ void write_boundaries(const Model& model, Hdf5File& file)
     if (!model.tied_sides.empty())
         file.write("/model/tied_sides",
                    std::vector<std::int32_t>(model.tied_sides.begin(), model.tied_sides.end()));
+    write_side_ties(model, file);
     if (model.boundaries.empty()) return;
     std::vector<std::string> names, at_rest;
     std::vector<std::int32_t> faces;
+    std::vector<std::int32_t> free_field;
     for (std::size_t b = 0; b < model.boundaries.size(); ++b) {
+        const std::vector<int>& columns = model.boundaries[b].free_field;
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            free_field.insert(free_field.end(),
+                              {static_cast<std::int32_t>(b), static_cast<std::int32_t>(i), columns[i]});
         names.push_back(model.boundaries[b].name);
         at_rest.emplace_back(name_of(model.boundaries[b].at_rest));
         for (const BlockFace& face : model.boundaries[b].faces)
@@ -193,6 +231,10 @@ void write_boundaries(const Model& model, Hdf5File& file)
     file.write("/model/boundaries/faces", faces, {faces.size() / 4, 4});
     file.attribute("/model/boundaries/faces", "columns",
                    std::vector<std::string>{"boundary", "block", "part", "face"});
+    if (free_field.empty()) return;
+    file.write("/model/boundaries/free_field", free_field, {free_field.size() / 3, 3});
+    file.attribute("/model/boundaries/free_field", "columns",
+                   std::vector<std::string>{"boundary", "face_of_it", "block"});
 }
 
 /// Polygons as XDMF wants mixed cells: kind 3 (polygon), number of corners, corners.

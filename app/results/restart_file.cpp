@@ -90,12 +90,12 @@ void trust_fields(Archive& archive, Start& start)
     auto& [at_rest, modes, energy] = start;
     archive.fields(at_rest, modes.outcome, modes.loose, modes.rigid);
     archive.list(modes.modes, [](auto& to, auto& mode) {
-        auto& [frequency, mass_share, joint_share, lowered_by_joints, raised_by_stones, dashpot_time, rayleigh] =
-            mode;
+        auto& [frequency, mass_share, joint_share, lowered_by_joints, raised_by_stones, dashpot_time, rayleigh,
+               hysteretic] = mode;
         to.field(frequency);
         to.field(mass_share);
         to.fields(joint_share, lowered_by_joints, raised_by_stones, dashpot_time, rayleigh.of_mass,
-                  rayleigh.of_stiffness);
+                  rayleigh.of_stiffness, hysteretic);
     });
     ledger_fields(archive, energy);
 }

@@ -33,6 +33,7 @@ struct AssemblyStone {
     double volume = 0;                    // m3, of the stone as drawn
     double volume_error = 0;              // share of it by which approximating parts differ; 0: exact
     bool foundation = false;              // held by the ground
+    bool endless = false;                 // ground without sides: no shape of it is wrong
 };
 
 /// How two stones touch.

@@ -65,6 +65,7 @@ void judge_slivers(Assembly& assembly)
 {
     for (int i = 0; i < static_cast<int>(assembly.stones.size()); ++i) {
         const AssemblyStone& stone = assembly.stones[i];
+        if (stone.endless) continue;
         const std::vector<Vector3d> vertices = vertices_of(stone);
         SliverStone sliver;
         sliver.stone = i;
@@ -88,7 +89,7 @@ void judge_sizes(Assembly& assembly)
             upper = upper.cwiseMax(x);
         }
         sizes.push_back(std::cbrt(stone.volume));
-        if (stone.foundation) continue;  // a slab for the ground may be as large as it likes
+        if (stone.foundation || stone.endless) continue;  // ground may be as large as it likes
         if (assembly.largest < 0 || stone.volume > assembly.stones[assembly.largest].volume) assembly.largest = i;
         if (assembly.smallest < 0 || stone.volume < assembly.stones[assembly.smallest].volume)
             assembly.smallest = i;

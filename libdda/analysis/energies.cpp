@@ -2,6 +2,7 @@
 
 #include "libdda/contact/find_contacts.h"
 #include "libdda/step/block_step.h"
+#include "libdda/step/side_ties.h"
 
 namespace voussoir
 {
@@ -44,10 +45,15 @@ double strain_energy(const Model& model, const State& state)
         const Foundation* foundation = foundation_of(model, b);
         if (foundation && foundation->rotation_held) continue;
         const Elasticity elasticity = elasticity_of(model, b);
+        const auto add = [&](const auto& strain) {
+            sum += elasticity.energy(strain);
+            const auto& branches = model.materials[model.blocks[b].material].branches;
+            if (!branches.empty()) sum += step::stored_in(branches, state, b, elasticity, strain);
+        };
         if (is_planar(model.kinematics))
-            sum += elasticity.energy(green_strain_of(pose_in<2>(model.kinematics, state, b).map));
+            add(green_strain_of(pose_in<2>(model.kinematics, state, b).map));
         else
-            sum += elasticity.energy(green_strain_of(pose_in<3>(model.kinematics, state, b).map));
+            add(green_strain_of(pose_in<3>(model.kinematics, state, b).map));
     }
     return sum;
 }
@@ -56,7 +62,7 @@ EnergyLedger open_ledger(const Model& model, const State& state)
 {
     EnergyLedger ledger;
     ledger.kinetic = ledger.start_kinetic = kinetic_energy(model, state);
-    ledger.strain = ledger.start_strain = strain_energy(model, state);
+    ledger.strain = ledger.start_strain = strain_energy(model, state) + step::side_tie_energy(model, state);
     ledger.contact = ledger.start_contact = is_planar(model.kinematics)
                                                 ? contact::spring_energy(model, state.planar_contacts)
                                                 : contact::spring_energy(model, state.contacts);

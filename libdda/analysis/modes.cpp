@@ -124,6 +124,27 @@ RayleighDamping rayleigh_of(const Model& model, double eigenvalue, const Eigen::
     return mean;
 }
 
+/// What the branches of blocks are to it: their damping ratio at its frequency.
+template <class K>
+double hysteretic_ratio_of(const Model& model, double eigenvalue, const Eigen::VectorXd& shape,
+                           const Vibration<K>& vibration)
+{
+    constexpr int n = K::unknowns;
+    double mean = 0;
+    if constexpr (K::deformable) {
+        for (int row = 0; row < vibration.stiffness.rows(); ++row) {
+            const int b = vibration.block_of_row[row];
+            const auto& branches = model.materials[model.blocks[b].material].branches;
+            if (branches.empty()) continue;
+            const typename K::Matrix l = K::gradient(shape.segment<n>(n * row)),
+                                     strain = 0.5 * (l + l.transpose());
+            mean += damping_ratio_of(branches, std::sqrt(eigenvalue)) * 2 *
+                    elasticity_of(model, b).energy(strain) / eigenvalue;
+        }
+    }
+    return mean;
+}
+
 /// @param eigenvalue omega^2 of a shape with unit modal mass
 template <class K>
 NaturalMode mode_of(const Model& model, double eigenvalue, const Eigen::VectorXd& shape,
@@ -143,6 +164,7 @@ NaturalMode mode_of(const Model& model, double eigenvalue, const Eigen::VectorXd
     if (std::any_of(model.materials.begin(), model.materials.end(),
                     [](const auto& m) { return m.rayleigh.any(); }))
         mode.rayleigh = rayleigh_of(model, eigenvalue, shape, vibration);
+    if (most_branches(model) > 0) mode.hysteretic = hysteretic_ratio_of(model, eigenvalue, shape, vibration);
     return mode;
 }
 

@@ -24,6 +24,7 @@ struct NaturalMode {
     double raised_by_stones = 0;
     double dashpot_time = 0;        // s, mean relaxation time: dashpots damp it with omega x this / 2 of critical
     RayleighDamping rayleigh = {};  // means of the blocks', of mass by kinetic and of stiffness by strain energy
+    double hysteretic = 0;  // damping ratio: mean of the blocks' branches' at its frequency, by strain energy
 };
 
 /// What became of a search for modes.

@@ -27,24 +27,25 @@ int coarsest(const std::vector<Stage>& stages)
     return worst;
 }
 
-DampingAt damping_at(double frequency, double dashpot_time, const RayleighDamping& rayleigh, const Stage& stage)
+DampingAt damping_at(double frequency, const NaturalMode& mode, const Stage& stage)
 {
     const double omega = 2 * std::numbers::pi * frequency, h = stage.control.time_step;
     const IntegratorAccuracy accuracy = integrator_accuracy(omega * h, step::end_share(stage));
     const double rate = stage.damping.rate - std::log(stage.damping.factor_per_step) / h;
-    return {frequency,
-            accuracy.damping,
-            0.5 * omega * dashpot_time,
-            0.5 * (rate + rayleigh.of_mass) / omega + 0.5 * rayleigh.of_stiffness * omega,
-            accuracy.period_error,
-            false};
+    return {
+        frequency,
+        accuracy.damping,
+        0.5 * omega * mode.dashpot_time,
+        0.5 * (rate + mode.rayleigh.of_mass) / omega + 0.5 * mode.rayleigh.of_stiffness * omega + mode.hysteretic,
+        accuracy.period_error,
+        false};
 }
 
 /// Fills in the damping of the modes, or at the usual frequencies where none of them matters.
 void find_damping(const Stage& stage, Trust& trust)
 {
     for (const NaturalMode& mode : trust.start.modes.modes) {
-        DampingAt at = damping_at(mode.frequency, mode.dashpot_time, mode.rayleigh, stage);
+        DampingAt at = damping_at(mode.frequency, mode, stage);
         const bool moves = trust.damping.empty() || mode.mass_share.maxCoeff() >= least_mass_share;
         at.matters = moves && mode.frequency <= fastest_that_matters;
         trust.damping.push_back(at);
@@ -53,7 +54,7 @@ void find_damping(const Stage& stage, Trust& trust)
         std::any_of(trust.damping.begin(), trust.damping.end(), [](const auto& at) { return at.matters; });
     if (trust.of_modes) return;
     trust.damping.clear();
-    for (const double frequency : usual_frequencies) trust.damping.push_back(damping_at(frequency, 0, {}, stage));
+    for (const double frequency : usual_frequencies) trust.damping.push_back(damping_at(frequency, {}, stage));
     trust.damping.back().matters = true;
 }
 

@@ -18,8 +18,10 @@ namespace
 
 /// The blocks as they are at the start of a step from rest that nothing drives. Boundaries carry them: dashpots
 /// hold nothing, and a structure that floats has no modes to speak of.
+/// @param applied the springs of boundaries and of tied sides
 template <class K>
-std::vector<step::BlockStep<K>> blocks_at_rest(const Model& model, const State& state)
+std::vector<step::BlockStep<K>> blocks_at_rest(const Model& model, const State& state,
+                                               step::AppliedForces<K>& applied)
 {
     Stage stage;
     stage.type = StageType::static_equilibrium;
@@ -32,8 +34,7 @@ std::vector<step::BlockStep<K>> blocks_at_rest(const Model& model, const State& 
         step::begin_block(model, stage, rest, b, 1.0, 1.0, blocks[b]);
         blocks[b].row = -1;
     }
-    std::vector<step::AppliedForce<K>> springs;
-    step::find_applied_forces(model, stage, rest, 1.0, 1.0, blocks, springs);
+    step::find_applied_forces(model, stage, rest, 1.0, 1.0, blocks, applied);
     return blocks;
 }
 
@@ -144,13 +145,26 @@ std::vector<int> number_rows(ClosedJoints<K>& joints, std::vector<step::BlockSte
 template <class K>
 using BlockView = Eigen::Map<typename K::Square>;
 
+/// What ties couple, once for each: their rows, the larger one first.
+template <class K, class Function>
+void for_each_tie(const step::AppliedForces<K>& applied, const std::vector<step::BlockStep<K>>& blocks,
+                  const Function& function)
+{
+    for (const step::Coupling<K>& coupling : applied.couplings) {
+        const int row = blocks[coupling.block].row, column = blocks[coupling.other].row;
+        if (coupling.mutual && row > column && column >= 0) function(row, column, coupling.matrix);
+    }
+}
+
 template <class K>
-void set_pattern(int rows, Vibration<K>& vibration)
+void set_pattern(int rows, const step::AppliedForces<K>& applied, const std::vector<step::BlockStep<K>>& blocks,
+                 Vibration<K>& vibration)
 {
     std::vector<std::pair<int, int>> pairs;
     for (const VibratingPoint<K>& p : vibration.points)
         if (p.row_a >= 0 && p.row_b >= 0)
             pairs.emplace_back(std::max(p.row_a, p.row_b), std::min(p.row_a, p.row_b));
+    for_each_tie(applied, blocks, [&](int row, int column, const auto&) { pairs.emplace_back(row, column); });
     solve::set_pattern(vibration.stiffness, K::unknowns, rows, pairs);
 }
 
@@ -218,7 +232,8 @@ Vibration<K> vibration_about(const Model& model, const State& state)
     constexpr int n = K::unknowns;
     State with_contacts = state;
     if (state.step == 0) find_initial_contacts(model, with_contacts);
-    std::vector<step::BlockStep<K>> blocks = blocks_at_rest<K>(model, with_contacts);
+    step::AppliedForces<K> applied;
+    std::vector<step::BlockStep<K>> blocks = blocks_at_rest<K>(model, with_contacts, applied);
     ClosedJoints<K> joints(model, with_contacts, blocks);
     Vibration<K> vibration;
     vibration.block_of_row = number_rows(joints, blocks);
@@ -226,10 +241,13 @@ Vibration<K> vibration_about(const Model& model, const State& state)
     vibration.points = std::move(joints.points);
     vibration.mass.assign(static_cast<std::size_t>(rows) * n * n, 0.0);
     vibration.translating_mass.assign(static_cast<std::size_t>(rows) * K::dimension, 0.0);
-    set_pattern(rows, vibration);
+    set_pattern(rows, applied, blocks, vibration);
     for (const step::BlockStep<K>& block : blocks)
         if (block.row >= 0) add_block(block, vibration);
     for (const VibratingPoint<K>& point : vibration.points) add_joint(point, vibration.stiffness);
+    for_each_tie(applied, blocks, [&](int row, int column, const auto& matrix) {
+        BlockView<K>(vibration.stiffness.block(vibration.stiffness.position(row, column))) -= matrix;
+    });
     hold(blocks, vibration.stiffness);
     return vibration;
 }

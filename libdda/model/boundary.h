@@ -31,6 +31,18 @@ struct ViscousBoundary {
     std::string name;              // as in the case file
     std::vector<BlockFace> faces;  // of deformable blocks that are not held
     RestSupport at_rest = RestSupport::full;
+    // One per face, of Model::tied_sides: ground that moves as it would without the model. Dashpots are between
+    // the two, and its stress presses on the face; it feels nothing of that. Empty: dashpots against ground at
+    // rest
+    std::vector<int> free_field = {};
+};
+
+/// Two faces, one a copy of the other somewhere else, that are bonded as if they were in one place: opposite sides
+/// of a model that repeats itself. The bond neither slides nor breaks.
+struct SideTie {
+    BlockFace a, b;     // of two deformable blocks that are not held
+    double normal = 0;  // Pa/m, along the normal of the drawn face
+    double shear = 0;   // Pa/m, across it
 };
 
 /// A plane wave that comes in through a boundary.

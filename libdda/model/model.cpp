@@ -1,5 +1,6 @@
 #include "libdda/model/model.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "libdda/geometry/plane.h"
@@ -17,6 +18,13 @@ double friction_coefficient(const JointMaterial& joint, double speed)
         from = to;
     }
     return from;
+}
+
+int most_branches(const Model& model)
+{
+    std::size_t most = 0;
+    for (const BlockMaterial& material : model.materials) most = std::max(most, material.branches.size());
+    return is_deformable(model.kinematics) ? static_cast<int>(most) : 0;
 }
 
 double size_of(const Model& model, int block)

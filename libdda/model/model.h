@@ -11,6 +11,7 @@
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
 #include "libdda/model/boundary.h"
+#include "libdda/model/hysteresis.h"
 #include "libdda/model/kinematics.h"
 
 namespace voussoir
@@ -34,6 +35,8 @@ struct BlockMaterial {
     double poisson = 0;               // -
     double compressive_strength = 0;  // Pa, by which joints are judged; 0: not given. No block ever breaks
     RayleighDamping rayleigh = {};    // in dynamic stages; none by default
+    // In dynamic stages; `young` is then that at rest, to which static ones come. Empty by default
+    std::vector<MaxwellBranch> branches = {};
 };
 
 /// How stiff a contact is, in the two spellings that are used.
@@ -128,6 +131,7 @@ struct Model {
     // Ascending: deformable blocks whose opposite sides move alike, so that they are ground that goes on for ever
     // sideways. Neither their horizontal lines nor they themselves turn or stretch; what is left is c and dx/dZ.
     std::vector<int> tied_sides;
+    std::vector<SideTie> side_ties;  // sides of the model that are one and the same: it goes on for ever
     // m: what two stones share or lack at a corner of their contact when the run begins, up to this much, is the
     // error of the drawing and the zero of their contact. 0: stones are what is drawn
     double fit_tolerance = 0;
@@ -160,6 +164,9 @@ struct Model {
 /// Friction coefficient at a speed of slip [m/s]: linear from tan(friction_angle) at rest through the points of
 /// the table, constant beyond the last.
 double friction_coefficient(const JointMaterial& joint, double speed);
+
+/// How many branches the material has that has most of them.
+int most_branches(const Model& model);
 
 /// Length by which distances at a block are judged [m]: the cube root of its volume, planar the root of its area.
 double size_of(const Model& model, int block);

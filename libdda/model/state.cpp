@@ -136,14 +136,33 @@ Vector3d angular_velocity_of(const Model& model, const State& state, int block)
     return inertia.inverse() * momentum;
 }
 
+namespace
+{
+
+/// The strain to which the elasticity of a block answers: its own, and the shares of what its branches hold.
+template <class Matrix>
+Matrix felt_strain(const Model& model, const State& state, int block, const Matrix& strain)
+{
+    Matrix felt = strain;
+    int number = 0;
+    if (state.branch_strains.empty()) return felt;
+    for (const MaxwellBranch& branch : model.materials[model.blocks[block].material].branches)
+        felt += branch.share * (strain - branch_strain_in<Matrix::RowsAtCompileTime>(state, block, number++));
+    return felt;
+}
+
+}  // namespace
+
 Matrix3d stress_of(const Model& model, const State& state, int block)
 {
     const Elasticity elasticity = elasticity_of(model, block);
     if (!is_planar(model.kinematics)) {
         const Matrix3d map = pose_of(model.kinematics, state, block).map;
-        return map * elasticity.stress(green_strain_of(map)) * map.transpose() / map.determinant();
+        const Matrix3d strain = felt_strain(model, state, block, Matrix3d(green_strain_of(map)));
+        return map * elasticity.stress(strain) * map.transpose() / map.determinant();
     }
-    const Matrix2d map = pose_in<2>(model.kinematics, state, block).map, strain = green_strain_of(map);
+    const Matrix2d map = pose_in<2>(model.kinematics, state, block).map;
+    const Matrix2d strain = felt_strain(model, state, block, Matrix2d(green_strain_of(map)));
     const double across = model.plane == PlaneCondition::strain ? elasticity.lambda * strain.trace() : 0;
     const Matrix2d within = map * elasticity.stress(strain) * map.transpose();
     return to_space(within, across) / map.determinant();
@@ -185,6 +204,7 @@ State initial_state(const Model& model)
     std::size_t faces = 0;
     for (const ViscousBoundary& boundary : model.boundaries) faces += boundary.faces.size();
     state.boundary_reactions.assign(faces * dimension * (1 + dimension), 0.0);
+    state.branch_strains.assign(model.blocks.size() * most_branches(model) * dimension * dimension, 0.0);
     set_in_motion(model, state);
     begin_stage(model, 0, state);
     return state;
@@ -216,6 +236,7 @@ std::uint64_t hash_of(const State& state)
     fnv.add(std::span<const double>(state.velocities));
     fnv.add(std::span<const double>(state.foundation_anchors));
     fnv.add(std::span<const double>(state.boundary_reactions));
+    fnv.add(std::span<const double>(state.branch_strains));
     add_contacts(state.contacts, fnv);
     add_contacts(state.planar_contacts, fnv);
     return fnv.hash();

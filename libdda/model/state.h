@@ -73,6 +73,9 @@ struct State {
     // (faces of all boundaries x dimension x (1 + dimension)) N, Nm: the reaction of static stages, its integral
     // of t (1, X), t the traction and X the reference lever
     std::vector<double> boundary_reactions;
+    // (blocks x the most branches of a material x dimension x dimension): strain of their dashpots (Green, column
+    // major); empty without branches
+    std::vector<double> branch_strains;
     ContactSetIn<3> contacts;         // of a spatial scene
     ContactSetIn<2> planar_contacts;  // of a planar one
 };
@@ -104,6 +107,22 @@ using Pose = PoseIn<3>;  ///< In space.
 /// Of a scene of D dimensions.
 template <int D>
 PoseIn<D> pose_in(Kinematics kinematics, const State& state, int block);
+
+/// Strain of the dashpot of a branch of a block's material (Green), of a deformable scene with branches.
+template <int D>
+Eigen::Map<MatrixIn<D>> branch_strain_in(State& state, int block, int branch)
+{
+    constexpr std::size_t unknowns = D + D * D;
+    const std::size_t slots = state.branch_strains.size() * unknowns / (state.velocities.size() * D * D),
+                      at = static_cast<std::size_t>(block) * slots + static_cast<std::size_t>(branch);
+    return Eigen::Map<MatrixIn<D>>(state.branch_strains.data() + at * D * D);
+}
+/// The same, not to be changed.
+template <int D>
+MatrixIn<D> branch_strain_in(const State& state, int block, int branch)
+{
+    return branch_strain_in<D>(const_cast<State&>(state), block, branch);
+}
 
 // In space, whatever the dimension of the scene:
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "libdda/step/side_ties.h"
 #include "libdda/step/update.h"
 #include "libdda/step/viscous_boundary.h"
 
@@ -32,7 +33,7 @@ AppliedForce<K> mass_damping(const Stage& stage, int block, double rate, double 
 
 template <class K>
 void add_mass_damping(const Model& model, const Stage& stage, double h, double end_time,
-                      const std::vector<BlockStep<K>>& blocks, std::vector<AppliedForce<K>>& forces)
+                      const std::vector<BlockStep<K>>& blocks, AppliedForces<K>& forces)
 {
     if (stage.type != StageType::dynamic || stage.boundaries_carry) return;
     bool any = false;
@@ -44,7 +45,7 @@ void add_mass_damping(const Model& model, const Stage& stage, double h, double e
     for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
         const double rate = model.materials[model.blocks[b].material].rayleigh.of_mass;
         if (rate != 0 && blocks[b].row >= 0)
-            forces.push_back(mass_damping<K>(stage, b, rate, h, start, end, blocks[b]));
+            forces.own.push_back(mass_damping<K>(stage, b, rate, h, start, end, blocks[b]));
     }
 }
 
@@ -68,23 +69,27 @@ double work_of(const typename K::Unknowns& force, const State& state, int b, con
 
 template <class K>
 void find_applied_forces(const Model& model, const Stage& stage, const State& state, double h, double end_time,
-                         std::vector<BlockStep<K>>& blocks, std::vector<AppliedForce<K>>& forces)
+                         std::vector<BlockStep<K>>& blocks, AppliedForces<K>& forces)
 {
-    forces.clear();
+    forces.own.clear();
+    forces.couplings.clear();
+    forces.ties.clear();
     add_boundary_forces(model, stage, state, h, end_time, blocks, forces);
+    add_side_ties(model, stage, blocks, forces);
     add_mass_damping(model, stage, h, end_time, blocks, forces);
-    for (const AppliedForce<K>& force : forces) blocks[force.block].base += force.resistance;
+    for (const AppliedForce<K>& force : forces.own) blocks[force.block].base += force.resistance;
 }
 
 template <class K>
 void book_applied_forces(const State& state, const std::vector<BlockStep<K>>& blocks, const Eigen::VectorXd& d,
-                         double h, const std::vector<AppliedForce<K>>& forces, EnergyLedger& energy)
+                         double h, const AppliedForces<K>& forces, EnergyLedger& energy)
 {
     constexpr int n = K::unknowns;
-    for (const AppliedForce<K>& applied : forces) {
+    book_side_ties(state, blocks, forces, energy);
+    for (const AppliedForce<K>& applied : forces.own) {
         const BlockStep<K>& block = blocks[applied.block];
         if (block.row < 0) continue;
-        const typename K::Unknowns own = d.segment<n>(n * block.row), force = applied.at(own);
+        const typename K::Unknowns own = d.segment<n>(n * block.row), force = forces.at(applied, blocks, d);
         const typename K::Unknowns path = h * block.velocity + own;
         const typename K::Vector moved =
             pose_in<K::dimension>(K::kinematics, state, applied.block).centroid - block.start.centroid;
@@ -92,7 +97,7 @@ void book_applied_forces(const State& state, const std::vector<BlockStep<K>>& bl
         (block.jumps ? energy.impact : energy.algorithmic_rotation) -= force.dot(path) - work;
         if (applied.kind == AppliedForce<K>::Kind::boundary) {
             energy.boundary_work += work;
-        } else {
+        } else if (applied.kind == AppliedForce<K>::Kind::damping) {
             const double of_ground = force.template head<K::dimension>().dot(applied.ground_move);
             energy.foundation_work += of_ground;
             energy.damping_material += of_ground - work;
@@ -102,9 +107,9 @@ void book_applied_forces(const State& state, const std::vector<BlockStep<K>>& bl
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                               \
     template void find_applied_forces(const Model&, const Stage&, const State&, double, double,               \
-                                      std::vector<BlockStep<K>>&, std::vector<AppliedForce<K>>&);             \
+                                      std::vector<BlockStep<K>>&, AppliedForces<K>&);                         \
     template void book_applied_forces(const State&, const std::vector<BlockStep<K>>&, const Eigen::VectorXd&, \
-                                      double, const std::vector<AppliedForce<K>>&, EnergyLedger&)
+                                      double, const AppliedForces<K>&, EnergyLedger&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

@@ -202,10 +202,16 @@ void predict(const State& state, int block, double h, const Jump<K>* jump, Block
         step.velocity.template tail<K::spins>() = step.predicted_spin;
 }
 
+/// Whether a stage seeks motion in time, in which blocks are damped, and not rest.
+bool is_motion(const Stage& stage)
+{
+    return stage.type == StageType::dynamic && !stage.boundaries_carry;
+}
+
 /// The b of the block's Rayleigh damping [s]; static stages have none.
 double stiffness_damping(const Model& model, const Stage& stage, int block)
 {
-    if (stage.type != StageType::dynamic || stage.boundaries_carry) return 0;
+    if (!is_motion(stage)) return 0;
     return model.materials[model.blocks[block].material].rayleigh.of_stiffness;
 }
 
@@ -271,6 +277,10 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
         step.damping_blend = 2 / h * stiffness_damping(model, stage, block);
         step.elastic_blend = blend + step.damping_blend;
         step.start_strain = green_strain_of(step.start.map);
+        if (!state.branch_strains.empty()) {
+            begin_memory(model, state, block, is_motion(stage), h, step.start_strain, step.memory);
+            step.elastic_blend += step.memory.blend;
+        }
         add_elastic_stiffness<dimension>(step.elasticity, step.predicted.map, step.elastic_blend, step.base);
         // Centrifugal load on the strains; its antisymmetric part is already in the predicted spin.
         const typename K::Matrix w = skew(step.predicted_spin), pull = w * w * step.spread;
@@ -283,7 +293,7 @@ template <class K>
 void take_elasticity_at_end(BlockStep<K>& step)
 {
     if constexpr (K::deformable) {
-        const double blend = 1 + step.damping_blend;
+        const double blend = 1 + step.damping_blend + step.memory.blend;
         if (step.elastic_blend == blend) return;
         step.elastic_blend = blend;
         step.base = step.inertia;
@@ -326,14 +336,19 @@ InternalForce<K> internal_force(const BlockStep<K>& step, const typename K::Unkn
         result.admissible = map.determinant() > 0;
         const Matrix strain = green_strain_of(map);
         const Matrix middle = 0.5 * (step.step_rotation * step.start.map + map);
-        const Matrix stress =
-            step.elasticity.stress(Matrix(0.5 * (1 - theta) * step.start_strain + 0.5 * (1 + theta) * strain));
+        Matrix blended = 0.5 * (1 - theta) * step.start_strain + 0.5 * (1 + theta) * strain;
+        if (!step.memory.branches.empty()) blended += step.memory.steady;
+        const Matrix stress = step.elasticity.stress(blended);
         const Matrix g = step.elasticity.volume * middle * stress * step.predicted.map.transpose();
         Map<Matrix>(result.force.data() + K::dimension) = g;
         result.energy = step.elasticity.energy(strain);
         const double of_change = step.elasticity.energy(Matrix(strain - step.start_strain));
-        result.loss = (theta - step.damping_blend) * of_change;
+        result.loss = (theta - step.damping_blend - step.memory.blend) * of_change;
         result.damped = step.damping_blend * of_change;
+        if (step.memory.branches.empty()) return result;
+        const MemoryWork work = memory_work(step.memory, step.elasticity, Matrix(strain - step.start_strain));
+        result.energy += work.stored;
+        result.damped += work.lost;
     }
     return result;
 }
@@ -367,6 +382,8 @@ void update_block(const BlockStep<K>& step, const typename K::Unknowns& d, const
         }
         Map<Matrix>{x + dimension} = map;
         Map<Matrix>{v + dimension} = rate;
+        if (!step.memory.branches.empty())
+            update_memory(step.memory, step.start_strain, green_strain_of(map), block, state);
     } else {
         const OrientationIn<dimension> turned =
             step.predicted_orientation.turned_by(typename K::Spin(d.template tail<K::spins>()));

@@ -12,6 +12,7 @@
 #include "libdda/model/stage.h"
 #include "libdda/model/state.h"
 #include "libdda/step/kinematics_traits.h"
+#include "libdda/step/material_memory.h"
 
 namespace voussoir::step
 {
@@ -64,6 +65,7 @@ struct BlockStep {
     Matrix start_strain = Matrix::Zero();  // Green
     double elastic_blend = 1;              // theta of the integrator, and what damps by stiffness
     double damping_blend = 0;              // the latter, 2 b / h: stress b dE/dt beside that of E
+    MemoryStep<Matrix> memory;             // of a material that has branches; its blend is in elastic_blend too
     Unknowns steady = Unknowns::Zero();    // forces that do not depend on D: body forces, centrifugal load
     Square base = Square::Zero();          // 2 M / h^2 plus elastic stiffness
     Square inertia = Square::Zero();       // 2 M / h^2
@@ -79,7 +81,7 @@ struct BlockStep {
 template <class K>
 struct InternalForce {
     typename K::Unknowns force = K::Unknowns::Zero();  // elastic resistance conjugate to D
-    double energy = 0;                                 // J, stored
+    double energy = 0;                                 // J, stored; by branches, what they stored more
     double loss = 0;                                   // J, algorithmic, >= 0
     double damped = 0;                                 // J, by damping that grows with stiffness, >= 0
     bool admissible = true;                            // false when the block would turn inside out

@@ -85,7 +85,10 @@ template <class K>
 double strain_energy_of(const BlockStep<K>& block, const State& state, int b)
 {
     if (!K::deformable || block.rotation_held()) return 0;
-    return block.elasticity.energy(green_strain_of(pose_in<K::dimension>(K::kinematics, state, b).map));
+    const typename K::Matrix strain = green_strain_of(pose_in<K::dimension>(K::kinematics, state, b).map);
+    const double own = block.elasticity.energy(strain);
+    if (block.memory.branches.empty()) return own;
+    return own + stored_in(block.memory.branches, state, b, block.elasticity, strain);
 }
 
 }  // namespace

@@ -80,6 +80,10 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     for (const PatchStep<K>& patch : system.contacts.patches)
         if (patch.row_a >= 0 && patch.row_b >= 0)
             system.pairs.emplace_back(std::max(patch.row_a, patch.row_b), std::min(patch.row_a, patch.row_b));
+    for (const Coupling<K>& coupling : system.applied.couplings) {
+        const int row = system.blocks[coupling.block].row, column = system.blocks[coupling.other].row;
+        if (coupling.mutual && row > column && column >= 0) system.pairs.emplace_back(row, column);
+    }
     solve::set_pattern(system.matrix, K::unknowns, rows, system.pairs);
     system.d.setZero(rows * K::unknowns);
     system.residual.setZero(rows * K::unknowns);
@@ -134,10 +138,10 @@ template <class K>
 void gather_applied_forces(const VectorXd& d, StepSystem<K>& system)
 {
     constexpr int n = K::unknowns;
-    for (const AppliedForce<K>& applied : system.applied) {
+    for (const AppliedForce<K>& applied : system.applied.own) {
         const int row = system.blocks[applied.block].row;
         if (row < 0) continue;
-        const typename K::Unknowns force = applied.at(d.segment<n>(n * row));
+        const typename K::Unknowns force = system.applied.at(applied, system.blocks, d);
         system.contact_force.template segment<n>(n * row) += force;
         system.load[row] += force.template head<K::dimension>().norm();
     }
@@ -214,6 +218,11 @@ void assemble_matrix(bool published, int threads, StepSystem<K>& system)
             Block(matrix.block(matrix.position(patch.row_a, patch.row_b))) += patch.ab;
         else
             Block(matrix.block(matrix.position(patch.row_b, patch.row_a))) += patch.ab.transpose();
+    }
+    for (const Coupling<K>& coupling : system.applied.couplings) {
+        const int row = system.blocks[coupling.block].row, column = system.blocks[coupling.other].row;
+        if (coupling.mutual && row > column && column >= 0)
+            Block(matrix.block(matrix.position(row, column))) -= coupling.matrix;
     }
     if (any_held) hold_components(system);
 }

@@ -21,7 +21,7 @@ struct StepSystem {
     std::vector<BlockStep<K>> blocks;  // of the scene
     std::vector<int> block_of_row;     // blocks that have unknowns
     ContactStep<K> contacts;
-    std::vector<AppliedForce<K>> applied;    // of viscous boundaries and mass damping; empty without them
+    AppliedForces<K> applied;                // of viscous boundaries, tied sides, mass damping; empty without
     double fracture = 0;                     // J, tension energy lost by joints that broke in this step
     Eigen::VectorXd d;                       // unknowns, the accepted ones after the iteration
     Eigen::VectorXd residual;                // inertia + internal - external

@@ -3,6 +3,9 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "libdda/step/block_face.h"
+#include "libdda/step/free_field.h"
+
 namespace voussoir::step
 {
 
@@ -13,54 +16,6 @@ namespace
 
 // Springs that carry a face at rest: so many times what a block as deep as it is wide resists with.
 constexpr double rest_stiffness = 1000;
-
-/// A face in its block: points and weights that integrate cubics (planar) and quadratics (spatial) exactly.
-template <int D>
-struct FaceIn {
-    struct Point {
-        VectorIn<D> lever;  // m, from the centroid
-        double weight;      // m2
-    };
-    std::vector<Point> points;
-    VectorIn<D> normal = VectorIn<D>::Zero();  // unit, outward
-};
-
-/// Triangles from a corner, each by the middles of its edges.
-FaceIn<3> face_of(const Model& model, const BlockFace& face, const Eigen::Matrix3d& map)
-{
-    const ConvexPolyhedron& part = model.blocks[face.block].parts[face.part];
-    const std::vector<int>& loop = part.faces[face.face];
-    const auto corner = [&](std::size_t i) { return Eigen::Vector3d(map * part.vertices[loop[i]]); };
-    FaceIn<3> result;
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-        const Eigen::Vector3d a = corner(0), b = corner(i), c = corner(i + 1), twice = (b - a).cross(c - a);
-        for (const Eigen::Vector3d& sum : {Eigen::Vector3d(a + b), Eigen::Vector3d(b + c), Eigen::Vector3d(c + a)})
-            result.points.push_back({0.5 * sum, twice.norm() / 6});
-        result.normal += twice;
-    }
-    result.normal.normalize();
-    return result;
-}
-
-/// Two points of Gauss.
-FaceIn<2> face_of(const Model& model, const BlockFace& face, const Eigen::Matrix2d& map)
-{
-    const std::vector<Eigen::Vector2d>& corners = model.blocks[face.block].outlines[face.part].vertices;
-    const Eigen::Vector2d a = map * corners[face.face], b = map * corners[(face.face + 1) % corners.size()];
-    const Eigen::Vector2d along = b - a, off = along / (2 * std::sqrt(3.0));
-    const double weight = 0.5 * along.norm() * model.thickness;
-    FaceIn<2> result;
-    for (const double side : {-1.0, 1.0}) result.points.push_back({0.5 * (a + b) + side * off, weight});
-    result.normal = Eigen::Vector2d(along.y(), -along.x()).normalized();
-    return result;
-}
-
-template <int D>
-MatrixIn<D> along_and_across(double along, double across, const VectorIn<D>& normal)
-{
-    const MatrixIn<D> n = normal * normal.transpose();
-    return along * n + across * (MatrixIn<D>::Identity() - n);
-}
 
 template <int D>
 MatrixIn<D> impedance_of(const Model& model, int block, const VectorIn<D>& normal)
@@ -88,20 +43,6 @@ typename K::Matrix springs_of(const Model& model, const ViscousBoundary& boundar
     const double along =
         boundary.at_rest == RestSupport::none ? 0 : rest_stiffness * (e.lambda + 2 * e.mu) / size_of(model, block);
     return along_and_across<K::dimension>(along, boundary.at_rest == RestSupport::full ? along : 0, normal);
-}
-
-/// Where a face is in the model [m].
-template <int D>
-Eigen::Vector3d middle_of(const Model& model, const BlockFace& face)
-{
-    const FaceIn<D> drawn = face_of(model, face, MatrixIn<D>(MatrixIn<D>::Identity()));
-    VectorIn<D> sum = VectorIn<D>::Zero();
-    double area = 0;
-    for (const auto& point : drawn.points) {
-        sum += point.weight * point.lever;
-        area += point.weight;
-    }
-    return model.blocks[face.block].moments.centroid + to_space(VectorIn<D>(sum / area));
 }
 
 /// Velocity of what comes in through a face in the step, blended as the dashpots' own [m/s].
@@ -144,29 +85,60 @@ typename K::Unknowns reaction_of(const State& state, int face, const typename K:
     return force;
 }
 
+/// Force of the springs that carry a face at rest.
 template <class K>
-AppliedForce<K> force_on(const Model& model, const Stage& stage, int index, const BlockFace& face, double h,
-                         double end_time, const BlockStep<K>& block)
+AppliedForce<K> carrying_force(const typename K::Square& springs, const BlockFace& face, double h,
+                               const BlockStep<K>& block)
 {
-    const ViscousBoundary& boundary = model.boundaries[index];
-    const FaceIn<K::dimension> shape = face_of(model, face, block.predicted.map);
     AppliedForce<K> force;
     force.block = face.block;
-    if (boundaries_carry(stage)) {
-        force.resistance = integral_of<K>(shape, springs_of<K>(model, boundary, face.block, shape.normal));
-        force.constant = -h * (force.resistance * block.velocity);
-        return force;
-    }
-    // Dashpots of the mean velocity v^ + D/h, and by the integrator's share of that at the end, v^ + 2 D/h.
-    const typename K::Matrix impedance = impedance_of<K::dimension>(model, face.block, shape.normal);
-    const typename K::Square dashpots = integral_of<K>(shape, impedance);
-    force.resistance = (1 + end_share(stage)) / h * dashpots;
-    force.constant = -(dashpots * block.velocity);
-    const typename K::Vector pull =
-        2 * (impedance * incoming<K::dimension>(model, stage, index, face, h, end_time));
-    for (const auto& point : shape.points)
-        K::add_force(force.constant, point.lever, typename K::Vector(point.weight * pull));
+    force.resistance = springs;
+    force.constant = -h * (force.resistance * block.velocity);
     return force;
+}
+
+/// Force of dashpots of the mean velocity v^ + D/h, and by the integrator's share of that at the end, v^ + 2 D/h.
+template <class K>
+AppliedForce<K> dashpot_force(const typename K::Square& dashpots, const BlockFace& face, double end, double h,
+                              const BlockStep<K>& block)
+{
+    AppliedForce<K> force;
+    force.block = face.block;
+    force.resistance = (1 + end) / h * dashpots;
+    force.constant = -(dashpots * block.velocity);
+    return force;
+}
+
+/// Adds the force of a face of a boundary. @param number of the face in the boundary
+template <class K>
+void add_face_force(const Model& model, const Stage& stage, int index, std::size_t number, double h,
+                    double end_time, const std::vector<BlockStep<K>>& blocks, AppliedForces<K>& forces)
+{
+    const ViscousBoundary& boundary = model.boundaries[index];
+    const BlockFace& face = boundary.faces[number];
+    const BlockStep<K>& block = blocks[face.block];
+    const FaceIn<K::dimension> shape = face_of(model, face, block.predicted.map);
+    typename K::Matrix impedance = K::Matrix::Zero();  // none at rest
+    AppliedForce<K> force;
+    if (boundaries_carry(stage)) {
+        force = carrying_force<K>(integral_of<K>(shape, springs_of<K>(model, boundary, face.block, shape.normal)),
+                                  face, h, block);
+    } else {
+        impedance = impedance_of<K::dimension>(model, face.block, shape.normal);
+        force = dashpot_force<K>(integral_of<K>(shape, impedance), face, end_share(stage), h, block);
+        const typename K::Vector pull =
+            2 * (impedance * incoming<K::dimension>(model, stage, index, face, h, end_time));
+        for (const auto& point : shape.points)
+            K::add_force(force.constant, point.lever, typename K::Vector(point.weight * pull));
+    }
+    if (!boundary.free_field.empty()) {
+        const int column = boundary.free_field[number];
+        force.coupling = static_cast<int>(forces.couplings.size());
+        const typename K::Square matrix =
+            add_free_field<K>(model, shape, column, impedance, end_share(stage), h, blocks, force);
+        forces.couplings.push_back({face.block, column, false, matrix});
+    }
+    forces.own.push_back(force);
 }
 
 }  // namespace
@@ -185,14 +157,14 @@ typename K::Square dashpots_of(const Model& model, const BlockFace& face, const 
 
 template <class K>
 void add_boundary_forces(const Model& model, const Stage& stage, const State& state, double h, double end_time,
-                         const std::vector<BlockStep<K>>& blocks, std::vector<AppliedForce<K>>& forces)
+                         const std::vector<BlockStep<K>>& blocks, AppliedForces<K>& forces)
 {
     int index = 0;
     for (std::size_t b = 0; b < model.boundaries.size(); ++b) {
-        for (const BlockFace& face : model.boundaries[b].faces) {
-            const BlockStep<K>& block = blocks[face.block];
-            forces.push_back(force_on<K>(model, stage, static_cast<int>(b), face, h, end_time, block));
-            forces.back().constant += reaction_of<K>(state, index++, block.predicted.map);
+        for (std::size_t i = 0; i < model.boundaries[b].faces.size(); ++i) {
+            add_face_force<K>(model, stage, static_cast<int>(b), i, h, end_time, blocks, forces);
+            AppliedForce<K>& force = forces.own.back();
+            force.constant += reaction_of<K>(state, index++, blocks[force.block].predicted.map);
         }
     }
 }
@@ -224,10 +196,10 @@ void update_reactions(const Model& model, const Stage& stage, const std::vector<
     }
 }
 
-#define VOUSSOIR_INSTANTIATE(K)                                                                         \
-    template K::Square dashpots_of<K>(const Model&, const BlockFace&, const K::Matrix&);                \
-    template void add_boundary_forces(const Model&, const Stage&, const State&, double, double,         \
-                                      const std::vector<BlockStep<K>>&, std::vector<AppliedForce<K>>&); \
+#define VOUSSOIR_INSTANTIATE(K)                                                                 \
+    template K::Square dashpots_of<K>(const Model&, const BlockFace&, const K::Matrix&);        \
+    template void add_boundary_forces(const Model&, const Stage&, const State&, double, double, \
+                                      const std::vector<BlockStep<K>>&, AppliedForces<K>&);     \
     template void update_reactions(const Model&, const Stage&, const std::vector<BlockStep<K>>&, State&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE

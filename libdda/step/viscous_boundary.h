@@ -21,7 +21,7 @@ typename K::Square dashpots_of(const Model& model, const BlockFace& face, const 
 /// Adds the forces of all boundaries of the model in a step.
 template <class K>
 void add_boundary_forces(const Model& model, const Stage& stage, const State& state, double h, double end_time,
-                         const std::vector<BlockStep<K>>& blocks, std::vector<AppliedForce<K>>& forces);
+                         const std::vector<BlockStep<K>>& blocks, AppliedForces<K>& forces);
 
 /// Brings the reactions of faces that are carried to the end of an accepted step: to State::boundary_reactions.
 template <class K>

@@ -77,6 +77,19 @@ TEST(BoundaryCase, ReadsTiedSides)
     EXPECT_EQ(read(ground(base + "tied_sides: [soil]\n", "")).model.tied_sides, (std::vector<int>{0, 1}));
 }
 
+// The modulus that is given is that in the middle of the band; at rest the material is softer.
+TEST(BoundaryCase, ReadsHystereticDamping)
+{
+    const Case the_case = read(
+        ground(base, "", "  - {name: rest, type: static}\n", ", hysteretic: {ratio: 5 %, band: [1 Hz, 16 Hz]}"));
+    const BlockMaterial& soil = the_case.model.materials[0];
+    ASSERT_FALSE(soil.branches.empty());
+    for (const double frequency : {1.0, 2.0, 4.0, 8.0, 16.0})
+        EXPECT_NEAR(damping_ratio_of(soil.branches, 2 * std::numbers::pi * frequency), 0.05, 0.05 * 0.01);
+    EXPECT_NEAR(soil.young * modulus_over_rest(soil.branches, 8 * std::numbers::pi).real(), 200e6, 1);
+    EXPECT_LT(soil.young, 190e6);
+}
+
 // What the two numbers mean: the ratio asked for at both frequencies, and less between them.
 TEST(BoundaryCase, ReadsRayleighDampingFromTwoFrequencies)
 {
@@ -137,6 +150,83 @@ TEST(SoilCase, HasColumnsBeside)
     EXPECT_EQ(model.boundaries[0].faces.size(), 6u);  // four columns and two beside
 }
 
+/// Sides of a soil that columns two metres away are the free field of.
+const std::string free_sides =
+    "boundaries:\n"
+    "  - {name: base, blocks: [soil, soil_sides], side: bottom}\n"
+    "  - {name: left, blocks: soil, side: left, free_field: soil_sides}\n"
+    "  - {name: right, blocks: soil, side: right, free_field: soil_sides}\n";
+
+TEST(SoilCase, HasColumnsApartThatAreTheFreeFieldOfItsSides)
+{
+    const Model model =
+        read(soil(", side_columns: 2 m, side_gap: 3 m") + "tied_sides: soil_sides\n" + free_sides).model;
+    ASSERT_EQ(model.boundaries.size(), 3u);
+    for (const std::size_t side : {1u, 2u}) {
+        const ViscousBoundary& boundary = model.boundaries[side];
+        EXPECT_EQ(boundary.at_rest, RestSupport::normal);
+        ASSERT_EQ(boundary.faces.size(), 4u);
+        ASSERT_EQ(boundary.free_field.size(), 4u);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto &own = model.blocks[boundary.faces[i].block].moments.centroid,
+                       &column = model.blocks[boundary.free_field[i]].moments.centroid;
+            EXPECT_NEAR(column.z(), own.z(), 1e-9);
+            EXPECT_NEAR(std::abs(column.x() - own.x()), 3 + 1 + 1, 1e-9);  // the gap and half of each block
+        }
+    }
+    EXPECT_TRUE(model.boundaries[0].free_field.empty());
+}
+
+TEST(SoilCase, SaysWhatIsWrongWithAFreeField)
+{
+    const auto says = [](const std::string& text, const std::string& part) {
+        const std::string faults = faults_of(text);
+        EXPECT_NE(faults.find(part), std::string::npos) << faults;
+    };
+    const std::string columns = ", side_columns: 2 m, side_gap: 3 m";
+    says(soil(columns) + free_sides, "name its group in tied_sides too");
+    says(soil(", side_gap: 3 m"), "side_gap without side_columns");
+    says(soil(columns) + "tied_sides: soil\nboundaries: [{blocks: soil, side: left, free_field: soil}]\n",
+         "its own free field");
+    says(soil(columns) +
+             "tied_sides: [soil, soil_sides]\n"
+             "boundaries: [{blocks: soil, side: left, free_field: sides}]\n",
+         "soil_sides");
+}
+
+TEST(SoilCase, TiesOppositeSides)
+{
+    const Model model = read(soil("") +
+                             "periodic_sides: {blocks: soil, sides: [left, right]}\n"
+                             "boundaries: [{name: base, blocks: soil, side: bottom}]\n")
+                            .model;
+    ASSERT_EQ(model.side_ties.size(), 4u);
+    for (const SideTie& tie : model.side_ties) {
+        const Eigen::Vector3d apart =
+            model.blocks[tie.b.block].moments.centroid - model.blocks[tie.a.block].moments.centroid;
+        EXPECT_NEAR(apart.x(), 6, 1e-9);
+        EXPECT_NEAR(apart.z(), 0, 1e-9);
+        // As stiff as a bonded joint of two blocks 2 m wide.
+        const double young = model.materials[model.blocks[tie.a.block].material].young;
+        EXPECT_NEAR(tie.normal, 300 * young / 2, 1e-6 * young);
+        EXPECT_NEAR(tie.shear, 0.5 * tie.normal, 1e-6 * young);
+    }
+}
+
+TEST(SoilCase, SaysWhatIsWrongWithPeriodicSides)
+{
+    const auto says = [](const std::string& text, const std::string& part) {
+        const std::string faults = faults_of(text);
+        EXPECT_NE(faults.find(part), std::string::npos) << faults;
+    };
+    says(soil("") + "periodic_sides: {blocks: soil, sides: [left, bottom]}\n", "not opposite");
+    says(soil("") + "periodic_sides: {blocks: soil, sides: [left]}\n", "not opposite");
+    says(soil("") + "periodic_sides: {blocks: soil, sides: [left, far]}\n", "expected bottom, top, left");
+    says(soil("") + "periodic_sides: {blocks: sol, sides: [left, right]}\n", "soil");
+    says(soil("") + "periodic_sides: {blocks: soil, sides: [bottom, top]}\n", "cut both sides");
+    says(ground("periodic_sides: {blocks: soil, sides: [left, right]}\n", ""), "use tied_sides");
+}
+
 TEST(SoilCase, SaysWhatIsWrong)
 {
     const auto says = [](const std::string& text, const std::string& part) {
@@ -175,6 +265,14 @@ TEST(BoundaryCase, SaysWhatIsWrong)
     says(ground(base, "", rest, ", rayleigh: {ratio: 0.05, at: [8 Hz, 1 Hz]}"), "ascending order");
     says(ground(base, "", rest, ", rayleigh: {ratio: [0.05, 0.001], at: [1 Hz, 8 Hz]}"), "negative share");
     says(ground(base, "", rest, ", rayleigh: {ratio: 5}"), "must be");
+    says(ground(base, "", rest, ", hysteretic: {ratio: 5, band: [1 Hz, 8 Hz]}"), "must be");
+    says(ground(base, "", rest, ", hysteretic: {ratio: 0, band: [1 Hz, 8 Hz]}"), "must be");
+    says(ground(base, "", rest, ", hysteretic: {ratio: 0.05}"), "band");
+    says(ground(base, "", rest, ", hysteretic: {ratio: 0.05, band: [8 Hz, 1 Hz]}"),
+         "the lower and the higher one");
+    says(ground(base, "", rest, ", hysteretic: {ratio: 0.05, band: [8 Hz]}"), "the lower and the higher one");
+    says(ground("", "", "", ", hysteretic: {ratio: 0.05, band: [1 Hz, 8 Hz]}"),
+         "rigid blocks, which are not strained", {"kinematics=spatial_rigid"});
 }
 
 }  // namespace voussoir::app::reader

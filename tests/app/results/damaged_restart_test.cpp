@@ -307,6 +307,7 @@ TEST_P(DamagedRestart, WhatWouldLeadOutsideArraysOrCountsIsRefused)
     EXPECT_TRUE(state([](State& s) { s.velocities.clear(); }));
     EXPECT_TRUE(state([](State& s) { s.foundation_anchors.clear(); }));
     EXPECT_TRUE(state([](State& s) { s.boundary_reactions.push_back(0); }));
+    EXPECT_TRUE(state([](State& s) { s.branch_strains.push_back(0); }));
     EXPECT_TRUE(state([](State& s) { s.contacts.patches.push_back({.point_count = huge_int}); }));
     EXPECT_TRUE(state([](State& s) { s.contacts.patches.push_back({.block_b = 2}); }));
     EXPECT_TRUE(state([](State& s) { s.planar_contacts.patches.push_back({.block_b = 1, .part_a = 1}); }));

@@ -72,7 +72,8 @@ TEST(Resume, AFrameStoppedAfterEveryThirteenSteps)
     stop_again_and_again(killed_runs::shaken_frame, 13);
 }
 
-// The reactions of the boundary are in the state: without them the soil would sink after the first interruption.
+// The reactions of the boundary are in the state, and what the soil remembers of its strain: without the ones it
+// would sink after the first interruption, without the other it would be softer.
 TEST(Resume, SoilOnAViscousBaseStoppedAfterEverySevenSteps)
 {
     stop_again_and_again(
@@ -82,7 +83,8 @@ TEST(Resume, SoilOnAViscousBaseStoppedAfterEverySevenSteps)
         "blocks:\n"
         "  - soil: {width: 4 m, columns: 1, highest_frequency: 5 Hz, layers: [{thickness: 20 m, shear_wave: 200 "
         "m/s,\n"
-        "      density: 1900 kg/m3, poisson: 0.3, rayleigh: {ratio: 5 %, at: [1 Hz, 5 Hz]}}]}\n"
+        "      density: 1900 kg/m3, poisson: 0.3, rayleigh: {ratio: 5 %, at: [1 Hz, 5 Hz]},\n"
+        "      hysteretic: {ratio: 5 %, band: [1 Hz, 10 Hz]}}]}\n"
         "boundaries: [{name: base, blocks: soil, side: bottom}]\n"
         "tied_sides: soil\n"
         "stages:\n"

@@ -36,7 +36,9 @@ EnergyLedger run_with(const Mistake<K>& mistake)
     FewBlocks scene(K::kinematics, {});
     scene.model.joints[0].relaxation_time = 1e-4;
     mistake.in_model(scene.model);
-    scene.state.boundary_reactions = initial_state(scene.model).boundary_reactions;
+    const State anew = initial_state(scene.model);
+    scene.state.boundary_reactions = anew.boundary_reactions;
+    scene.state.branch_strains = anew.branch_strains;
     Stage stage = shaking(0.3, 1e-3);
     stage.control.force_tolerance = 1e-8;
     EnergyLedger energy = open_ledger(scene.model, scene.state);
@@ -170,10 +172,64 @@ TYPED_TEST(BrokenStep, WithHalfTheForceOfDamping)
 {
     this->expect_noticed("damping of blocks halved",
                          {.in_model = damp_blocks, .in_the_book = [](step::StepSystem<TypeParam>& system) {
-                              for (auto& force : system.applied) {
+                              for (auto& force : system.applied.own) {
                                   force.constant *= 0.5;
                                   force.resistance *= 0.5;
                               }
+                          }});
+}
+
+/// Memory of strain, sides that are tied and a side that a column of ground presses on, of blocks that move
+/// anyhow.
+void tie_and_remember(Model& model)
+{
+    if (!is_deformable(model.kinematics)) return;
+    model.materials[0].branches = hysteretic_branches(0.1, 5, 200);
+    model.side_ties.push_back({{1, 0, 0}, {2, 0, 0}, 2e8, 1e8});
+    model.boundaries.push_back({"side", {{1, 0, 1}}, RestSupport::none, {4}});
+}
+
+TYPED_TEST(BrokenStep, WithTiesAndMemoryThatIsNotBrokenLeavesNothing)
+{
+    const EnergyLedger energy = run_with<TypeParam>({.in_model = tie_and_remember});
+    EXPECT_LT(energy.relative_residual(), 1e-6);
+    EXPECT_EQ(energy.damping_material > 0, TypeParam::deformable);
+    EXPECT_EQ(energy.boundary_work != 0, TypeParam::deformable);
+}
+
+TYPED_TEST(BrokenStep, WithATieThatPullsOneSideAlone)
+{
+    if (!TypeParam::deformable) return;
+    this->expect_noticed("tie of one side",
+                         {.in_model = tie_and_remember, .in_equations = [](step::StepSystem<TypeParam>& system) {
+                              using Kind = typename step::AppliedForce<TypeParam>::Kind;
+                              bool first = true;
+                              for (auto& force : system.applied.own) {
+                                  if (force.kind != Kind::tie) continue;
+                                  if (!first) force.constant.setZero();
+                                  first = false;
+                              }
+                          }});
+}
+
+TYPED_TEST(BrokenStep, WithHalfTheMemory)
+{
+    if (!TypeParam::deformable) return;
+    this->expect_noticed(
+        "branches' strain halved",
+        {.in_model = tie_and_remember, .in_update = [](const step::StepSystem<TypeParam>&, State& state) {
+             for (double& strain : state.branch_strains) strain *= 0.5;
+         }});
+}
+
+TYPED_TEST(BrokenStep, WithHalfTheForceOfTheFreeField)
+{
+    if (!TypeParam::deformable) return;
+    this->expect_noticed("force of the free field halved",
+                         {.in_model = tie_and_remember, .in_the_book = [](step::StepSystem<TypeParam>& system) {
+                              using Kind = typename step::AppliedForce<TypeParam>::Kind;
+                              for (auto& force : system.applied.own)
+                                  if (force.kind == Kind::boundary) force.constant *= 0.5;
                           }});
 }
 

@@ -71,6 +71,22 @@ TEST_P(Damped, RateSlowsAFreeFlightByItsExponential)
     }
 }
 
+// A fall that a rate slows: x = g / c (t - (1 - exp(-c t)) / c), whatever the step, from 10 ms to 10 us.
+TEST_P(Damped, RateGivesTheSameWayAtEveryStep)
+{
+    const double rate = 1.5, duration = 0.8;
+    const double exact = gravity / rate * (duration - (1 - std::exp(-rate * duration)) / rate);
+    for (const double h : {1e-2, 1e-3, 1e-4, 1e-5}) {
+        Model model = make_model(GetParam(), stone(), dry(30));
+        add_box(model, "block", {0, 0, 0}, {1, 1, 1});
+        State state = initial_state(model);
+        Stage stage = dynamic_stage(duration, h);
+        stage.damping.rate = rate;
+        run_quietly(model, {stage}, state);
+        EXPECT_NEAR(0.5 - centroid(model, state, 0).z(), exact, 0.01 * exact) << h;
+    }
+}
+
 // The papers' factor per step depends on the step, which is why it is not the natural setting.
 TEST_P(Damped, FactorPerStepIsAppliedOnceAStep)
 {

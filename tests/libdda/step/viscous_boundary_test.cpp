@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 
-#include "tests/libdda/scenes.h"
+#include "tests/libdda/ground_scenes.h"
 
 namespace voussoir::testing
 {
@@ -23,33 +22,6 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, Boundary,
                          ::testing::Values(Kinematics::spatial_deformable, Kinematics::planar_deformable),
                          test_name);
 
-/// The face of a box that looks along `normal`.
-BlockFace face_of_box(const Model& model, int block, const Vector3d& normal)
-{
-    if (!is_planar(model.kinematics)) {
-        const ConvexPolyhedron& shape = model.blocks[block].parts[0];
-        for (int f = 0; f < static_cast<int>(shape.faces.size()); ++f)
-            if (face_normal(shape, f).dot(normal) > 0.99) return {block, 0, f};
-    } else {
-        const auto& corners = model.blocks[block].outlines[0].vertices;
-        for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
-            const Eigen::Vector2d along = corners[(i + 1) % corners.size()] - corners[i];
-            if (Eigen::Vector2d(along.y(), -along.x()).normalized().dot(from_space<2>(normal)) > 0.99)
-                return {block, 0, i};
-        }
-    }
-    ADD_FAILURE() << "no such face";
-    return {};
-}
-
-const BlockMaterial ground{"ground", 2000, 2.5e9, 0.25};  // c_p 1225 m/s, c_s 707 m/s
-
-double modulus(bool pressure)
-{
-    const double mu = ground.young / (2 * (1 + ground.poisson));
-    return pressure ? ground.young * (1 - ground.poisson) / ((1 + ground.poisson) * (1 - 2 * ground.poisson)) : mu;
-}
-
 /// Blocks of 1 m on top of one another, bonded, that go on for ever sideways; the lowest face is viscous.
 Model column(Kinematics kinematics, int count, double joints = 1e4)
 {
@@ -64,16 +36,6 @@ Model column(Kinematics kinematics, int count, double joints = 1e4)
     }
     model.boundaries.push_back({"base", {face_of_box(model, 0, -Vector3d::UnitZ())}, RestSupport::full});
     return model;
-}
-
-/// A smooth pulse of velocity [m/s]: one half wave of 1 - cos, its length [s].
-std::shared_ptr<const GroundMotion> pulse(double peak, double length)
-{
-    std::vector<double> samples;
-    for (int i = 0; i <= 2000; ++i)
-        samples.push_back(0.5 * peak * (1 - std::cos(2 * std::numbers::pi * i / 2000)));
-    samples.push_back(0);
-    return std::make_shared<const GroundMotion>(GroundMotion::from_velocity(samples, length / 2000, "pulse"));
 }
 
 /// Largest velocity of the top of the column along an axis, and what is left of it at the end.
