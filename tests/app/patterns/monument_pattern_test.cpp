@@ -226,7 +226,7 @@ TEST(GatePattern, SaysWhichKeyMakesNone)
 
 TEST(FlyingButtressPattern, StandsAndFallsAtTheLimitThicknessOfTheLinearProgram)
 {
-    expect_limit_thickness([](double thickness) { return flyer(thickness); }, 0.1, 0.8);
+    expect_limit_thickness([](double thickness) { return flyer(thickness); }, 0.2, 0.6);
 }
 
 }  // namespace
