@@ -45,6 +45,7 @@ int steps_of(const Dome& dome)
 BedLine ring(StoneGrid& grid, const Dome& dome, double angle, int edges)
 {
     BedLine line;
+    line.reserve(static_cast<std::size_t>(edges) + 1);
     for (int i = 0; i < (dome.half ? edges + 1 : edges); ++i) {
         const double azimuth = (dome.half ? 1 : 2) * std::numbers::pi * i / edges;
         const int inner = grid.corner(point_of(dome, dome.radius, angle, azimuth));

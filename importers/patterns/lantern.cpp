@@ -34,6 +34,7 @@ class Rings
     static BedLine piece(const BedLine& ring, int first, int steps)
     {
         BedLine line;
+        line.reserve(static_cast<std::size_t>(steps) + 1);
         for (int i = 0; i <= steps; ++i) line.push_back(ring[static_cast<std::size_t>(first + i) % ring.size()]);
         return line;
     }
@@ -43,6 +44,7 @@ class Rings
     BedLine line(const Place& place) const
     {
         BedLine line;
+        line.reserve(2 * static_cast<std::size_t>(dome_.stones));
         for (int i = 0; i < 2 * dome_.stones; ++i) {
             const auto corner = [&](double radius) {
                 return grid_.corner(place(point_of(dome_, radius, dome_.oculus, azimuth_of(dome_, i))));
@@ -61,6 +63,7 @@ class Rings
 ConvexPolyhedron cap_of(const Dome& dome, double foot, const std::string& name)
 {
     std::vector<Point> outline;
+    outline.reserve(2 * static_cast<std::size_t>(dome.stones));
     for (int i = 0; i < 2 * dome.stones; ++i)
         outline.push_back(to_nanometre(
             Point(point_of(dome, dome.radius + dome.thickness, dome.oculus, azimuth_of(dome, i)).head<2>())));

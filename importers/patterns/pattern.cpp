@@ -79,6 +79,7 @@ std::vector<Point> clean_outline(const std::vector<Point>& points)
 std::vector<Point> regular_outline(const Point& centre, double width, int sides)
 {
     std::vector<Point> outline;
+    outline.reserve(static_cast<std::size_t>(sides));
     const double reach = width / 2 / std::cos(std::numbers::pi / sides);
     for (int i = 0; i < sides; ++i) {
         const double angle = 2 * std::numbers::pi * (i + 0.5) / sides;
@@ -101,6 +102,7 @@ ConvexPolyhedron pointed_frustum(const std::vector<Point>& lower, double foot, c
                                  double top, double tip, const std::string& name)
 {
     std::vector<Eigen::Vector3d> vertices;
+    vertices.reserve(lower.size() + upper.size() + 1);
     for (const Point& x : lower) vertices.emplace_back(x.x(), x.y(), foot);
     for (const Point& x : upper) vertices.emplace_back(x.x(), x.y(), top);
     const int sides = static_cast<int>(lower.size()), apex = static_cast<int>(vertices.size());

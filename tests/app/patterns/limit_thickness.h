@@ -31,6 +31,7 @@ inline double imbalance(const studies::verify::references::LimitProblem& problem
 {
     std::vector<Eigen::Vector3d> forces, moments(problem.blocks.size(), Eigen::Vector3d::Zero());
     double dead = 0, size = 0, worst = 0;
+    forces.reserve(problem.blocks.size());
     for (const auto& block : problem.blocks) {
         forces.emplace_back(block.dead + state.factor * block.live);
         dead += block.dead.norm();

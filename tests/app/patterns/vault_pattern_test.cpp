@@ -195,6 +195,7 @@ struct Section {
 Section section(double from_radius, double to_radius, double from, double to)
 {
     std::vector<Eigen::Vector2d> x;
+    x.reserve(4);
     for (const auto& [radius, angle] : {std::pair(from_radius, from), std::pair(to_radius, from),
                                         std::pair(to_radius, to), std::pair(from_radius, to)})
         x.emplace_back(radius * std::sin(angle), radius * std::cos(angle));
