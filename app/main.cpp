@@ -152,9 +152,10 @@ void add_generate(CLI::App& app, std::function<int()>& chosen)
     CLI::App* command = app.add_subcommand(
         "generate", "Write the stones of a case or of a pattern as OBJ, or as a case that lists every block");
     command
-        ->add_option("what", arguments->what,
-                     "A case file (.yaml), or a pattern: wall, house, arch, bridge, tower, column, temple_front, "
-                     "dome, barrel_vault, cross_vault, rock")
+        ->add_option(
+            "what", arguments->what,
+            "A case file (.yaml), or a pattern: wall, house, arch, bridge, tower, column, temple_front, "
+            "dome, barrel_vault, cross_vault, gate, buttress, flying_buttress, steps, obelisk, pinnacle, rock")
         ->required()
         ->type_name("CASE|PATTERN");
     command->add_option("keys", arguments->keys, "Keys of the pattern as in a case: span=\"10 m\" voussoirs=25")

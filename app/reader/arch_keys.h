@@ -10,4 +10,8 @@ namespace voussoir::app::reader
 /// `shape`, `span`, `rise` or `embrace`, `side_arc`, `thickness`, `springing_thickness` and `voussoirs`.
 importers::patterns::ArchCurve read_arch_curve(YamlCursor& map);
 
+/// The same of half an arch: `span`, `rise` (by default the span), `thickness`, `springing_thickness`, `voussoirs`
+/// of the half; `shape` circular or elliptic. @returns the whole arch
+importers::patterns::ArchCurve read_half_arch_curve(YamlCursor& map);
+
 }  // namespace voussoir::app::reader

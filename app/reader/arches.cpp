@@ -36,7 +36,53 @@ double read_rise(YamlCursor& map, patterns::ArchShape shape, double span)
     return otherwise;
 }
 
+void read_thickness_and_number(YamlCursor& map, int most, patterns::ArchCurve& curve)
+{
+    curve.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    curve.springing_thickness = curve.thickness;
+    if (const auto ends = map.find_quantity("springing_thickness", dimension::length, Range::positive()))
+        curve.springing_thickness = *ends;
+    if (const auto number = map.require("voussoirs", "number of voussoirs"))
+        curve.voussoirs = map.integer_or("voussoirs", 2, most, 0);
+}
+
+/// `ribs: {width, depth}`.
+void read_ribs(YamlCursor& map, patterns::CrossVault& vault)
+{
+    std::optional<YamlCursor> keys = map.find("ribs");
+    if (!keys || !keys->expect_map("ribs {width, depth}")) return;
+    vault.rib_width = keys->quantity("width", dimension::length, Range::positive());
+    vault.rib_depth = keys->quantity_or("depth", dimension::length, Range::positive(), vault.rib_width);
+    keys->reject_unknown_keys();
+}
+
+/// `lantern: {height, ring, cap}`.
+void read_lantern(YamlCursor& map, patterns::Dome& dome)
+{
+    std::optional<YamlCursor> keys = map.find("lantern");
+    if (!keys || !keys->expect_map("a lantern {height, ring, cap}")) return;
+    patterns::Lantern& lantern = dome.lantern;
+    lantern.height = keys->quantity("height", dimension::length, Range::positive());
+    lantern.ring = keys->quantity_or("ring", dimension::length, Range::positive(), lantern.ring);
+    lantern.cap = keys->quantity_or("cap", dimension::length, Range::positive(), lantern.height);
+    keys->reject_unknown_keys();
+}
+
 }  // namespace
+
+patterns::ArchCurve read_half_arch_curve(YamlCursor& map)
+{
+    using patterns::ArchShape;
+    patterns::ArchCurve curve;
+    const double span = map.quantity("span", dimension::length, Range::positive());
+    curve.rise = map.quantity_or("rise", dimension::length, Range::positive(), span);
+    curve.shape = map.choice_or<ArchShape>(
+        "shape", {{"circular", ArchShape::circular}, {"elliptic", ArchShape::elliptic}}, ArchShape::circular);
+    curve.span = 2 * span;
+    read_thickness_and_number(map, 4999, curve);
+    curve.voussoirs *= 2;
+    return curve;
+}
 
 patterns::ArchCurve read_arch_curve(YamlCursor& map)
 {
@@ -54,12 +100,7 @@ patterns::ArchCurve read_arch_curve(YamlCursor& map)
         curve.side_arc = map.quantity_or("side_arc", dimension::angle, Range::positive(), 60 * degree);
     else
         map.forbid("side_arc", "only a polycentric arch has side arcs");
-    curve.thickness = map.quantity("thickness", dimension::length, Range::positive());
-    curve.springing_thickness = curve.thickness;
-    if (const auto ends = map.find_quantity("springing_thickness", dimension::length, Range::positive()))
-        curve.springing_thickness = *ends;
-    if (const auto number = map.require("voussoirs", "number of voussoirs"))
-        curve.voussoirs = map.integer_or("voussoirs", 2, 9999, 0);
+    read_thickness_and_number(map, 9999, curve);
     return curve;
 }
 
@@ -96,11 +137,16 @@ void read_dome(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     asked.bonded = map.boolean_or("bonded", true);
     asked.keystone = map.boolean_or("keystone", false);
     asked.support = map.quantity_or("support", dimension::length, Range::positive(), asked.support);
+    asked.half = map.boolean_or("half", false);
+    if (!asked.half && map.find("front"))
+        map.fault("front of a whole dome", "only half a dome has an arch before it");
+    asked.front = map.quantity_or("front", dimension::length, Range::positive(), asked.thickness);
+    read_lantern(map, asked);
     const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
     finish_pattern(
-        entry, map, faults_before, {patterns::foundation_group, "dome"},
+        entry, map, faults_before, {patterns::foundation_group, "dome", "front", "lantern"},
         [&] {
-            patterns::Pattern pattern = pattern_of(patterns::dome(asked), name, "dome");
+            patterns::Pattern pattern = dome_pattern(asked, name);
             check_and_disturb(pattern, imperfection);
             return pattern;
         },
@@ -145,11 +191,12 @@ void read_cross_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     asked.courses = map.integer_or("courses", 2, 9999, asked.courses);
     asked.stones = map.integer_or("stones", 1, 9999, asked.stones);
     asked.support = map.quantity_or("support", dimension::length, Range::positive(), asked.support);
+    read_ribs(map, asked);
     const patterns::StoneImperfection imperfection = read_stone_imperfection(map);
     finish_pattern(
-        entry, map, faults_before, {patterns::foundation_group, "vault"},
+        entry, map, faults_before, {patterns::foundation_group, "vault", "ribs"},
         [&] {
-            patterns::Pattern pattern = pattern_of(patterns::cross_vault(asked), name, "vault");
+            patterns::Pattern pattern = cross_vault_pattern(asked, name);
             check_and_disturb(pattern, imperfection);
             return pattern;
         },

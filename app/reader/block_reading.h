@@ -173,6 +173,15 @@ void read_dome(YamlCursor& entry, YamlCursor& dome, BlockReading& reading);
 void read_barrel_vault(YamlCursor& entry, YamlCursor& vault, BlockReading& reading);
 void read_cross_vault(YamlCursor& entry, YamlCursor& vault, BlockReading& reading);
 
+/// `{gate: {...}}`, `{buttress: {...}}`, `{flying_buttress: {...}}`, `{steps: {...}}`, `{obelisk: {...}}`,
+/// `{pinnacle: {...}}`.
+void read_gate(YamlCursor& entry, YamlCursor& gate, BlockReading& reading);
+void read_buttress(YamlCursor& entry, YamlCursor& buttress, BlockReading& reading);
+void read_flying_buttress(YamlCursor& entry, YamlCursor& buttress, BlockReading& reading);
+void read_steps(YamlCursor& entry, YamlCursor& steps, BlockReading& reading);
+void read_obelisk(YamlCursor& entry, YamlCursor& obelisk, BlockReading& reading);
+void read_pinnacle(YamlCursor& entry, YamlCursor& pinnacle, BlockReading& reading);
+
 /// `{soil: {layers: [...], width, highest_frequency, ...}}`: adds layered ground, and the materials of its layers.
 void read_soil(YamlCursor& entry, YamlCursor& soil, BlockReading& reading);
 

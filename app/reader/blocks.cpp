@@ -85,7 +85,7 @@ struct ShapeReader {
     const char* key;
     void (*read)(YamlCursor& entry, YamlCursor& shape, BlockReading& reading);
 };
-constexpr std::array<ShapeReader, 16> shape_readers = {{
+constexpr std::array<ShapeReader, 22> shape_readers = {{
     {"mesh", [](YamlCursor& entry, YamlCursor& file, BlockReading& to) { read_mesh(entry, file, to); }},
     {"box", read_box},
     {"polygon", read_polygon},
@@ -99,6 +99,12 @@ constexpr std::array<ShapeReader, 16> shape_readers = {{
     {"dome", read_dome},
     {"barrel_vault", read_barrel_vault},
     {"cross_vault", read_cross_vault},
+    {"gate", read_gate},
+    {"buttress", read_buttress},
+    {"flying_buttress", read_flying_buttress},
+    {"steps", read_steps},
+    {"obelisk", read_obelisk},
+    {"pinnacle", read_pinnacle},
     {"rock", read_rock},
     {"polyhedron", read_polyhedron},
     {"soil", read_soil},

@@ -76,6 +76,10 @@ patterns::Pattern rock_of(const exact::RockRequest& request, const std::string& 
     if (rock.removed > 0)
         map.warn(fmt::format("{} blocks smaller than {:.3g} m3 were left out, {:.3g} m3 in all", rock.removed,
                              request.smallest, rock.removed_volume));
+    if (rock.merged > 0)
+        map.warn(
+            fmt::format("{} blocks smaller than {:.3g} m3 were merged with their neighbours, {:.3g} m3 in all",
+                        rock.merged, request.smallest, rock.merged_volume));
     patterns::Pattern pattern;
     const int count = static_cast<int>(rock.blocks.size());
     for (int i = 0; i < count; ++i)
@@ -107,6 +111,7 @@ void read_rock(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     // A size is the cube root of a volume.
     request.smallest = std::pow(
         map.quantity_or("smallest", dimension::length, Range::non_negative(), 1e-3 * std::cbrt(volume)), 3);
+    request.merge = map.choice_or<bool>("small", {{"remove", false}, {"merge", true}}, false);
     request.most = patterns::max_blocks;
     finish_pattern(
         entry, map, faults_before, {"rock"}, [&] { return rock_of(request, name, map); }, reading);

@@ -52,6 +52,19 @@ importers::patterns::HouseOpening read_house_opening(YamlCursor& map)
     return opening;
 }
 
+/// `leaves`: their number, or their thicknesses.
+void read_leaves(YamlCursor& map, importers::patterns::Wall& wall)
+{
+    const std::optional<YamlCursor> leaves = map.find("leaves");
+    if (!leaves || !leaves->is_list()) {
+        wall.leaves = map.integer_or("leaves", 1, 99, 1);
+        return;
+    }
+    for (const YamlCursor& leaf : leaves->items("the thicknesses of the leaves, [30 cm, 50 cm, 30 cm]"))
+        wall.leaf_thickness.push_back(leaf.as_quantity(words::dimension::length, words::Range::positive()));
+    wall.leaves = static_cast<int>(wall.leaf_thickness.size());
+}
+
 }  // namespace
 
 void read_wall(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
@@ -63,7 +76,7 @@ void read_wall(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     asked.length = map.quantity("length", words::dimension::length, words::Range::positive());
     asked.height = map.quantity("height", words::dimension::length, words::Range::positive());
     asked.thickness = map.quantity("thickness", words::dimension::length, words::Range::positive());
-    asked.leaves = map.integer_or("leaves", 1, 99, 1);
+    read_leaves(map, asked);
     if (asked.leaves > 1) asked.header_every = map.integer_or("header_every", 0, 1000, 0);
     if (const auto openings = map.find("openings"))
         for (YamlCursor& item : openings->items("a list of openings {at, sill, width, height}"))

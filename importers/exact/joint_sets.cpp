@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "importers/exact/merge_small.h"
 #include "libdda/errors.h"
 
 namespace voussoir::importers::exact
@@ -228,6 +229,28 @@ std::vector<std::vector<std::size_t>> blocks_of(const std::vector<Piece>& pieces
     return blocks;
 }
 
+/// @param all its exact volume is added [m3]
+RockBlock block_of(const std::vector<std::size_t>& members, const std::vector<Piece>& pieces, Number& all)
+{
+    Number volume(0);
+    for (const std::size_t piece : members) volume += volume_of(pieces[piece]);
+    all += volume;
+    return {{}, rounded(volume)};
+}
+
+/// Gives a block its parts. @returns false for one too small, and too thin for doubles
+bool shape(const std::vector<std::size_t>& members, const std::vector<Piece>& pieces, const RockRequest& request,
+           RockBlock& block)
+{
+    try {
+        for (const std::size_t piece : members) block.parts.push_back(rounded(pieces[piece]));
+        return true;
+    } catch (const InputError&) {
+        if (block.volume >= request.smallest) throw;
+        return false;
+    }
+}
+
 }  // namespace
 
 CutRock cut_rock(const RockRequest& request)
@@ -247,19 +270,18 @@ CutRock cut_rock(const RockRequest& request)
                                  "give larger spacings or a smaller domain");
         }
     }
-    for (const std::vector<std::size_t>& members : blocks_of(pieces)) {
-        Number volume(0);
-        for (const std::size_t piece : members) volume += volume_of(pieces[piece]);
-        all += volume;
-        RockBlock block{{}, rounded(volume)};
-        if (block.volume < request.smallest) {
-            ++rock.removed;
-            rock.removed_volume += block.volume;
-            continue;
-        }
-        for (const std::size_t piece : members) block.parts.push_back(rounded(pieces[piece]));
-        rock.blocks.push_back(std::move(block));
+    const std::vector<std::vector<std::size_t>> blocks = blocks_of(pieces);
+    for (const std::vector<std::size_t>& members : blocks) {
+        RockBlock block = block_of(members, pieces, all);
+        // A piece too thin for doubles merges with none.
+        if (!request.merge && block.volume < request.smallest)
+            leave_out(block, rock);
+        else if (shape(members, pieces, request, block))
+            rock.blocks.push_back(std::move(block));
+        else
+            leave_out(block, rock);
     }
+    if (request.merge) merge_small(request.smallest, rock);
     rock.domain_volume = rounded(domain);
     rock.volume = rounded(all);
     return rock;

@@ -26,6 +26,7 @@ struct RockRequest {
     std::vector<JointSet> sets;            // the later ones end at the earlier ones
     std::uint64_t seed = 1;                // of scatter and persistence
     double smallest = 0;                   // m3: smaller blocks are left out
+    bool merge = false;                    // or, where they can, become part of a neighbour: see merge_small.h
     std::size_t most = 100'000;            // blocks
 };
 
@@ -42,6 +43,8 @@ struct CutRock {
     double volume = 0;              // m3, of all pieces, those left out among them: summed exactly, then rounded
     int removed = 0;                // blocks
     double removed_volume = 0;      // m3
+    int merged = 0;                 // blocks that became part of others
+    double merged_volume = 0;       // m3
 };
 
 /// Cuts a body by exact constructions: which side of a joint a corner lies on is never a matter of rounding, and

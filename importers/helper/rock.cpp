@@ -63,11 +63,8 @@ std::string to_json(const exact::RockRequest& request)
                         {"spacing", set.spacing},
                         {"scatter", set.scatter},
                         {"persistence", set.persistence}});
-    return json{{"rock", parts_to_json(request.domain)},
-                {"sets", sets},
-                {"seed", request.seed},
-                {"smallest", request.smallest},
-                {"most", request.most}}
+    return json{{"rock", parts_to_json(request.domain)}, {"sets", sets},           {"seed", request.seed},
+                {"smallest", request.smallest},          {"merge", request.merge}, {"most", request.most}}
         .dump();
 }
 
@@ -87,6 +84,7 @@ exact::RockRequest rock_request_from_json(const std::string& text)
                                 set.at("persistence").get<double>()});
     request.seed = value.at("seed").get<std::uint64_t>();
     request.smallest = value.at("smallest").get<double>();
+    request.merge = value.at("merge").get<bool>();
     request.most = value.at("most").get<std::size_t>();
     return request;
 }
@@ -100,7 +98,9 @@ std::string to_json(const exact::CutRock& rock)
                 {"domain_volume", rock.domain_volume},
                 {"volume", rock.volume},
                 {"removed", rock.removed},
-                {"removed_volume", rock.removed_volume}}
+                {"removed_volume", rock.removed_volume},
+                {"merged", rock.merged},
+                {"merged_volume", rock.merged_volume}}
         .dump();
 }
 
@@ -117,6 +117,8 @@ exact::CutRock rock_from_json(const std::string& text)
     rock.volume = value.at("volume").get<double>();
     rock.removed = value.at("removed").get<int>();
     rock.removed_volume = value.at("removed_volume").get<double>();
+    rock.merged = value.at("merged").get<int>();
+    rock.merged_volume = value.at("merged_volume").get<double>();
     return rock;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "importers/patterns/parameter_checks.h"
 
@@ -33,18 +32,6 @@ void check(const Column& column, std::vector<Fault>& faults)
         faults.push_back({"capital.width", metres(column.capital_width), "must be at least top_diameter"});
 }
 
-/// A regular outline about a point, two sides parallel to each axis. @param width across the flats [m]
-std::vector<Point> regular(const Point& centre, double width, int sides)
-{
-    std::vector<Point> outline;
-    const double reach = width / 2 / std::cos(std::numbers::pi / sides);
-    for (int i = 0; i < sides; ++i) {
-        const double angle = 2 * std::numbers::pi * (i + 0.5) / sides;
-        outline.push_back(to_nanometre(Point(centre + reach * Point(std::cos(angle), std::sin(angle)))));
-    }
-    return outline;
-}
-
 double diameter_at(const Column& column, double share)
 {
     return column.diameter + (column.top_diameter - column.diameter) * share +
@@ -61,16 +48,17 @@ void add_column(Pattern& pattern, const Column& column, const Point& centre, con
         const double from = static_cast<double>(i) / column.drums, to = (i + 1.0) / column.drums;
         const std::string own = "drum_" + std::to_string(i + 1);
         add(own, "drums",
-            frustum(regular(centre, diameter_at(column, from), column.sides), to_nanometre(column.height * from),
-                    regular(centre, diameter_at(column, to), column.sides), to_nanometre(column.height * to),
-                    name + own));
+            frustum(regular_outline(centre, diameter_at(column, from), column.sides),
+                    to_nanometre(column.height * from),
+                    regular_outline(centre, diameter_at(column, to), column.sides),
+                    to_nanometre(column.height * to), name + own));
     }
     if (column.capital_height == 0) return;
     const double foot = column.height, bed = to_nanometre(foot + column.capital_height / 2);
     const double top = to_nanometre(foot + column.capital_height), half = column.capital_width / 2;
     add("echinus", "capital",
-        frustum(regular(centre, column.top_diameter, column.sides), foot,
-                regular(centre, column.capital_width, column.sides), bed, name + "echinus"));
+        frustum(regular_outline(centre, column.top_diameter, column.sides), foot,
+                regular_outline(centre, column.capital_width, column.sides), bed, name + "echinus"));
     add("abacus", "capital",
         make_box({to_nanometre(centre.x() - half), to_nanometre(centre.y() - half), bed},
                  {to_nanometre(centre.x() + half), to_nanometre(centre.y() + half), top}));

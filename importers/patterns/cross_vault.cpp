@@ -5,6 +5,7 @@
 
 #include "importers/patterns/circular_arc.h"
 #include "importers/patterns/parameter_checks.h"
+#include "importers/patterns/vault_ribs.h"
 #include "importers/patterns/vaults.h"
 
 namespace voussoir::importers::patterns
@@ -21,6 +22,7 @@ void check(const CrossVault& vault)
     check_positive("support", vault.support, faults);
     check_number("courses", vault.courses, 2, faults);
     check_number("stones", vault.stones, 1, faults);
+    check_ribs(vault, faults);
     if (faults.empty()) check_stones("stones", 8.0 * vault.courses * (vault.stones + 1.0), faults);
     if (!faults.empty()) throw InputError(faults);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <sstream>
 
@@ -158,7 +159,9 @@ std::vector<Row> rows_of(const Laying& laying, int course)
     const bool header = facade.header_every > 0 && (course + 1) % facade.header_every == 0;
     const int leaves = header ? 1 : facade.leaves;
     const auto face = [&](int i) {
-        return i == leaves ? facade.upper : facade.lower + (facade.upper - facade.lower) * i / leaves;
+        if (i == leaves) return facade.upper;
+        if (facade.leaf_thickness.empty()) return facade.lower + (facade.upper - facade.lower) * i / leaves;
+        return std::accumulate(facade.leaf_thickness.begin(), facade.leaf_thickness.begin() + i, facade.lower);
     };
     std::vector<Row> rows;
     rows.reserve(leaves);

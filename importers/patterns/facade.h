@@ -31,7 +31,8 @@ struct Facade {
     int runs_through = 0;      // 0, 1: which courses, counted from 0, reach the outside of the corners: even, odd
     bool inside_above = true;  // the walls it meets stand on its upper side, not on its lower one
     int leaves = 1;            // side by side through the thickness
-    int header_every = 0;      // every so manyth course is one block thick; 0: none
+    std::vector<double> leaf_thickness = {};  // m, of each leaf, from the lower face; empty: all alike
+    int header_every = 0;                     // every so manyth course is one block thick; 0: none
     std::vector<NamedOpening> openings;
 };
 

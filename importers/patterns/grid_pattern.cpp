@@ -2,6 +2,9 @@
 
 #include <map>
 
+#include "importers/patterns/lantern.h"
+#include "importers/patterns/vault_ribs.h"
+
 namespace voussoir::importers::patterns
 {
 namespace
@@ -33,6 +36,22 @@ Pattern pattern_of(const StoneGrid& grid, const std::string& prefix, const std::
         if (parts.empty()) parts.push_back(plug(grid, stone));
         pattern.stones.push_back({prefix + stone.name, held ? foundation_group : group, std::move(parts)});
     }
+    return pattern;
+}
+
+Pattern dome_pattern(const Dome& dome, const std::string& prefix)
+{
+    Pattern pattern = pattern_of(patterns::dome(dome), prefix, "dome");
+    for (PatternStone& stone : pattern.stones)
+        if (stone.name.starts_with(prefix + "front_")) stone.group = "front";
+    if (dome.lantern.height > 0) add_lantern(dome, prefix, pattern);
+    return pattern;
+}
+
+Pattern cross_vault_pattern(const CrossVault& vault, const std::string& prefix)
+{
+    Pattern pattern = pattern_of(cross_vault(vault), prefix, "vault");
+    if (vault.rib_width > 0) add_ribs(vault, prefix, pattern);
     return pattern;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 
 #include "libdda/errors.h"
 #include "libdda/geometry/moments.h"
@@ -75,6 +76,18 @@ std::vector<Point> clean_outline(const std::vector<Point>& points)
     return outline;
 }
 
+std::vector<Point> regular_outline(const Point& centre, double width, int sides)
+{
+    std::vector<Point> outline;
+    outline.reserve(static_cast<std::size_t>(sides));
+    const double reach = width / 2 / std::cos(std::numbers::pi / sides);
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + 0.5) / sides;
+        outline.push_back(to_nanometre(Point(centre + reach * Point(std::cos(angle), std::sin(angle)))));
+    }
+    return outline;
+}
+
 ConvexPolyhedron frustum(const std::vector<Point>& lower, double foot, const std::vector<Point>& upper, double top,
                          const std::string& name)
 {
@@ -83,6 +96,25 @@ ConvexPolyhedron frustum(const std::vector<Point>& lower, double foot, const std
     for (const Point& x : lower) vertices.emplace_back(x.x(), x.y(), foot);
     for (const Point& x : upper) vertices.emplace_back(x.x(), x.y(), top);
     return make_convex_polyhedron(std::move(vertices), drum_faces(static_cast<int>(lower.size())), name);
+}
+
+ConvexPolyhedron pointed_frustum(const std::vector<Point>& lower, double foot, const std::vector<Point>& upper,
+                                 double top, double tip, const std::string& name)
+{
+    std::vector<Eigen::Vector3d> vertices;
+    vertices.reserve(lower.size() + upper.size() + 1);
+    for (const Point& x : lower) vertices.emplace_back(x.x(), x.y(), foot);
+    for (const Point& x : upper) vertices.emplace_back(x.x(), x.y(), top);
+    const int sides = static_cast<int>(lower.size()), apex = static_cast<int>(vertices.size());
+    vertices.emplace_back(0, 0, tip);
+    std::vector<std::vector<int>> faces(1);
+    for (int i = 0; i < sides; ++i) {
+        const int next = (i + 1) % sides;
+        faces[0].push_back(sides - 1 - i);
+        if (!upper.empty()) faces.push_back({i, next, sides + next, sides + i});
+        faces.push_back({apex - sides + i, apex - sides + next, apex});
+    }
+    return make_convex_polyhedron(std::move(vertices), std::move(faces), name);
 }
 
 ConvexPolyhedron prism_up(const std::vector<Point>& outline, double foot, double top, const std::string& name)

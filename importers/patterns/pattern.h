@@ -54,6 +54,10 @@ Point to_nanometre(const Point& point);
 /// straight side. @param points in either order round the outline [m]
 std::vector<Point> clean_outline(const std::vector<Point>& points);
 
+/// A regular outline about a point, counter-clockwise, two sides parallel to each axis. @param width across the
+/// flats [m] @param sides a multiple of 4
+std::vector<Point> regular_outline(const Point& centre, double width, int sides);
+
 /// A convex outline of the elevation (x, z) drawn along y. @throws InputError when no convex stone comes of it
 ConvexPolyhedron prism_along_y(const std::vector<Point>& outline, double front, double back,
                                const std::string& name);
@@ -66,6 +70,11 @@ ConvexPolyhedron prism_up(const std::vector<Point>& outline, double foot, double
 /// @pre both outlines run counter-clockwise and their sides are parallel
 ConvexPolyhedron frustum(const std::vector<Point>& lower, double foot, const std::vector<Point>& upper, double top,
                          const std::string& name);
+
+/// From an outline about the axis up to another one, and from that to a point of the axis above it; a pyramid
+/// where the other one is empty. @pre as of a frustum @throws InputError when it is not convex
+ConvexPolyhedron pointed_frustum(const std::vector<Point>& lower, double foot, const std::vector<Point>& upper,
+                                 double top, double tip, const std::string& name);
 
 /// Marks the faces of a part that lie in the plane through `point` with this normal as glued.
 void glue(ConvexPolyhedron& part, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);

@@ -6,6 +6,13 @@
 namespace voussoir::importers::patterns
 {
 
+/// A small tower of posts over the oculus of a dome. Lengths in m.
+struct Lantern {
+    double height = 0;  // of the posts; 0: no lantern
+    double ring = 0.3;  // height of the rings below and above the posts
+    double cap = 1;     // rise of the cap, one stone
+};
+
 /// A spherical dome. Angles are measured at the centre of the sphere, from the axis.
 struct Dome {
     double radius = 5;         // m, of the intrados
@@ -17,6 +24,9 @@ struct Dome {
     bool bonded = true;        // every other course is turned by half a stone; else the head joints are meridians
     bool keystone = false;     // one stone closes the oculus
     double support = 0.5;      // m, depth of the supports below the springing of the intrados
+    bool half = false;         // the half at y > 0, behind an arch; `stones` are those of half a course
+    double front = 0.5;        // m, depth along y of the arch before a half dome
+    Lantern lantern = {};
 };
 
 /// A barrel vault over a circular arc.
@@ -41,6 +51,8 @@ struct CrossVault {
     int courses = 8;         // number, from springing to crown
     int stones = 6;          // number along the crown, from the centre to the side
     double support = 0.5;    // m, depth of the supports below the springing of the intrados
+    double rib_width = 0;    // m, of the ribs under the groins; 0: none
+    double rib_depth = 0.3;  // m, by which they stand out of the intrados, along the beds
 };
 
 /// Courses from the springing up, each counter-clockwise from the x axis as seen from above: support_01 ...,
@@ -48,7 +60,9 @@ struct CrossVault {
 ///
 /// Beds lie on cones about the axis, head joints in planes through it; a course is a polygon of as many sides as
 /// it has stones, of twice as many when bonded. All faces are flat; a bonded stone has two to each bed, and is
-/// concave. @throws InputError with every parameter that makes no dome
+/// concave. A half dome ends at y = 0 against an arch of its own thickness: front_east_c01 ..., front_keystone,
+/// front_west_c01, support_front_east, ...; every other of its courses ends with half stones.
+/// A lantern is no part of the grid. @throws InputError with every parameter that makes no dome
 StoneGrid dome(const Dome& dome);
 
 /// Courses from left to right, each from the front to the back: support_left_01 ..., vault_c01_b01 ...,
@@ -63,7 +77,8 @@ StoneGrid barrel_vault(const BarrelVault& vault);
 ///
 /// Bed joints are radial to the barrels and cut their arcs into equal angles. Head joints lie half a stone off in
 /// neighbouring courses, counted from the side of the bay; the stone at the groin reaches to the first one that
-/// leaves it a leg of a quarter of a stone. @throws InputError with every parameter that makes no vault
+/// leaves it a leg of a quarter of a stone. Ribs are no part of the grid.
+/// @throws InputError with every parameter that makes no vault
 StoneGrid cross_vault(const CrossVault& vault);
 
 }  // namespace voussoir::importers::patterns

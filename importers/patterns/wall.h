@@ -14,14 +14,15 @@ struct Wall {
     std::string name = "wall";                       // beginning of the block names
     double length = 4, height = 3, thickness = 0.4;  // m
     double block_length = 0.6, block_height = 0.3;   // m
-    int leaves = 1;                 // side by side through the thickness, their joints half a block off
-    int header_every = 0;           // every so manyth course reaches through all leaves; 0: none
-    std::vector<Opening> openings;  // doors and windows
-    Lintel lintel{0.3, 0.3};        // over every opening that does not reach the top
-    MasonryBase base;               // none
-    Imperfection imperfection;      // none by default
-    Placement placement;            // at the origin by default
-    bool flat = false;              // a slice of a planar scene: nothing stands out of its faces
+    int leaves = 1;                           // side by side through the thickness, their joints half a block off
+    std::vector<double> leaf_thickness = {};  // m, of each leaf from y = 0; empty: all alike
+    int header_every = 0;                     // every so manyth course reaches through all leaves; 0: none
+    std::vector<Opening> openings;            // doors and windows
+    Lintel lintel{0.3, 0.3};                  // over every opening that does not reach the top
+    MasonryBase base;                         // none
+    Imperfection imperfection;                // none by default
+    Placement placement;                      // at the origin by default
+    bool flat = false;                        // a slice of a planar scene: nothing stands out of its faces
 };
 
 /// The blocks from the foot up, each course from its beginning: NAME_base, NAME_c01_b01, ..., NAME_lintel_1, ...;

@@ -21,6 +21,18 @@ const std::vector<std::string> entries = {
     "dome: {radius: 5 m, thickness: 0.5 m, keystone: true}",
     "barrel_vault: {span: 5 m, thickness: 0.4 m, length: 4 m}",
     "cross_vault: {span: 5 m, rise: 2 m, thickness: 0.3 m}",
+    "dome: {radius: 4 m, thickness: 0.5 m, half: true, stones: 8}",
+    "dome: {radius: 4 m, thickness: 0.5 m, stones: 12, lantern: {height: 1 m}}",
+    "cross_vault: {span: 5 m, rise: 2 m, thickness: 0.3 m, ribs: {width: 0.3 m}}",
+    "gate: {span: 3 m, thickness: 0.5 m, voussoirs: 13, depth: 1.2 m, block: [0.8 m, 0.4 m], pier: {width: 1.6 m, "
+    "height: 2 m}}",
+    "buttress: {width: 1 m, block: [0.8 m, 0.4 m], stages: [{height: 2 m, depth: 1.6 m}, {height: 1 m, depth: 0.9 "
+    "m}]}",
+    "flying_buttress: {span: 4 m, rise: 3 m, thickness: 0.6 m, voussoirs: 9, block: [0.8 m, 0.4 m], pier: {depth: "
+    "1.8 m, height: 2 m}, pinnacle: 1 m}",
+    "steps: {number: 4, width: 3 m}",
+    "obelisk: {height: 6 m, width: 1 m, stones: 3, pedestal: {height: 0.6 m, width: 1.4 m}}",
+    "pinnacle: {width: 0.6 m, height: 1.2 m, spire: 2 m}",
     "house: {length: 5 m, width: 4 m, height: 2.8 m, wall_thickness: 0.4 m, block: [0.6 m, 0.35 m]}",
 };
 

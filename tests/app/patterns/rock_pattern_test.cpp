@@ -88,6 +88,61 @@ TEST(RockPattern, PiecesOfRandomJointsAddUpToTheBody)
     EXPECT_NEAR(left, 6, 1e-12);
 }
 
+/// A box of 3 x 2 x 1 m, cut 0.1 m from its end: the slice is too small, and becomes part of its neighbour.
+TEST(RockPattern, MergesBlocksThatAreTooSmallWithTheirNeighbours)
+{
+    const std::string keys =
+        "outline: [[0, 0], [3, 0], [3, 1], [0, 1]], width: 2 m, "
+        "sets: [{dip: 90 deg, spacing: 1 m, origin: [0.1, 0, 0]}, {dip: 0 deg, spacing: 0.5 m}], smallest: 0.7 m";
+    const Case left_out = read_rock(keys), merged = read_rock(keys + ", small: merge");
+    // Blocks of 1 m3 but for those at the ends, of 0.1 m3 and of 0.9 m3 in two layers.
+    EXPECT_EQ(left_out.model.blocks.size(), 6U);
+    EXPECT_NEAR(volume_in(left_out.model, ""), 6 - 0.2, 1e-12);
+    ASSERT_EQ(merged.model.blocks.size(), 6U);
+    EXPECT_NEAR(volume_in(merged.model, ""), 6, 1e-12);
+    int of_two = 0;
+    for (const Block& block : merged.model.blocks) {
+        if (block.parts.size() != 2) continue;
+        ++of_two;
+        EXPECT_NEAR(block.moments.volume, 1.1, 1e-12);
+    }
+    EXPECT_EQ(of_two, 2);
+    const auto assembly = assembly_of(merged.model);
+    expect_sound(assembly);
+    EXPECT_TRUE(std::any_of(merged.warnings.begin(), merged.warnings.end(), [](const std::string& line) {
+        return line.find("2 blocks smaller than 0.343 m3 were merged with their neighbours, 0.2 m3 in all") !=
+               std::string::npos;
+    }));
+}
+
+/// However many are merged, they add up to the body, and none is too small.
+TEST(RockPattern, MergedBlocksOfRandomJointsAddUpToTheBody)
+{
+    importers::exact::RockRequest request;
+    request.domain = {make_box({0, 0, 0}, {3, 2, 1})};
+    for (const double azimuth : {0.3, 1.9, 4.0})
+        request.sets.push_back({Eigen::Vector3d(std::sin(azimuth), std::cos(azimuth), 0.7).normalized(),
+                                {0.1, 0.2, 0.3},
+                                0.45,
+                                0.3,
+                                1});
+    request.smallest = 0.02;
+    const importers::exact::CutRock removed = importers::exact::cut_rock(request);
+    request.merge = true;
+    const importers::exact::CutRock merged = importers::exact::cut_rock(request);
+    EXPECT_EQ(merged.removed, 0);
+    EXPECT_GT(merged.merged, 50);
+    EXPECT_LE(merged.blocks.size(), removed.blocks.size() + static_cast<std::size_t>(removed.removed));
+    double sum = 0;
+    for (const auto& block : merged.blocks) {
+        EXPECT_GE(block.volume, 0.02);
+        const double own = moments_of(block.parts).volume;
+        EXPECT_NEAR(own, block.volume, 1e-12);
+        sum += own;
+    }
+    EXPECT_NEAR(sum, 6, 6e-12);
+}
+
 /// A slope with a bench before its toe is concave: its blocks go on round the corner, as glued parts.
 TEST(RockPattern, ConcaveBodiesGiveBlocksOfGluedParts)
 {
