@@ -11,6 +11,7 @@
 #include "app/studies/stability/cell_wire.h"
 #include "app/studies/stability/runner.h"
 #include "importers/process/own_limits.h"
+#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
 namespace
@@ -37,6 +38,7 @@ app::studies::stability::StabilityCell cell_named(const std::string& name)
 
 int main()
 {
+    voussoir::importers::process::begin_helper();
     try {
         const std::string text(std::istreambuf_iterator<char>(std::cin), {});
         const app::studies::stability::CellRequest request = app::studies::stability::cell_request_from_json(text);
@@ -44,7 +46,7 @@ int main()
         std::cout << app::studies::stability::to_json(app::studies::stability::run_here(cell_named(request.name)));
         return 0;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "voussoir-cell: %s\n", error.what());
+        voussoir::importers::process::complain("voussoir-cell", error.what());
         return 1;
     }
 }

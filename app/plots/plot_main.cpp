@@ -7,11 +7,13 @@
 
 #include "app/plots/draw_figure.h"
 #include "app/plots/draw_map.h"
+#include "importers/process/program_start.h"
 
 namespace plots = voussoir::app::plots;
 
 int main()
 {
+    voussoir::importers::process::begin_helper();
     try {
         std::string folder;
         std::getline(std::cin, folder);
@@ -23,7 +25,7 @@ int main()
         }
         return 0;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "voussoir-plot: %s\n", error.what());
+        voussoir::importers::process::complain("voussoir-plot", error.what());
         return 2;
     }
 }

@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "app/results/hdf5_detail.h"
@@ -44,6 +45,8 @@ Hdf5Id timeless(hid_t kind)
     H5Pset_obj_track_times(properties.get(), false);
     return properties;
 }
+
+constexpr std::size_t largest_text_attribute = 60'000;  // bytes; HDF5 has 64 kB for it and what describes it
 
 /// Fixed-length strings, all as long as the longest: they need no heap.
 struct PackedTexts {
@@ -87,6 +90,10 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path)
     Hdf5File result;
     result.path_ = path;
     const Hdf5Id access = access_properties();
+    std::error_code error;
+    const std::filesystem::file_status there = std::filesystem::status(path, error);
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        result.check(-1, "it is no file");  // HDF5 would wait for a pipe
     result.file_ = Hdf5Id(
         result.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), "it is not a complete HDF5 file"));
     return result;
@@ -138,12 +145,15 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& nam
 void Hdf5File::attribute(const std::string& object, const std::string& name, const std::string& text)
 {
     const PackedTexts packed = pack({text});
+    if (packed.bytes.size() > largest_text_attribute) return write_text(instead_of_attribute(object, name), text);
     write_attribute(object, name, packed.type.get(), Hdf5Id(H5Screate(H5S_SCALAR)), packed.bytes.data());
 }
 
 void Hdf5File::attribute(const std::string& object, const std::string& name, const std::vector<std::string>& texts)
 {
     const PackedTexts packed = pack(texts);
+    if (packed.bytes.size() > largest_text_attribute)
+        return write_texts(instead_of_attribute(object, name), texts);
     write_attribute(object, name, packed.type.get(), simple_space({texts.size()}), packed.bytes.data());
 }
 

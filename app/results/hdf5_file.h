@@ -90,7 +90,8 @@ class Hdf5File
     {
         write(name, values, {values.size()});
     }
-    /// Attributes of the group or dataset `object`.
+    /// Attributes of the group or dataset `object`. HDF5 has no room for more than 64 kB in one: texts that are
+    /// larger become a dataset `object.name` (of the root `/name`), which text_attribute() finds as well.
     void attribute(const std::string& object, const std::string& name, const std::string& text);
     void attribute(const std::string& object, const std::string& name, const std::vector<std::string>& texts);
     void attribute(const std::string& object, const std::string& name, double value);

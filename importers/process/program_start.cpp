@@ -1,0 +1,95 @@
+#include "importers/process/program_start.h"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+
+#include "libdda/text/printable.h"
+
+namespace voussoir::importers::process
+{
+
+namespace
+{
+
+constexpr rlim_t least_stack = rlim_t{1} << 20;  // bytes; the readers and the libraries want about a quarter of it
+
+bool no_output = false;
+
+bool is_open(int descriptor)
+{
+    return fcntl(descriptor, F_GETFD) != -1 || errno != EBADF;
+}
+
+void open_standard_descriptors()
+{
+    no_output = !is_open(STDOUT_FILENO);
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (is_open(descriptor)) continue;
+        // The lowest that is free: this one.
+        const int made = open("/dev/null", descriptor == STDIN_FILENO ? O_RDONLY : O_WRONLY);
+        if (made != descriptor) _exit(1);  // nothing can be said
+    }
+}
+
+/// Raising the limit here would be too late for the threads that libraries have made, and are to make.
+void require_stack()
+{
+    rlimit stack{};
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= least_stack) return;
+    std::fprintf(stderr, "voussoir: the stack is limited to %llu KiB; at least %llu are needed: ulimit -s 8192\n",
+                 static_cast<unsigned long long>(stack.rlim_cur >> 10),
+                 static_cast<unsigned long long>(least_stack >> 10));
+    std::exit(1);
+}
+
+}  // namespace
+
+void begin_program()
+{
+    open_standard_descriptors();
+    require_stack();
+}
+
+void begin_helper()
+{
+    begin_program();
+    // Who asks does so through a socket that it made. Started by hand there is none, and nobody to follow.
+    ucred asking{};
+    socklen_t size = sizeof asking;
+    if (getsockopt(STDIN_FILENO, SOL_SOCKET, SO_PEERCRED, &asking, &size) != 0) return;
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != asking.pid) std::exit(1);  // it has ended before it could be followed
+}
+
+bool had_no_output()
+{
+    return no_output;
+}
+
+void complain(const char* program, const char* what)
+{
+    std::fprintf(stderr, "%s: %s\n", program, text::printable_lines(what).c_str());
+}
+
+SignalsHeld::SignalsHeld()
+{
+    sigset_t ending{};
+    sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
+    pthread_sigmask(SIG_BLOCK, &ending, &before_);
+}
+
+SignalsHeld::~SignalsHeld()
+{
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+}  // namespace voussoir::importers::process
