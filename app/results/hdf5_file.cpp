@@ -14,7 +14,13 @@ namespace voussoir::app::results
 
 Hdf5Id::~Hdf5Id()
 {
-    if (id_ >= 0) H5Idec_ref(id_);
+    close();
+}
+
+std::int64_t Hdf5Id::close()
+{
+    const std::int64_t id = std::exchange(id_, -1);
+    return id >= 0 ? H5Idec_ref(id) : 0;
 }
 
 Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept
@@ -102,18 +108,19 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path)
 void Hdf5File::make_group(const std::string& name)
 {
     const Hdf5Id properties = timeless(H5P_GROUP_CREATE);
-    const Hdf5Id group(
-        check(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), name));
+    Hdf5Id group(check(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), name));
+    check(group.close(), name);
 }
 
 void Hdf5File::write_dataset(const std::string& name, std::int64_t type, const Hdf5Id& space, const void* values)
 {
     const Hdf5Id properties = timeless(H5P_DATASET_CREATE);
-    const Hdf5Id dataset(
+    Hdf5Id dataset(
         check(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
               name));
-    if (H5Sget_simple_extent_npoints(space.get()) == 0) return;
-    check(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+    if (H5Sget_simple_extent_npoints(space.get()) != 0)
+        check(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+    check(dataset.close(), name);  // a small one is written only here
 }
 
 void Hdf5File::write_values(const std::string& name, ElementType type, const void* values, const Extents& extents)
@@ -136,10 +143,11 @@ void Hdf5File::write_texts(const std::string& name, const std::vector<std::strin
 void Hdf5File::write_attribute(const std::string& object, const std::string& name, std::int64_t type,
                                const Hdf5Id& space, const void* value)
 {
-    const Hdf5Id attribute(check(H5Acreate_by_name(file_.get(), object.c_str(), name.c_str(), type, space.get(),
-                                                   H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                                 name));
+    Hdf5Id attribute(check(H5Acreate_by_name(file_.get(), object.c_str(), name.c_str(), type, space.get(),
+                                             H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                           name));
     check(H5Awrite(attribute.get(), type, value), name);
+    check(attribute.close(), name);
 }
 
 void Hdf5File::attribute(const std::string& object, const std::string& name, const std::string& text)
@@ -213,8 +221,9 @@ void Hdf5File::append_values(Hdf5Series& series, ElementType type, const void* v
 
 void Hdf5File::overwrite(const std::string& name, std::int64_t value)
 {
-    const Hdf5Id dataset = open_dataset(name);
+    Hdf5Id dataset = open_dataset(name);
     check(H5Dwrite(dataset.get(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), name);
+    check(dataset.close(), name);
 }
 
 void Hdf5File::flush()
@@ -226,7 +235,12 @@ void Hdf5File::close()
 {
     if (file_.get() < 0) return;
     flush();
-    file_ = Hdf5Id();
+    check(file_.close(), "what was written could not be stored");
+}
+
+void Hdf5File::close(Hdf5Series& series) const
+{
+    check(series.dataset.close(), series.name);
 }
 
 }  // namespace voussoir::app::results

@@ -53,6 +53,9 @@ class Hdf5Id
     Hdf5Id(const Hdf5Id&) = delete;
     Hdf5Id& operator=(const Hdf5Id&) = delete;
     std::int64_t get() const { return id_; }
+    /// What was held back in memory is written now. @returns negative when it could not be, which the destructor,
+    /// where it closes, cannot tell
+    std::int64_t close();
 
  private:
     std::int64_t id_ = -1;
@@ -109,6 +112,8 @@ class Hdf5File
     void overwrite(const std::string& name, std::int64_t value);
     /// All that was written reaches the operating system: it survives the death of this process.
     void flush();
+    /// No more rows come.
+    void close(Hdf5Series& series) const;
     /// Flushes and closes, so that a failure is heard; without it the destructor closes silently.
     void close();
 

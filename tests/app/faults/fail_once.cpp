@@ -154,6 +154,13 @@ __attribute__((constructor)) void begin()
     ready = list_file != nullptr || fired_file != nullptr;
 }
 
+/// What ferror() tells, as the C library keeps it.
+void note_error(std::FILE* file)
+{
+    constexpr int error_seen = 0x20;
+    if (file != nullptr) file->_flags |= error_seen;
+}
+
 template <typename Result>
 Result failed(int error, Result result)
 {
@@ -222,8 +229,8 @@ OPENING(open64)
 FAILING(std::FILE*, fopen, (const char* path, const char* mode), (path, mode), EIO, nullptr)
 FAILING(std::FILE*, fopen64, (const char* path, const char* mode), (path, mode), EIO, nullptr)
 FAILING(std::size_t, fwrite, (const void* data, std::size_t size, std::size_t count, std::FILE* file),
-        (data, size, count, file), ENOSPC, 0)
-FAILING(int, fflush, (std::FILE * file), (file), ENOSPC, EOF)
+        (data, size, count, file), ENOSPC, (note_error(file), 0))
+FAILING(int, fflush, (std::FILE * file), (file), ENOSPC, (note_error(file), EOF))
 FAILING(ssize_t, read, (int file, void* data, std::size_t size), (file, data, size), EIO, -1)
 FAILING(ssize_t, pread, (int file, void* data, std::size_t size, off_t at), (file, data, size, at), EIO, -1)
 FAILING(ssize_t, pread64, (int file, void* data, std::size_t size, off64_t at), (file, data, size, at), EIO, -1)
