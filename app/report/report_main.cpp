@@ -45,7 +45,8 @@ int main()
         voussoir::importers::process::complain("voussoir-report", error.what());
         return 2;
     } catch (const nlohmann::json::exception&) {
-        std::fprintf(stderr, "voussoir-report: the summary in the results is damaged: run the case again\n");
+        voussoir::importers::process::complain("voussoir-report",
+                                               "the summary in the results is damaged: run the case again");
         return 2;
     } catch (const std::exception& error) {
         voussoir::importers::process::complain("voussoir-report", error.what());
