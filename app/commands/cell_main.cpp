@@ -2,7 +2,6 @@
 // memory is an outcome. Reads a request as JSON from its standard input, writes what the cell gave to its standard
 // output.
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <iterator>

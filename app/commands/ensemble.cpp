@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
-
 #include "app/commands/commands.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/option_words.h"

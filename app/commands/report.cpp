@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "app/commands/commands.h"
 #include "app/commands/film_progress.h"
 #include "app/commands/say.h"

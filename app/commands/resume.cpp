@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "app/commands/say.h"
 #include "libdda/errors.h"
 

@@ -1,6 +1,5 @@
 // voussoir-plot: diagrams. Reads the folder (a line) and the figures as JSON from its standard input, writes
 // FOLDER/NAME.png for every figure, and the names to its standard output.
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <iterator>

@@ -2,7 +2,6 @@
 // to write into, and "film" or "no film"; writes the files that it made.
 #include <fmt/format.h>
 
-#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -7,9 +7,13 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
 
 #include "libdda/text/printable.h"
 
@@ -22,6 +26,31 @@ namespace
 constexpr rlim_t least_stack = rlim_t{1} << 20;  // bytes; the readers and the libraries want about a quarter of it
 
 bool no_output = false;
+
+std::atomic<bool> memory_ran_out{false};
+
+/// Where memory runs out in a place that cannot throw, in a library or before main, the program would crash.
+[[noreturn]] void end_for_want_of_memory()
+{
+    if (!memory_ran_out) std::abort();  // our own mistake
+    const char* const name = program_invocation_short_name;
+    for (const char* words : {name, ": out of memory; it ended at once\n"})
+        static_cast<void>(write(STDERR_FILENO, words, std::strlen(words)) + 1);
+    _exit(1);
+}
+
+[[noreturn]] void note_want_of_memory()
+{
+    memory_ran_out = true;
+    throw std::bad_alloc();
+}
+
+/// Before the objects of other files are made, which need memory too.
+__attribute__((constructor(101))) void expect_want_of_memory()
+{
+    std::set_new_handler(note_want_of_memory);
+    std::set_terminate(end_for_want_of_memory);
+}
 
 bool is_open(int descriptor)
 {
