@@ -1,14 +1,19 @@
 // voussoir: what an earthquake does to stone structures, block by block. The command line and the exit codes.
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <new>
+#include <sstream>
 
 #include "app/commands/commands.h"
+#include "app/commands/say.h"
 #include "app/version/version.h"
 #include "importers/helper/geometry.h"
+#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
 namespace
@@ -415,14 +420,42 @@ int guarded(const std::function<int()>& command)
     try {
         return command();
     } catch (const InputError& error) {
-        for (const Fault& fault : error.faults) std::fprintf(stderr, "%s\n", to_sentence(fault).c_str());
+        app::commands::complain(error);
+        return app::commands::exit_bad_input;
+    } catch (const std::filesystem::filesystem_error& error) {
+        app::commands::complain(error.path1().string() + ": " + error.code().message() + "; name another one");
         return app::commands::exit_bad_input;
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "voussoir: out of memory\n");
+        app::commands::complain("voussoir: out of memory");
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "voussoir: %s\n", error.what());
+        app::commands::complain(std::string("voussoir: ") + error.what());
     }
     return app::commands::exit_failure;
+}
+
+/// What the command line asks for by itself, --help, or is wrong with it. @returns the exit code
+int answer(const CLI::App& app, const CLI::ParseError& error)
+{
+    std::ostringstream text, faults;
+    const bool done = app.exit(error, text, faults) == 0;
+    app::commands::say_lines(text.str());
+    // Of two lines: the fault, with what was typed, and where help is.
+    std::string fault = faults.str();
+    if (!fault.empty() && fault.back() == '\n') fault.pop_back();
+    const std::size_t help = std::min(fault.rfind('\n'), fault.size());
+    for (const std::string& line : {fault.substr(0, help), fault.substr(std::min(help + 1, fault.size()))})
+        if (!line.empty()) app::commands::complain(line);
+    return done ? app::commands::exit_done : app::commands::exit_bad_input;
+}
+
+/// Nobody asks for words that nobody can read: a run of the program that lost some of them has failed.
+int heard(int code)
+{
+    const std::string reason = app::commands::unsaid();
+    if (reason.empty()) return code;
+    app::commands::complain("standard output: cannot be written: " + reason +
+                            "; what it should have said is lost");
+    return code == app::commands::exit_done ? app::commands::exit_failure : code;
 }
 
 int run_program(int argument_count, char** arguments)
@@ -447,15 +480,16 @@ int run_program(int argument_count, char** arguments)
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? app::commands::exit_done : app::commands::exit_bad_input;
+        return heard(answer(app, error));
     }
-    return guarded(chosen);
+    return heard(guarded(chosen));
 }
 
 }  // namespace
 
 int main(int argument_count, char** arguments)
 {
+    importers::process::begin_program();
     try {
         return run_program(argument_count, arguments);
     } catch (...) {  // even the message could not be made

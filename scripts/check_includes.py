@@ -38,7 +38,7 @@ FOLDER_RULES = {
     "records/processing/": READS + ("records/*", "records/measures/", "records/synthetic/"),
 
     "importers/": ("importers/exact/", "importers/mesh/", "importers/patterns/"),
-    "importers/process/": ("libdda/errors.h",),
+    "importers/process/": ("libdda/errors.h", "libdda/text/"),
     "importers/mesh/": READS + ("libdda/geometry/",),
     "importers/exact/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/"),
     "importers/fit/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/", "importers/exact/"),
@@ -52,12 +52,12 @@ FOLDER_RULES = {
     "app/case/": ENGINE_MODEL,
     "app/reader/": ENGINE + ("libdda/text/", "importers/", "records/", "app/words/", "app/case/"),
     "app/results/": ENGINE + ("app/version/", "app/words/", "app/case/"),
-    "app/drawing/": ("libdda/errors.h",),
+    "app/drawing/": ("libdda/errors.h", "importers/process/"),
     "app/plots/": ("libdda/errors.h", "importers/process/", "app/words/", "app/drawing/"),
     "app/render/": ENGINE + ("importers/process/", "importers/mesh/", "importers/helper/", "app/case/", "app/results/",
                              "app/drawing/"),
-    "app/report/": ENGINE + ("importers/process/", "records/", "app/case/", "app/results/", "app/plots/", "app/render/"),
-    "app/generate/": ("libdda/errors.h", "libdda/geometry/", "importers/mesh/", "importers/patterns/"),
+    "app/report/": ENGINE + ("importers/process/", "records/", "app/words/", "app/case/", "app/results/", "app/plots/", "app/render/"),
+    "app/generate/": ("libdda/errors.h", "libdda/geometry/", "importers/process/", "importers/mesh/", "importers/patterns/"),
     "app/studies/scenes/": ENGINE,
     "app/studies/verify/": ENGINE + ("app/version/", "importers/patterns/", "app/words/", "app/plots/", "app/studies/scenes/",
                                      "app/studies/verify/references/"),
@@ -109,7 +109,7 @@ TESTS_OF = {"libdda/solve/": ("tests/libdda/solve/",), "libdda/": ("tests/libdda
             "app/render/": ("tests/app/render/",), "app/": ("tests/app/", "tests/verification/")}
 
 # The system's own headers beside those of the C++ standard (which have no slash and no ".h").
-POSIX = re.compile(r"(sys/.*|unistd|fcntl|spawn|poll|signal|pthread|dlfcn|fenv|ftw|termios|time|gnu/libc-version)\.h$")
+POSIX = re.compile(r"(sys/.*|unistd|fcntl|spawn|execinfo|link|poll|signal|pthread|dlfcn|fenv|ftw|termios|time|gnu/libc-version)\.h$")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 OPENMP_PRAGMA = re.compile(r"^\s*#\s*pragma\s+omp\b")

@@ -21,7 +21,7 @@ void expect_tools(const Case& the_case);
 
 /// The results stand whatever becomes of the rest, so a failure is told and is no fault of the input. Unasked,
 /// where this build can draw, a mechanism is drawn.
-AfterRun make_after_run(const Case& the_case, const RunReport& report, const std::filesystem::path& results,
+AfterRun make_after_run(const Case& the_case, const RunReport& report, const std::filesystem::path& results_file,
                         const std::filesystem::path& folder, bool quiet);
 
 }  // namespace voussoir::app::commands

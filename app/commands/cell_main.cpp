@@ -2,7 +2,6 @@
 // memory is an outcome. Reads a request as JSON from its standard input, writes what the cell gave to its standard
 // output.
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <iterator>
@@ -11,6 +10,7 @@
 #include "app/studies/stability/cell_wire.h"
 #include "app/studies/stability/runner.h"
 #include "importers/process/own_limits.h"
+#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
 namespace
@@ -37,6 +37,7 @@ app::studies::stability::StabilityCell cell_named(const std::string& name)
 
 int main()
 {
+    voussoir::importers::process::begin_helper();
     try {
         const std::string text(std::istreambuf_iterator<char>(std::cin), {});
         const app::studies::stability::CellRequest request = app::studies::stability::cell_request_from_json(text);
@@ -44,7 +45,7 @@ int main()
         std::cout << app::studies::stability::to_json(app::studies::stability::run_here(cell_named(request.name)));
         return 0;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "voussoir-cell: %s\n", error.what());
+        voussoir::importers::process::complain("voussoir-cell", error.what());
         return 1;
     }
 }

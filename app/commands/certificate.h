@@ -64,10 +64,9 @@ void write_contact_graph(const importers::assembly::Assembly& assembly, const st
 
 /// `assembly.png` and a picture of each defective stone, overlap, group of gaps, ... into a folder. Pictures of an
 /// earlier certificate are removed. A warning to standard error when they cannot be drawn.
-/// @returns the files
-std::vector<std::filesystem::path> draw_certificate(const std::string& title,
-                                                    const importers::assembly::Assembly& assembly,
-                                                    const std::vector<importers::helper::ImportedMesh>& meshes,
-                                                    const std::filesystem::path& folder);
+/// @returns whether all of them were drawn that a build of these options draws
+bool draw_certificate(const std::string& title, const importers::assembly::Assembly& assembly,
+                      const std::vector<importers::helper::ImportedMesh>& meshes,
+                      const std::filesystem::path& folder);
 
 }  // namespace voussoir::app::commands

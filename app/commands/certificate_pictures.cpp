@@ -4,6 +4,7 @@
 
 #include "app/commands/certificate.h"
 #include "app/commands/picture_album.h"
+#include "app/commands/say.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::commands
@@ -183,9 +184,8 @@ void remove_earlier(const fs::path& folder)
 
 }  // namespace
 
-std::vector<fs::path> draw_certificate(const std::string& title, const importers::assembly::Assembly& assembly,
-                                       const std::vector<importers::helper::ImportedMesh>& meshes,
-                                       const fs::path& folder)
+bool draw_certificate(const std::string& title, const importers::assembly::Assembly& assembly,
+                      const std::vector<importers::helper::ImportedMesh>& meshes, const fs::path& folder)
 {
     Album album{title, assembly, {}, {}, {}, 0};
     for (const importers::assembly::AssemblyStone& stone : assembly.stones)
@@ -197,7 +197,7 @@ std::vector<fs::path> draw_certificate(const std::string& title, const importers
             add_shape({stone.vertices, stone.faces}, album);
         }
     remove_earlier(folder);
-    if (album.pictures.shapes.empty()) return {};
+    if (album.pictures.shapes.empty()) return true;
     add_whole(album);
     draw_refused(album);
     draw_overlaps(album);
@@ -207,13 +207,14 @@ std::vector<fs::path> draw_certificate(const std::string& title, const importers
     draw_slivers(album);
     draw_poor_contacts(album);
     if (album.left_out > 0)
-        fmt::print(stderr, "note: {} more findings have no picture: repair some and check again\n",
-                   album.left_out);
+        complain(
+            fmt::format("note: {} more findings have no picture: repair some and check again", album.left_out));
     try {
-        return render::draw_defects(album.pictures, folder);
+        render::draw_defects(album.pictures, folder);
+        return true;
     } catch (const InputError& error) {
-        fmt::print(stderr, "warning: {}\n", error.what());
-        return {};
+        complain(fmt::format("warning: {}", error.what()));
+        return !render::can_draw_defects();
     }
 }
 

@@ -4,6 +4,8 @@
 
 #include "app/commands/certificate.h"
 #include "app/commands/outputs.h"
+#include "app/commands/say.h"
+#include "app/words/csv_cell.h"
 
 namespace voussoir::app::commands
 {
@@ -25,15 +27,6 @@ const char* words_of(importers::assembly::Touch touch)
     return "two edges cross";
 }
 
-/// A name for a file of comma-separated values.
-std::string quoted(const std::string& name)
-{
-    if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
-    std::string text = "\"";
-    for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return text + "\"";
-}
-
 std::string ground_words(const importers::assembly::Assembly& assembly)
 {
     if (assembly.ground_given) return fmt::format("{} foundations", assembly.ground.size());
@@ -51,7 +44,7 @@ void print_wrapped(const std::string& first, const std::string& indent, const st
         const std::size_t end = std::min(words.find(' ', start), words.size());
         const std::string word = words.substr(start, end - start);
         if (!empty && line.size() + 1 + word.size() > width) {
-            fmt::print("{}\n", line);
+            say(line);
             line = indent;
             empty = true;
         }
@@ -59,7 +52,7 @@ void print_wrapped(const std::string& first, const std::string& indent, const st
         empty = false;
         start = end + 1;
     }
-    fmt::print("{}\n", line);
+    say(line);
 }
 
 }  // namespace
@@ -69,29 +62,31 @@ void print_contact_graph(const importers::assembly::Assembly& assembly)
     if (assembly.stones.size() < 2) return;
     double area = 0;
     for (const importers::assembly::StoneContact& contact : assembly.contacts) area += contact.area;
-    fmt::print("contact graph: {} pairs touch over {:.6g} m2, {} group{}, {}\n", assembly.contacts.size(), area,
-               assembly.components.size(), assembly.components.size() == 1 ? "" : "s", ground_words(assembly));
+    say(fmt::format("contact graph: {} pairs touch over {:.6g} m2, {} group{}, {}", assembly.contacts.size(), area,
+                    assembly.components.size(), assembly.components.size() == 1 ? "" : "s",
+                    ground_words(assembly)));
     if (assembly.contacts.empty()) return;
-    fmt::print("  {:<24} {:<24} {:>10} {:>8} {:>13}\n", "stone", "stone", "area m2", "patches", "smallest gap");
+    say(fmt::format("  {:<24} {:<24} {:>10} {:>8} {:>13}", "stone", "stone", "area m2", "patches",
+                    "smallest gap"));
     for (std::size_t i = 0; i < std::min(assembly.contacts.size(), max_rows); ++i) {
         const importers::assembly::StoneContact& contact = assembly.contacts[i];
-        fmt::print("  {:<24} {:<24} {:>10.4g} {:>8} {:>11.1e} m {}\n", assembly.stones[contact.a].name,
-                   assembly.stones[contact.b].name, contact.area, contact.patches, contact.smallest_gap,
-                   words_of(contact.touch));
+        say(fmt::format("  {:<24} {:<24} {:>10.4g} {:>8} {:>11.1e} m {}", assembly.stones[contact.a].name,
+                        assembly.stones[contact.b].name, contact.area, contact.patches, contact.smallest_gap,
+                        words_of(contact.touch)));
     }
     if (assembly.contacts.size() > max_rows)
-        fmt::print("  and {} more pairs: --json and contact_graph.csv (-o DIR) have them all\n",
-                   assembly.contacts.size() - max_rows);
+        say(fmt::format("  and {} more pairs: --json and contact_graph.csv (-o DIR) have them all",
+                        assembly.contacts.size() - max_rows));
 }
 
 void print_findings(const importers::assembly::Assembly& assembly)
 {
     if (assembly.stones.empty()) return;
     if (assembly.findings.empty()) {
-        fmt::print("no faults were found in the assembly of the stones\n");
+        say("no faults were found in the assembly of the stones");
         return;
     }
-    fmt::print("findings:\n");
+    say("findings:");
     for (const importers::assembly::AssemblyFinding& finding : assembly.findings) {
         print_wrapped(finding.harmless ? "  note: " : "  fault: ", "    ", finding.what);
         print_wrapped("    -> ", "       ", finding.advice);
@@ -102,7 +97,7 @@ void write_contact_graph(const importers::assembly::Assembly& assembly, const st
 {
     std::string text =
         "stone_a,stone_b,kind,area_m2,facing_area_m2,smallest_gap_m,patches,normal_x,normal_y,normal_z\n";
-    const auto name = [&](int stone) { return quoted(assembly.stones[stone].name); };
+    const auto name = [&](int stone) { return words::csv_cell(assembly.stones[stone].name); };
     for (const importers::assembly::StoneContact& c : assembly.contacts)
         text += fmt::format("{},{},contact,{:.9g},{:.9g},{:.6g},{},{:.9g},{:.9g},{:.9g}\n", name(c.a), name(c.b),
                             c.area, c.facing_area, c.smallest_gap, c.patches, c.normal.x(), c.normal.y(),

@@ -8,6 +8,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/describe_case.h"
 #include "app/commands/outputs.h"
+#include "app/commands/say.h"
 #include "app/commands/trust_watch.h"
 #include "app/reader/case_file.h"
 #include "app/results/scene_vectors.h"
@@ -61,8 +62,9 @@ PairContacts contacts_by_pair(const Model& model)
 
 void print_blocks(const Model& model)
 {
-    fmt::print("blocks:\n  {:<24} {:<14} {:<12} {:>12} {:>12}  centroid m\n", "name", "group", "material",
-               "volume m3", "mass kg");
+    say("blocks:");
+    say(fmt::format("  {:<24} {:<14} {:<12} {:>12} {:>12}  centroid m", "name", "group", "material", "volume m3",
+                    "mass kg"));
     double volume = 0, mass = 0;
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Block& block = model.blocks[i];
@@ -70,27 +72,27 @@ void print_blocks(const Model& model)
             results::stored_vector(block.moments.centroid + model.origin, model.kinematics);
         volume += block.moments.volume;
         mass += model.mass(static_cast<int>(i));
-        if (i == max_rows) fmt::print("  ... (--json has all blocks)\n");
+        if (i == max_rows) say("  ... (--json has all blocks)");
         if (i >= max_rows) continue;
-        fmt::print("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}  [{:.4f}]\n", block.name, model.groups[block.group],
-                   model.materials[block.material].name, block.moments.volume, model.mass(static_cast<int>(i)),
-                   fmt::join(centroid, ", "));
+        say(fmt::format("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}  [{:.4f}]", block.name,
+                        model.groups[block.group], model.materials[block.material].name, block.moments.volume,
+                        model.mass(static_cast<int>(i)), fmt::join(centroid, ", ")));
     }
-    fmt::print("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}\n", "all", "", "", volume, mass);
+    say(fmt::format("  {:<24} {:<14} {:<12} {:>12.6g} {:>12.6g}", "all", "", "", volume, mass));
 }
 
 void print_foundations(const Model& model)
 {
     std::size_t row = 0;
     for (const Foundation& foundation : model.foundations) {
-        if (row++ == max_rows) fmt::print("and {} more foundations\n", model.foundations.size() - max_rows);
+        if (row++ == max_rows) say(fmt::format("and {} more foundations", model.foundations.size() - max_rows));
         if (row > max_rows) return;
         std::string held;
         for (const int axis : axes_of(model.kinematics))
             held += fmt::format("{} {}, ", static_cast<char>('x' + axis),
                                 foundation.translation_held[axis] ? "fixed" : "free");
-        fmt::print("foundation {}: {}rotation {}\n", model.blocks[foundation.block].name, held,
-                   foundation.rotation_held ? "fixed" : "free");
+        say(fmt::format("foundation {}: {}rotation {}", model.blocks[foundation.block].name, held,
+                        foundation.rotation_held ? "fixed" : "free"));
     }
 }
 
@@ -99,11 +101,11 @@ void print_initial_motions(const Model& model)
     std::size_t row = 0;
     for (const InitialMotion& motion : model.initial_motions) {
         if (row++ == max_rows)
-            fmt::print("and {} more initial motions\n", model.initial_motions.size() - max_rows);
+            say(fmt::format("and {} more initial motions", model.initial_motions.size() - max_rows));
         if (row > max_rows) return;
-        fmt::print("initial motion of {}: velocity [{:g}, {:g}, {:g}] m/s, spin [{:g}, {:g}, {:g}] rad/s\n",
-                   model.blocks[motion.block].name, motion.velocity.x(), motion.velocity.y(), motion.velocity.z(),
-                   motion.spin.x(), motion.spin.y(), motion.spin.z());
+        say(fmt::format("initial motion of {}: velocity [{:g}, {:g}, {:g}] m/s, spin [{:g}, {:g}, {:g}] rad/s",
+                        model.blocks[motion.block].name, motion.velocity.x(), motion.velocity.y(),
+                        motion.velocity.z(), motion.spin.x(), motion.spin.y(), motion.spin.z()));
     }
 }
 
@@ -113,31 +115,32 @@ void print_contacts(const Model& model)
     std::size_t row = 0;
     int points = 0;
     double area = 0;
-    fmt::print("contacts:\n  {:<49} {:>6} {:>10} {:>13} {:>12}  joint\n", "blocks", "points", "area m2",
-               "smallest gap", "Pa/m");
+    say("contacts:");
+    say(fmt::format("  {:<49} {:>6} {:>10} {:>13} {:>12}  joint", "blocks", "points", "area m2", "smallest gap",
+                    "Pa/m"));
     for (const auto& [pair, contact] : pairs) {
         const auto& [a, b] = pair;
         points += contact.points;
         area += contact.area;
-        if (row++ == max_rows) fmt::print("  ... (contact_graph.csv of -o DIR has all pairs)\n");
+        if (row++ == max_rows) say("  ... (contact_graph.csv of -o DIR has all pairs)");
         if (row > max_rows) continue;
-        fmt::print("  {:<24} {:<24} {:>6} {:>10.4g} {:>11.1e} m {:>12.4g}  {}\n", model.blocks[a].name,
-                   model.blocks[b].name, contact.points, contact.area, contact.smallest_gap, contact.max_stiffness,
-                   model.joint_between(a, b).name);
+        say(fmt::format("  {:<24} {:<24} {:>6} {:>10.4g} {:>11.1e} m {:>12.4g}  {}", model.blocks[a].name,
+                        model.blocks[b].name, contact.points, contact.area, contact.smallest_gap,
+                        contact.max_stiffness, model.joint_between(a, b).name));
     }
-    fmt::print("  {} pairs of blocks, {} points, {:.6g} m2\n", pairs.size(), points, area);
+    say(fmt::format("  {} pairs of blocks, {} points, {:.6g} m2", pairs.size(), points, area));
 }
 
 void print_stages(const std::vector<Stage>& stages)
 {
     for (const Stage& stage : stages) {
         const bool is_dynamic = stage.type == StageType::dynamic;
-        fmt::print(
-            "stage {}: {}, time step {:g} s{}, {} motions, {} body accelerations{}\n", stage.name,
+        say(fmt::format(
+            "stage {}: {}, time step {:g} s{}, {} motions, {} body accelerations{}", stage.name,
             is_dynamic ? "dynamic" : "static", stage.control.time_step,
             is_dynamic ? fmt::format(", {:g} s", stage.duration) : "", stage.motions.size(),
             stage.body_accelerations.size(),
-            stage.incoming_waves.empty() ? "" : fmt::format(", {} incoming waves", stage.incoming_waves.size()));
+            stage.incoming_waves.empty() ? "" : fmt::format(", {} incoming waves", stage.incoming_waves.size())));
     }
 }
 
@@ -149,14 +152,14 @@ void print_trust(const Case& the_case)
     ModesSearch search;
     search.most_work = std::max(most_work_of_modes(the_case), worth_waiting_for);
     const Trust trust = trust_in({false, natural_modes(the_case.model, state, search), {}}, the_case.stages, {});
-    fmt::print("as drawn, all joints closed: {}\n", words::vibrations_in_words(trust));
+    say(fmt::format("as drawn, all joints closed: {}", words::vibrations_in_words(trust)));
     for (const NaturalMode& mode : trust.start.modes.modes) {
         const Eigen::Vector3d share = 100 * mode.mass_share;
-        fmt::print("  {:>8.4g} Hz, {:3.0f}, {:3.0f}, {:3.0f} % of the mass along x, y, z\n", mode.frequency,
-                   share.x(), share.y(), share.z());
+        say(fmt::format("  {:>8.4g} Hz, {:3.0f}, {:3.0f}, {:3.0f} % of the mass along x, y, z", mode.frequency,
+                        share.x(), share.y(), share.z()));
     }
     for (const std::string& warning : words::warnings_of(trust, the_case.stages))
-        fmt::print("warning: {}\n", warning);
+        say(fmt::format("warning: {}", warning));
 }
 
 void print_all(const Case& the_case)
@@ -212,7 +215,7 @@ CertifiedCase certify(const CheckArguments& arguments, bool print)
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) {
             certified.faults.push_back(to_sentence(fault));
-            fmt::print(stderr, "{}\n", certified.faults.back());
+            complain(certified.faults.back());
         }
     }
     if (print && arguments.verbose) print_repairs(stones.geometry);
@@ -220,12 +223,12 @@ CertifiedCase certify(const CheckArguments& arguments, bool print)
     return certified;
 }
 
-void write_folder(const CertifiedCase& certified, const std::filesystem::path& folder)
+bool write_folder(const CertifiedCase& certified, const std::filesystem::path& folder)
 {
     make_output_folder(folder);
     write_own_file(folder / "certificate.json", certificate_json(certified) + "\n");
     write_contact_graph(certified.assembly, folder / "contact_graph.csv");
-    draw_certificate(certified.title, certified.assembly, certified.meshes, folder);
+    return draw_certificate(certified.title, certified.assembly, certified.meshes, folder);
 }
 
 }  // namespace
@@ -239,10 +242,11 @@ int check_command(const CheckArguments& arguments)
     if (print && !can_run) print_contact_graph(certified.assembly);
     if (print) print_findings(certified.assembly);
     if (arguments.json) write_json_text(*arguments.json, certificate_json(certified));
-    if (arguments.folder) write_folder(certified, *arguments.folder);
-    if (print && arguments.folder) fmt::print("written to {}\n", arguments.folder->string());
-    if (print && can_run) fmt::print("the case can be run\n");
-    return can_run ? exit_done : exit_bad_input;
+    const bool complete = !arguments.folder || write_folder(certified, *arguments.folder);
+    if (print && arguments.folder) say(fmt::format("written to {}", arguments.folder->string()));
+    if (print && can_run) say("the case can be run");
+    if (!can_run) return exit_bad_input;
+    return complete ? exit_done : exit_failure;
 }
 
 }  // namespace voussoir::app::commands

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
-
 #include "app/commands/commands.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/option_words.h"
+#include "app/commands/say.h"
 #include "app/commands/study_output.h"
 #include "app/reader/case_file.h"
 #include "app/studies/converge/report.h"
@@ -57,7 +56,7 @@ class ConvergeLine
     }
     ~ConvergeLine()
     {
-        if (shown_) fmt::print(stderr, "\r\033[K");
+        if (shown_) say_over("", true);
     }
     ConvergeLine(const ConvergeLine&) = delete;
     ConvergeLine& operator=(const ConvergeLine&) = delete;
@@ -70,8 +69,10 @@ class ConvergeLine
         if (setting == last_ && percent == percent_) return;
         last_ = setting;
         percent_ = percent;
-        fmt::print(stderr, "\r\033[Ksetting {} of {}: time step {}, stiffness x {:g}: {} %", number_, settings_,
-                   words::step_in_words(setting.step_factor * time_step_), setting.stiffness_factor, percent);
+        say_over(
+            fmt::format("setting {} of {}: time step {}, stiffness x {:g}: {} %", number_, settings_,
+                        words::step_in_words(setting.step_factor * time_step_), setting.stiffness_factor, percent),
+            true);
     }
 
  private:

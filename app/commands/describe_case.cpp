@@ -1,10 +1,11 @@
 #include "app/commands/describe_case.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
 
+#include "app/commands/say.h"
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
 #include "importers/helper/repair_summary.h"
@@ -26,20 +27,20 @@ void print_wrapped(const std::string& text, const std::string& indent)
         const std::size_t end = std::min(text.find(' ', start), text.size());
         const std::string word = text.substr(start, end - start);
         if (line.size() > indent.size() && line.size() + 1 + word.size() > line_width) {
-            fmt::print("{}\n", line);
+            say(line);
             line = indent + "  ";
         }
         if (line.empty()) line = indent;
         line += (line.find_first_not_of(' ') == std::string::npos ? "" : " ") + word;
         start = end + 1;
     }
-    fmt::print("{}\n", line);
+    say(line);
 }
 
 void print_list(const std::string& heading, const std::vector<std::string>& lines)
 {
     if (lines.empty()) return;
-    fmt::print("{}:\n", heading);
+    say(fmt::format("{}:", heading));
     for (const std::string& line : lines) print_wrapped(line, "  ");
 }
 
@@ -77,17 +78,17 @@ void print_damping(const Case& the_case)
 {
     const Model& model = the_case.model;
     const auto print_row = [](const std::string& name, const auto& ratio) {
-        fmt::print("  {:<28}", name);
+        say_part(fmt::format("  {:<28}", name));
         for (const double frequency : frequencies_of_damping)
-            fmt::print(" {:>8.3g}", 100 * ratio(2 * std::numbers::pi * frequency));
-        fmt::print("\n");
+            say_part(fmt::format(" {:>8.3g}", 100 * ratio(2 * std::numbers::pi * frequency)));
+        say("");
     };
     if (std::none_of(model.materials.begin(), model.materials.end(),
                      [](const auto& m) { return m.rayleigh.any() || !m.branches.empty(); }))
         return;
-    fmt::print("damping, % of critical, at   ");
-    for (const double frequency : frequencies_of_damping) fmt::print(" {:>5g} Hz", frequency);
-    fmt::print("\n");
+    say_part("damping, % of critical, at   ");
+    for (const double frequency : frequencies_of_damping) say_part(fmt::format(" {:>5g} Hz", frequency));
+    say("");
     for (const BlockMaterial& material : model.materials)
         if (material.rayleigh.any() || !material.branches.empty())
             print_row(material.name, [&](double omega) {
@@ -108,14 +109,14 @@ void print_damping(const Case& the_case)
 void print_boundaries(const Model& model)
 {
     for (const ViscousBoundary& boundary : model.boundaries)
-        fmt::print("boundary {}: {} viscous {} of blocks {} ...; at rest {}{}\n", boundary.name,
-                   boundary.faces.size(), boundary.faces.size() == 1 ? "face" : "faces",
-                   model.blocks[boundary.faces[0].block].name, results::name_of(boundary.at_rest),
-                   boundary.free_field.empty()
-                       ? ""
-                       : "; free field " + model.blocks[boundary.free_field[0]].name + " ...");
-    if (!model.tied_sides.empty()) fmt::print("tied sides: {} blocks\n", model.tied_sides.size());
-    if (!model.side_ties.empty()) fmt::print("periodic sides: {} pairs of faces\n", model.side_ties.size());
+        say(fmt::format("boundary {}: {} viscous {} of blocks {} ...; at rest {}{}", boundary.name,
+                        boundary.faces.size(), boundary.faces.size() == 1 ? "face" : "faces",
+                        model.blocks[boundary.faces[0].block].name, results::name_of(boundary.at_rest),
+                        boundary.free_field.empty()
+                            ? ""
+                            : "; free field " + model.blocks[boundary.free_field[0]].name + " ..."));
+    if (!model.tied_sides.empty()) say(fmt::format("tied sides: {} blocks", model.tied_sides.size()));
+    if (!model.side_ties.empty()) say(fmt::format("periodic sides: {} pairs of faces", model.side_ties.size()));
 }
 
 }  // namespace
@@ -123,18 +124,18 @@ void print_boundaries(const Model& model)
 void print_materials(const Model& model)
 {
     for (const BlockMaterial& material : model.materials)
-        fmt::print("material {}: density {:g} kg/m3, Young's modulus {:g} Pa, Poisson's ratio {:g}\n",
-                   material.name, material.density, material.young, material.poisson);
+        say(fmt::format("material {}: density {:g} kg/m3, Young's modulus {:g} Pa, Poisson's ratio {:g}",
+                        material.name, material.density, material.young, material.poisson));
     for (const JointMaterial& joint : model.joints) {
-        fmt::print(
+        say(fmt::format(
             "joint {}: friction {:g} deg, cohesion {:g} Pa, tensile strength {:g} Pa, contact stiffness {}, "
-            "shear to normal {:g}, relaxation time {:g} s, restitution {}\n",
+            "shear to normal {:g}, relaxation time {:g} s, restitution {}",
             joint.name, joint.friction_angle * 180 / std::numbers::pi, joint.cohesion, joint.tensile_strength,
             in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.relaxation_time,
-            joint.has_landing_law() ? fmt::format("{:g}", *joint.restitution) : "none");
+            joint.has_landing_law() ? fmt::format("{:g}", *joint.restitution) : "none"));
         for (const FrictionAtSpeed& point : joint.friction_at_speed)
-            fmt::print("  friction {:g} deg when it slips at {:g} m/s\n", point.angle * 180 / std::numbers::pi,
-                       point.speed);
+            say(fmt::format("  friction {:g} deg when it slips at {:g} m/s", point.angle * 180 / std::numbers::pi,
+                            point.speed));
     }
 }
 
@@ -152,9 +153,10 @@ void print_case(const Case& the_case)
     const Model& model = the_case.model;
     double mass = 0;
     for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i) mass += model.mass(i);
-    fmt::print("{}\n{} blocks, {:g} t, {}: {} unknowns per block; {} of them follow the ground\n", the_case.title,
-               model.blocks.size(), mass / 1000, in_words(model), unknowns_per_block(model.kinematics),
-               model.foundations.size());
+    say(the_case.title);
+    say(fmt::format("{} blocks, {:g} t, {}: {} unknowns per block; {} of them follow the ground",
+                    model.blocks.size(), mass / 1000, in_words(model), unknowns_per_block(model.kinematics),
+                    model.foundations.size()));
     print_wrapped("left out: " + joined(results::left_out(the_case)), "");
     print_boundaries(model);
     print_damping(the_case);

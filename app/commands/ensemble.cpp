@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
-
 #include "app/commands/commands.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/option_words.h"
+#include "app/commands/say.h"
 #include "app/commands/study_output.h"
 #include "app/reader/case_file.h"
 #include "app/studies/ensemble/report.h"
@@ -34,8 +33,8 @@ studies::ensemble::EnsembleStudy run_chosen(const EnsembleArguments& arguments)
     const bool shown = !arguments.quiet && isatty(STDERR_FILENO) == 1;
     const auto tell = [&](const studies::ensemble::MemberRun& run, int done, int of) {
         if (shown)
-            fmt::print(stderr, "run {} of {}: {}, {:.3g} s CPU\n", done, of, variation.values[run.member],
-                       run.cpu);
+            complain(
+                fmt::format("run {} of {}: {}, {:.3g} s CPU", done, of, variation.values[run.member], run.cpu));
     };
     return studies::ensemble::run_ensemble(members, variation, choices, {tell, interrupted});
 }

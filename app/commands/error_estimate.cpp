@@ -1,12 +1,13 @@
 #include "app/commands/error_estimate.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "app/commands/interrupt.h"
+#include "app/commands/say.h"
 #include "app/results/histories.h"
 #include "app/results/scene_vectors.h"
 #include "app/results/surface_mesh.h"
@@ -56,7 +57,7 @@ std::vector<Beside> cases_beside(const Case& the_case)
 void tell(const std::string& what, bool quiet)
 {
     if (quiet) return;
-    fmt::print("error estimate: {}\n", what);
+    say(fmt::format("error estimate: {}", what));
     std::fflush(stdout);
 }
 
@@ -208,18 +209,18 @@ std::optional<results::ErrorEstimate> error_of(const Case& the_case, const Recor
 
 void print_estimate(const results::ErrorEstimate& estimate)
 {
-    fmt::print("error estimate, largest differences{:>9}", "");
-    for (const results::RunBeside& run : estimate.runs) fmt::print("  {:>21}", run.name);
-    fmt::print("\n");
+    say_part(fmt::format("error estimate, largest differences{:>9}", ""));
+    for (const results::RunBeside& run : estimate.runs) say_part(fmt::format("  {:>21}", run.name));
+    say("");
     for (const results::ComparedQuantity& quantity : estimate.quantities) {
-        fmt::print("  {:<31} {:>9.3g} {:<3}", quantity.name, quantity.size, quantity.unit);
+        say_part(fmt::format("  {:<31} {:>9.3g} {:<3}", quantity.name, quantity.size, quantity.unit));
         for (const double difference : quantity.differences)
-            fmt::print("  {:>10.3g} ({:>6.3g} %)", difference,
-                       quantity.size > 0 ? 100 * difference / quantity.size : 0.0);
-        fmt::print("\n");
+            say_part(fmt::format("  {:>10.3g} ({:>6.3g} %)", difference,
+                                 quantity.size > 0 ? 100 * difference / quantity.size : 0.0));
+        say("");
     }
     for (const results::RunBeside& run : estimate.runs)
-        if (run.outcome != name_of(Outcome::completed)) fmt::print("  {}: {}\n", run.name, run.outcome);
+        if (run.outcome != name_of(Outcome::completed)) say(fmt::format("  {}: {}", run.name, run.outcome));
 }
 
 }  // namespace voussoir::app::commands

@@ -1,11 +1,12 @@
 #include "app/commands/film_progress.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <string>
 
+#include "app/commands/say.h"
 #include "app/commands/stopwatch.h"
 
 namespace voussoir::app::commands
@@ -15,7 +16,7 @@ FilmProgress::FilmProgress(bool quiet) : quiet_(quiet), on_terminal_(isatty(STDO
 
 FilmProgress::~FilmProgress()
 {
-    if (line_open_) fmt::print("\n");
+    if (line_open_) say("");
 }
 
 void FilmProgress::frame(int done, int all)
@@ -35,10 +36,11 @@ void FilmProgress::frame(int done, int all)
     if (on_terminal_) {
         constexpr int width = 30;
         const int filled = static_cast<int>(share * width);
-        fmt::print("\r\033[K[{}{}] {:3.0f} %  film: frame {} of {}{}", std::string(filled, '#'),
-                   std::string(width - filled, '.'), 100 * share, done, all, left);
+        say_over(fmt::format("[{}{}] {:3.0f} %  film: frame {} of {}{}", std::string(filled, '#'),
+                             std::string(width - filled, '.'), 100 * share, done, all, left),
+                 false);
     } else {
-        fmt::print("{:3.0f} %  film: frame {} of {}{}\n", 100 * share, done, all, left);
+        say(fmt::format("{:3.0f} %  film: frame {} of {}{}", 100 * share, done, all, left));
     }
     std::fflush(stdout);
     line_open_ = on_terminal_;

@@ -1,9 +1,10 @@
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
+#include <string>
 
 #include "app/commands/commands.h"
 #include "app/commands/explicit_case.h"
+#include "app/commands/outputs.h"
+#include "app/commands/say.h"
 #include "app/reader/case_file.h"
 #include "importers/mesh/write_obj.h"
 #include "libdda/errors.h"
@@ -60,11 +61,8 @@ int generate_command(const GenerateArguments& arguments)
     const std::string text = kind == ".yaml" ? "# Written by " + command + "\n" + explicit_case(the_case)
                                              : importers::mesh::to_obj(surfaces_of(the_case.model),
                                                                        {"Written by " + command, "Metres, z up."});
-    std::ofstream stream(arguments.output, std::ios::binary);
-    stream << text << std::flush;
-    if (!stream)
-        throw InputError(arguments.output.string(), "the file cannot be written", "choose another location");
-    std::printf("%zu blocks written to %s\n", the_case.model.blocks.size(), arguments.output.string().c_str());
+    write_named_file(arguments.output, text);
+    say(std::to_string(the_case.model.blocks.size()) + " blocks written to " + arguments.output.string());
     return exit_done;
 }
 

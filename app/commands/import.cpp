@@ -5,7 +5,9 @@
 #include "app/commands/certificate.h"
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
+#include "app/commands/say.h"
 #include "app/reader/stone_choice.h"
+#include "app/results/own_folder.h"
 #include "app/words/nearest_word.h"
 #include "app/words/quantity.h"
 #include "importers/helper/geometry.h"
@@ -67,29 +69,29 @@ void print_repairs(const importers::helper::ImportedMesh& mesh, bool verbose)
 {
     if (verbose)
         for (const std::string& repair : importers::helper::all_repairs(mesh))
-            fmt::print("  repaired: {}\n", repair);
+            say(fmt::format("  repaired: {}", repair));
     else
         for (const importers::helper::RepairSummary& kind : importers::helper::summarised_repairs(mesh))
-            fmt::print("  repaired: {}\n", importers::helper::in_words(kind));
+            say(fmt::format("  repaired: {}", importers::helper::in_words(kind)));
     if (!verbose)
-        for (const std::string& line : importers::helper::skipped_in_words(mesh)) fmt::print("  {}\n", line);
+        for (const std::string& line : importers::helper::skipped_in_words(mesh)) say(fmt::format("  {}", line));
 }
 
 void print_mesh(const CertifiedFile& file, bool verbose)
 {
     const importers::helper::ImportedMesh& mesh = file.mesh;
-    fmt::print("{}: {}, {} stones, unit {:g} m ({})\n", mesh.file, mesh.accepted ? "accepted" : "refused",
-               mesh.stones.size(), mesh.metres_per_unit, mesh.unit_from);
+    say(fmt::format("{}: {}, {} stones, unit {:g} m ({})", mesh.file, mesh.accepted ? "accepted" : "refused",
+                    mesh.stones.size(), mesh.metres_per_unit, mesh.unit_from));
     print_repairs(mesh, verbose);
-    for (const std::string& line : importers::helper::in_words(file.fit)) fmt::print("  {}\n", line);
+    for (const std::string& line : importers::helper::in_words(file.fit)) say(fmt::format("  {}", line));
     for (std::size_t i = 0; i < std::min(mesh.stones.size(), max_rows); ++i) {
         const importers::helper::Stone& stone = mesh.stones[i];
         if (stone.reason.empty())
-            fmt::print("  {}: {} convex part{}, {:.6g} m3\n", stone.name, stone.parts.size(),
-                       stone.parts.size() == 1 ? "" : "s", stone.moments.volume);
+            say(fmt::format("  {}: {} convex part{}, {:.6g} m3", stone.name, stone.parts.size(),
+                            stone.parts.size() == 1 ? "" : "s", stone.moments.volume));
     }
     if (mesh.stones.size() > max_rows)
-        fmt::print("  and {} more stones: --json has them all\n", mesh.stones.size() - max_rows);
+        say(fmt::format("  and {} more stones: --json has them all", mesh.stones.size() - max_rows));
     print_contact_graph(file.assembly);
     print_findings(file.assembly);
 }
@@ -100,10 +102,10 @@ void print_refusals(const importers::helper::ImportedMesh& mesh)
     bool said = false;
     for (const importers::helper::Stone& stone : mesh.stones)
         if (!stone.reason.empty()) {
-            fmt::print(stderr, "{}: {}: {}; {}\n", mesh.file, stone.name, stone.reason, reader::cure_of(stone));
+            complain(fmt::format("{}: {}: {}; {}", mesh.file, stone.name, stone.reason, reader::cure_of(stone)));
             said = true;
         }
-    if (!said) fmt::print(stderr, "{}: {}\n", mesh.file, mesh.reason);
+    if (!said) complain(fmt::format("{}: {}", mesh.file, mesh.reason));
 }
 
 /// A pattern that matches no stone of any file is a mistake; files may have different names.
@@ -131,7 +133,9 @@ void refuse_unmatched_patterns(const std::vector<CertifiedFile>& files)
 /// One file by itself: a file that kills the reader or lies far away does not touch the others.
 importers::helper::Geometry import_alone(const importers::helper::MeshRequest& request)
 {
-    if (std::filesystem::is_regular_file(request.file)) return importers::helper::import_geometry({request}, {});
+    std::error_code error;
+    if (std::filesystem::is_regular_file(request.file, error))
+        return importers::helper::import_geometry({request}, {});
     importers::helper::Geometry none;
     importers::helper::ImportedMesh& mesh = none.meshes.emplace_back();
     mesh.file = request.file.string();
@@ -161,16 +165,21 @@ std::filesystem::path folder_of(const ImportArguments& arguments, std::size_t nu
     return *arguments.folder / fmt::format("{:02}_{}", number + 1, stem.empty() ? "file" : stem);
 }
 
-void write_folder(const ImportArguments& arguments, const std::vector<CertifiedFile>& files)
+/// @returns whether everything is there
+bool write_folder(const ImportArguments& arguments, const std::vector<CertifiedFile>& files)
 {
+    bool complete = true;
     make_output_folder(*arguments.folder);
     write_own_file(*arguments.folder / "certificate.json", certificates_json(files) + "\n");
     for (std::size_t i = 0; i < files.size(); ++i) {
         const std::filesystem::path folder = folder_of(arguments, i);
-        make_output_folder(folder);
+        if (files.size() > 1) results::make_own_folder(folder);
         write_contact_graph(files[i].assembly, folder / "contact_graph.csv");
-        draw_certificate(arguments.files[i].filename().string(), files[i].assembly, {files[i].mesh}, folder);
+        complete =
+            draw_certificate(arguments.files[i].filename().string(), files[i].assembly, {files[i].mesh}, folder) &&
+            complete;
     }
+    return complete;
 }
 
 int list_formats(const ImportArguments& arguments)
@@ -178,11 +187,11 @@ int list_formats(const ImportArguments& arguments)
     const std::vector<importers::mesh::MeshFormat> formats = importers::helper::list_mesh_formats();
     if (arguments.json) write_json_text(*arguments.json, importers::helper::to_json(formats));
     if (arguments.json && *arguments.json == "-") return exit_done;
-    fmt::print("{:<34} {:<21} {:<9} {}\n", "format", "extensions", "read by", "lost");
+    say(fmt::format("{:<34} {:<21} {:<9} {}", "format", "extensions", "read by", "lost"));
     for (const importers::mesh::MeshFormat& format : formats) {
         const std::string extensions = fmt::format("{}", fmt::join(format.extensions, " "));
-        fmt::print("{:<34} {:<21} {:<9} {}\n", format.name, extensions, format.own ? "voussoir" : "assimp",
-                   format.lost.empty() ? "nothing" : format.lost);
+        say(fmt::format("{:<34} {:<21} {:<9} {}", format.name, extensions, format.own ? "voussoir" : "assimp",
+                        format.lost.empty() ? "nothing" : format.lost));
     }
     return exit_done;
 }
@@ -206,11 +215,13 @@ int import_command(const ImportArguments& arguments)
     }
     if (!files.empty()) refuse_unmatched_patterns(files);
     if (arguments.json) write_json_text(*arguments.json, certificates_json(files));
+    bool complete = true;
     if (arguments.folder) {
-        write_folder(arguments, files);
-        if (!to_stdout) fmt::print("written to {}\n", arguments.folder->string());
+        complete = write_folder(arguments, files);
+        if (!to_stdout) say(fmt::format("written to {}", arguments.folder->string()));
     }
-    return any_refused ? exit_bad_input : exit_done;
+    if (any_refused) return exit_bad_input;
+    return complete ? exit_done : exit_failure;
 }
 
 }  // namespace voussoir::app::commands

@@ -2,10 +2,11 @@
 
 #include <unistd.h>
 
-#include <cstdio>
 #include <fstream>
 #include <system_error>
 
+#include "app/commands/say.h"
+#include "app/results/atomic_file.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::commands
@@ -18,8 +19,8 @@ namespace fs = std::filesystem;
 /// Can something be made in a folder that may itself have to be made?
 bool can_be_made_in(fs::path folder)
 {
-    folder = fs::absolute(folder);
     std::error_code error;
+    folder = fs::absolute(folder, error);
     while (!fs::exists(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
     return fs::is_directory(folder, error) && access(folder.c_str(), W_OK) == 0;
 }
@@ -29,8 +30,9 @@ bool can_be_made_in(fs::path folder)
 void expect_writable(const std::optional<fs::path>& json, const std::optional<fs::path>& folder)
 {
     if (json && *json != "-") {
-        const fs::path home = fs::absolute(*json).parent_path();
-        if (!fs::is_directory(home) || fs::is_directory(*json) || !can_be_made_in(home))
+        std::error_code none;
+        const fs::path home = fs::absolute(*json, none).parent_path();
+        if (!fs::is_directory(home, none) || fs::is_directory(*json, none) || !can_be_made_in(home))
             throw InputError("--json " + json->string(), "cannot be written",
                              "name a file in a folder that exists");
     }
@@ -48,26 +50,29 @@ void make_output_folder(const fs::path& folder)
 
 void write_own_file(const fs::path& file, const std::string& text)
 {
-    std::error_code none;
-    fs::remove(file, none);  // a link there may lead anywhere
-    std::ofstream stream(file, std::ios::binary);
+    results::write_atomically(file, text);
+}
+
+void write_named_file(const fs::path& file, const std::string& text)
+{
+    std::error_code error;
+    const fs::path place = fs::weakly_canonical(file, error);
+    if (error) throw InputError(file.string(), error.message(), "name a file in a folder that exists");
+    const fs::file_status there = fs::status(place, error);
+    if (!fs::exists(there) || fs::is_regular_file(there)) return results::write_atomically(place, text);
+    std::ofstream stream(place, std::ios::binary);  // a pipe or a device
     stream << text;
     stream.close();
-    if (!stream)
-        throw InputError(file.string(), "cannot be written", "give a writable folder on a disk with free space");
+    if (!stream) throw InputError(file.string(), "cannot be written", "name a file in a folder that exists");
 }
 
 void write_json_text(const fs::path& file, const std::string& text)
 {
     if (file == "-") {
-        std::fputs((text + "\n").c_str(), stdout);
+        put_json(text);
         return;
     }
-    std::ofstream stream(file, std::ios::binary);
-    stream << text << '\n';
-    stream.close();
-    if (!stream)
-        throw InputError("--json " + file.string(), "cannot be written", "name a file in a folder that exists");
+    write_named_file(file, text + "\n");
 }
 
 }  // namespace voussoir::app::commands

@@ -21,6 +21,10 @@ void make_output_folder(const std::filesystem::path& folder);
 /// @throws InputError when it cannot be written
 void write_own_file(const std::filesystem::path& file, const std::string& text);
 
+/// Writes a file that the user named; a link is followed. The file is there whole or not at all, unless it is a
+/// pipe or a device. @throws InputError when it cannot be written
+void write_named_file(const std::filesystem::path& file, const std::string& text);
+
 /// Writes text to a file that the user named, or to standard output if the file is "-".
 /// @throws InputError when it cannot be written
 void write_json_text(const std::filesystem::path& file, const std::string& text);

@@ -1,12 +1,13 @@
 #include "app/commands/progress.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "app/commands/say.h"
 #include "app/commands/stopwatch.h"
 
 namespace voussoir::app::commands
@@ -71,9 +72,10 @@ void Progress::draw_bar(const State& state, const StepReport& step, const RunRep
     constexpr int width = 30;
     const double share = share_done(state);
     const int filled = static_cast<int>(share * width);
-    fmt::print("\r\033[K[{}{}] {:3.0f} %  {}, step {}{}", std::string(filled, '#'),
-               std::string(width - filled, '.'), 100 * share, where(stages_[state.stage], state, step),
-               report.steps, time_left(share, now));
+    say_over(
+        fmt::format("[{}{}] {:3.0f} %  {}, step {}{}", std::string(filled, '#'), std::string(width - filled, '.'),
+                    100 * share, where(stages_[state.stage], state, step), report.steps, time_left(share, now)),
+        false);
     std::fflush(stdout);
     line_open_ = true;
 }
@@ -86,14 +88,14 @@ void Progress::print_line(const State& state, const StepReport& step, const RunR
     if (!new_stage && tenths == tenths_ && now - told_ < std::chrono::minutes(5)) return;
     tenths_ = tenths;
     told_ = now;
-    fmt::print("{:3.0f} %  {}, step {}{}\n", std::floor(100 * share), where(stages_[state.stage], state, step),
-               report.steps, time_left(share, now));
+    say(fmt::format("{:3.0f} %  {}, step {}{}", std::floor(100 * share), where(stages_[state.stage], state, step),
+                    report.steps, time_left(share, now)));
     std::fflush(stdout);
 }
 
 void Progress::done()
 {
-    if (line_open_) fmt::print("\n");
+    if (line_open_) say("");
     line_open_ = false;
 }
 

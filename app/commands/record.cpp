@@ -1,6 +1,7 @@
 #include "records/record.h"
+#include "app/commands/say.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ namespace
 void refuse(RecordSet& set, const InputError& error)
 {
     set.reason = error.what();
-    fmt::print(stderr, "{}\n", error.what());
+    complain(error);
 }
 
 /// The name of a file without what says how it is packed and written.
@@ -153,7 +154,7 @@ int record_command(const RecordArguments& arguments)
         for (const RecordSet& set : sets) {
             if (!set.reason.empty()) continue;
             for (const std::string& file : write_files(set, *arguments.folder))
-                if (!to_stdout) fmt::print("  {}\n", file);
+                if (!to_stdout) say(fmt::format("  {}", file));
         }
     }
     return any_refused ? exit_bad_input : exit_done;

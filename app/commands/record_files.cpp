@@ -9,6 +9,7 @@
 #include "app/commands/outputs.h"
 #include "app/commands/record_set.h"
 #include "app/plots/plots.h"
+#include "app/words/csv_cell.h"
 #include "records/measures/fourier.h"
 #include "records/write_at2.h"
 
@@ -34,8 +35,8 @@ std::string heading(const records::Channel& channel, std::size_t number)
     std::string name = channel.component.empty() ? std::to_string(number + 1) : channel.component;
     for (char& c : name)
         if (c == ',' || c == '"') c = ' ';
-    return fmt::format("{} [{}]", name,
-                       records::has_unit(channel) ? units[static_cast<int>(channel.quantity)] : "?");
+    return words::csv_cell(fmt::format(
+        "{} [{}]", name, records::has_unit(channel) ? units[static_cast<int>(channel.quantity)] : "?"));
 }
 
 double time_of(const records::Channel& channel, std::size_t i)

@@ -1,11 +1,12 @@
 // Measures of a set of channels, in words and as JSON.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/record_set.h"
+#include "app/commands/say.h"
 
 namespace voussoir::app::commands
 {
@@ -101,23 +102,23 @@ void print_channel(const MeasuredChannel& measured)
 {
     const records::Channel& channel = measured.channel;
     if (!records::has_unit(channel)) {
-        fmt::print("  {}: unit unknown, {}, largest value {:.6g}\n", name_of(channel), sampling_of(channel),
-                   records::peak(channel));
+        say(fmt::format("  {}: unit unknown, {}, largest value {:.6g}", name_of(channel), sampling_of(channel),
+                        records::peak(channel)));
         return;
     }
-    fmt::print("  {}: {} in {}, {}\n", name_of(channel), records::to_text(channel.quantity), channel.unit_in_file,
-               sampling_of(channel));
-    fmt::print("    peak acceleration {:.4g} m/s2; residual {:.3g} m/s and {:.3g} m\n", measured.peak_acceleration,
-               measured.residual_velocity, measured.residual_displacement);
+    say(fmt::format("  {}: {} in {}, {}", name_of(channel), records::to_text(channel.quantity),
+                    channel.unit_in_file, sampling_of(channel)));
+    say(fmt::format("    peak acceleration {:.4g} m/s2; residual {:.3g} m/s and {:.3g} m",
+                    measured.peak_acceleration, measured.residual_velocity, measured.residual_displacement));
     if (!measured.measures) return;
     const records::measures::Measures& m = *measured.measures;
-    fmt::print("    PGV {:.4g} m/s, PGD {:.4g} m, Arias intensity {:.4g} m/s, CAV {:.4g} m/s\n", m.peak_velocity,
-               m.peak_displacement, m.arias_intensity, m.cumulative_velocity);
-    fmt::print(
+    say(fmt::format("    PGV {:.4g} m/s, PGD {:.4g} m, Arias intensity {:.4g} m/s, CAV {:.4g} m/s",
+                    m.peak_velocity, m.peak_displacement, m.arias_intensity, m.cumulative_velocity));
+    say(fmt::format(
         "    duration: significant 5-75 % {:.4g} s, 5-95 % {:.4g} s ({:.5g} to {:.5g} s), above 0.05 g "
-        "{:.4g} s\n",
-        m.duration_5_75, m.duration_5_95, m.time_5, m.time_95, m.bracketed_duration);
-    fmt::print("    period: predominant {:.3g} s, mean {:.3g} s\n", m.predominant_period, m.mean_period);
+        "{:.4g} s",
+        m.duration_5_75, m.duration_5_95, m.time_5, m.time_95, m.bracketed_duration));
+    say(fmt::format("    period: predominant {:.3g} s, mean {:.3g} s", m.predominant_period, m.mean_period));
 }
 
 /// A table of the spectra at round periods.
@@ -128,7 +129,8 @@ void print_spectra(const RecordSet& set)
         if (measured.spectrum) head += fmt::format("  {:>10.10}", measured.channel.component);
     if (head.size() == 12) return;
     if (set.rotd) head += "      RotD50     RotD100";
-    fmt::print("  5 % pseudo-acceleration [m/s2]\n{}\n", head);
+    say("  5 % pseudo-acceleration [m/s2]");
+    say(head);
     for (std::size_t i = 0; i < period_count; i += 11) {
         std::string row;
         for (const MeasuredChannel& measured : set.channels)
@@ -137,7 +139,7 @@ void print_spectra(const RecordSet& set)
                 row += fmt::format("  {:10.4g}", measured.spectrum->pseudo_acceleration[i]);
             }
         if (set.rotd) row += fmt::format("  {:10.4g}  {:10.4g}", set.rotd->rotd50[i], set.rotd->rotd100[i]);
-        fmt::print("{}\n", row);
+        say(row);
     }
 }
 
@@ -169,12 +171,12 @@ void measure(std::vector<records::Channel> channels, RecordSet& set)
 
 void print(const RecordSet& set)
 {
-    fmt::print("{}: {}", set.file, set.format);
-    if (!set.station.empty()) fmt::print(", station {}", set.station);
-    if (!set.event.empty()) fmt::print(", {}", set.event);
-    fmt::print("\n");
-    for (const std::string& remark : set.remarks) fmt::print("  remark: {}\n", remark);
-    for (const std::string& sentence : set.processing) fmt::print("  done: {}\n", sentence);
+    say_part(fmt::format("{}: {}", set.file, set.format));
+    if (!set.station.empty()) say_part(fmt::format(", station {}", set.station));
+    if (!set.event.empty()) say_part(fmt::format(", {}", set.event));
+    say("");
+    for (const std::string& remark : set.remarks) say(fmt::format("  remark: {}", remark));
+    for (const std::string& sentence : set.processing) say(fmt::format("  done: {}", sentence));
     for (const MeasuredChannel& measured : set.channels) print_channel(measured);
     print_spectra(set);
 }

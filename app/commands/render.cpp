@@ -1,9 +1,9 @@
-#include <fmt/core.h>
-
 #include "app/commands/commands.h"
 #include "app/commands/film_progress.h"
+#include "app/commands/say.h"
 #include "app/render/color_names.h"
 #include "app/render/snapshots.h"
+#include "app/results/own_folder.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::commands
@@ -36,11 +36,12 @@ std::filesystem::path make_film(const RenderArguments& arguments)
 
 int render_command(const RenderArguments& arguments)
 {
-    if (!std::filesystem::is_regular_file(arguments.results))
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(arguments.results, none))
         throw InputError(arguments.results.string(), "no such file", "give the results.h5 of a run");
     if (arguments.film) {
         const std::filesystem::path film = make_film(arguments);
-        fmt::print("{}\n", film.string());
+        say(film.string());
         return exit_done;
     }
     SnapshotOptions options;
@@ -54,8 +55,9 @@ int render_command(const RenderArguments& arguments)
     options.deformation_scale = arguments.deformation_scale;
     const std::filesystem::path folder =
         arguments.folder.empty() ? arguments.results.parent_path() / "snapshots" : arguments.folder;
+    if (arguments.folder.empty()) results::make_own_folder(folder);
     for (const std::filesystem::path& picture : render::render_snapshots(arguments.results, folder, options))
-        fmt::print("{}\n", picture.string());
+        say(picture.string());
     return exit_done;
 }
 

@@ -1,9 +1,8 @@
 #include "app/commands/resume.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
-#include <cstdio>
-
+#include "app/commands/say.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::commands
@@ -13,12 +12,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-bool is_there(const fs::path& path)
-{
-    std::error_code none;
-    return fs::exists(path, none);
-}
 
 [[noreturn]] void refuse_other_engine(const fs::path& folder, const version::EngineVersion& before,
                                       const version::EngineVersion& now)
@@ -38,6 +31,12 @@ std::string mixed_engines(const version::EngineVersion& before, const version::E
 }
 
 }  // namespace
+
+bool is_there(const fs::path& path)
+{
+    std::error_code none;
+    return fs::exists(fs::symlink_status(path, none));
+}
 
 void refuse_without_restart(const fs::path& folder)
 {
@@ -67,22 +66,20 @@ results::Restart restart_of(const Case& the_case, const fs::path& folder, bool o
 void tell_what_is_replaced(const fs::path& folder, bool quiet)
 {
     if (is_there(results::restart_file_in(folder))) {
-        bool ended = false;
-        std::string moment;
         try {
-            const results::Restart restart = results::load_restart(results::restart_file_in(folder));
-            ended = restart.ended;
-            moment = fmt::format(", which had reached t = {:g} s", restart.state.time);
+            const results::RestartHead head = results::read_restart_head(results::restart_file_in(folder));
+            if (!head.ended)
+                return complain(
+                    fmt::format("{}: replacing an interrupted run, which had reached t = {:g} s; --resume would "
+                                "have continued it",
+                                folder.string(), head.time));
         } catch (const InputError&) {
-            moment = ", which can no longer be read";
-        }
-        if (!ended) {
-            fmt::print(stderr, "{}: replacing an interrupted run{}; --resume would have continued it\n",
-                       folder.string(), moment);
-            return;
+            return complain(
+                fmt::format("{}: replacing a restart.bin that this version cannot read", folder.string()));
         }
     }
-    if (!quiet && is_there(folder / "results.h5")) fmt::print("{}: replacing earlier results\n", folder.string());
+    if (!quiet && is_there(folder / "results.h5"))
+        say(fmt::format("{}: replacing earlier results", folder.string()));
 }
 
 std::string place_of(const Case& the_case, const results::Restart& restart)

@@ -8,6 +8,9 @@
 namespace voussoir::app::commands
 {
 
+/// Is there anything of that name, be it a link that leads nowhere?
+bool is_there(const std::filesystem::path& path);
+
 /// @throws InputError when the folder has nothing to go on from
 void refuse_without_restart(const std::filesystem::path& folder);
 

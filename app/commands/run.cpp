@@ -1,10 +1,10 @@
 #include "libdda/run/run.h"
+#include "app/commands/say.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <new>
@@ -140,42 +140,43 @@ void print_joints(const std::vector<JointPeaks>& joints)
         opening = std::max(opening, joint.opening);
         slip = std::max(slip, joint.slip);
     }
-    fmt::print(
-        "  of {} joints {} opened and {} slid by more than {:g} mm; at most {:.3g} mm open, {:.3g} mm of slip\n",
-        joints.size(), opened, slid, 1e3 * noteworthy_opening, 1e3 * opening, 1e3 * slip);
+    say(fmt::format(
+        "  of {} joints {} opened and {} slid by more than {:g} mm; at most {:.3g} mm open, {:.3g} mm of slip",
+        joints.size(), opened, slid, 1e3 * noteworthy_opening, 1e3 * opening, 1e3 * slip));
 }
 
 void print_report(const Case& the_case, const Ended& ended, double wall_time)
 {
     const RunReport& report = ended.report;
-    fmt::print("{}: {} steps for {:g} s of motion in {:.1f} s of wall time\n", name_of(report.outcome),
-               report.steps, report.simulated_time, wall_time);
-    fmt::print("  {} steps cut, {} not converged, {} open-close iterations, {} factorisations\n", report.step_cuts,
-               report.unconverged_steps, report.open_close_iterations, report.factorisations);
+    say(fmt::format("{}: {} steps for {:g} s of motion in {:.1f} s of wall time", name_of(report.outcome),
+                    report.steps, report.simulated_time, wall_time));
+    say(fmt::format("  {} steps cut, {} not converged, {} open-close iterations, {} factorisations",
+                    report.step_cuts, report.unconverged_steps, report.open_close_iterations,
+                    report.factorisations));
     const EnergyLedger& e = report.energy;
-    fmt::print(
-        "  largest penetration {:.2e} m; energy unaccounted for {:.1e} of the energy put in, stored or lost\n",
-        report.max_penetration, e.relative_residual());
-    fmt::print(
+    say(fmt::format(
+        "  largest penetration {:.2e} m; energy unaccounted for {:.1e} of the energy put in, stored or lost",
+        report.max_penetration, e.relative_residual()));
+    say(fmt::format(
         "  energy: {:.4g} kJ put in; {:.4g} stored, {:.4g} removed in static stages, {:.4g} friction, {:.4g} "
-        "impacts, {:.4g} damping, {:.4g} loss of the integrator\n",
+        "impacts, {:.4g} damping, {:.4g} loss of the integrator",
         e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3, e.impact / 1e3,
         (e.damping_kinetic + e.damping_contact + e.damping_material + e.fracture) / 1e3,
-        (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3);
+        (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3));
     print_joints(report.joints);
     const std::vector<std::string> doubts = print_trust(the_case, ended.trust, report.energy);
     for (const std::string& warning : words::warnings_of(report, the_case.model, the_case.stages))
-        fmt::print("  warning: {}\n", warning);
-    for (const std::string& warning : doubts) fmt::print("  warning: {}\n", warning);
+        say(fmt::format("  warning: {}", warning));
+    for (const std::string& warning : doubts) say(fmt::format("  warning: {}", warning));
     if (ended.estimate) print_estimate(*ended.estimate);
 }
 
 void print_files(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& pictures)
 {
-    fmt::print("written:\n");
+    say("written:");
     for (const char* name : {"results.h5", "results.xdmf", "histories.csv", "summary.json"})
-        if (std::filesystem::exists(folder / name)) fmt::print("  {}\n", (folder / name).string());
-    for (const std::filesystem::path& picture : pictures) fmt::print("  {}\n", picture.string());
+        if (is_there(folder / name)) say(fmt::format("  {}", (folder / name).string()));
+    for (const std::filesystem::path& picture : pictures) say(fmt::format("  {}", picture.string()));
 }
 
 int exit_code_of(Outcome outcome)
@@ -198,7 +199,7 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
     Start start;
     if (restart) {
         start = {restart->state, restart->position, {restart->wall_time, restart->cpu_time}, restart->trust, true};
-        if (!quiet) fmt::print("continues from {}\n", place_of(the_case, *restart));
+        if (!quiet) say(fmt::format("continues from {}", place_of(the_case, *restart)));
     } else {
         start.state = initial_state(the_case.model);
         start.position.report.energy = open_ledger(the_case.model, start.state);
@@ -219,10 +220,19 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
         print_files(folder, after.files);
     }
     if (report.diagnosis)
-        fmt::print(stderr, "{}{}\n", outcome_in_words(report, the_case),
-                   goes_on ? "; run the same command with --resume to continue" : "");
+        complain(fmt::format("{}{}", outcome_in_words(report, the_case),
+                             goes_on ? "; run the same command with --resume to continue" : ""));
     const int code = exit_code_of(report.outcome);
     return code == exit_done && !after.complete ? exit_failure : code;
+}
+
+/// The helpers that draw are told of files a line each.
+void expect_one_line(const std::filesystem::path& folder)
+{
+    std::error_code none;
+    if (std::filesystem::absolute(folder, none).string().find('\n') != std::string::npos)
+        throw InputError(folder.string(), "a folder whose name, or that of one above it, has two lines",
+                         "give another folder");
 }
 
 }  // namespace
@@ -234,6 +244,7 @@ int run_command(const RunArguments& arguments)
     const std::filesystem::path folder = arguments.folder.empty()
                                              ? std::filesystem::path("results") / arguments.case_file.stem()
                                              : arguments.folder;
+    expect_one_line(folder);
     if (arguments.resume) refuse_without_restart(folder);
     reader::CaseStones stones;
     Case the_case = reader::read_case(arguments.case_file, arguments.overrides, &stones);
@@ -250,22 +261,22 @@ int run_command(const RunArguments& arguments)
     else
         tell_what_is_replaced(folder, arguments.quiet);
     if (restart && restart->ended) {
-        fmt::print("{}: there is nothing to resume, the run has ended: {}\n", folder.string(),
-                   outcome_in_words(restart->position.report, the_case));
+        say(fmt::format("{}: there is nothing to resume, the run has ended: {}", folder.string(),
+                        outcome_in_words(restart->position.report, the_case)));
         return exit_code_of(restart->position.report.outcome);
     }
     if (restart)
         for (const std::string& remark : restart->remarks) {
             the_case.warnings.push_back(remark);
-            fmt::print(stderr, "warning: {}\n", remark);
+            complain(fmt::format("warning: {}", remark));
         }
     try {
         return run_from(the_case, folder, restart, stopwatch, arguments.quiet);
     } catch (const RunBroken& broken) {
-        fmt::print(stderr, "{}\n", broken.what());
-        if (std::filesystem::exists(results::restart_file_in(folder)))
-            fmt::print(stderr, "{}: the results written so far are complete; --resume continues from there\n",
-                       folder.string());
+        complain(broken.what());
+        if (is_there(results::restart_file_in(folder)))
+            complain(fmt::format("{}: the results written so far are complete; --resume continues from there",
+                                 folder.string()));
         return exit_failure;
     }
 }

@@ -6,10 +6,12 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
+#include "app/commands/say.h"
 #include "app/golden/hashes.h"
 #include "app/plots/plots.h"
 #include "app/reader/case_file.h"
 #include "app/results/atomic_file.h"
+#include "app/results/own_folder.h"
 #include "app/studies/stability/cell_wire.h"
 #include "app/studies/stability/maps.h"
 #include "app/studies/stability/page.h"
@@ -56,8 +58,8 @@ std::vector<studies::stability::StabilityCell> chosen(
 void list(const std::vector<studies::stability::StabilityCell>& cells)
 {
     for (const studies::stability::StabilityCell& cell : cells)
-        fmt::print("{:<44} within {} of: {}; budget {:g} s\n", cell.name, words::error_in_words(cell.tolerance),
-                   cell.reference, cell.budget);
+        say(fmt::format("{:<44} within {} of: {}; budget {:g} s", cell.name, words::error_in_words(cell.tolerance),
+                        cell.reference, cell.budget));
 }
 
 std::string command_line(const StabilityArguments& arguments)
@@ -71,10 +73,10 @@ std::string command_line(const StabilityArguments& arguments)
 
 void print_line(const studies::stability::CellResult& result)
 {
-    fmt::print("{:<44} {:<8} {:<10} {:>8} steps {:>5} cuts {:>8.2f} s{}{}\n", result.cell.name,
-               studies::stability::name_of(result.outcome), studies::stability::result_in_words(result),
-               result.run.steps, result.run.step_cuts, result.run.cpu_time, result.diagnosis.empty() ? "" : "  ",
-               result.diagnosis);
+    say(fmt::format("{:<44} {:<8} {:<10} {:>8} steps {:>5} cuts {:>8.2f} s{}{}", result.cell.name,
+                    studies::stability::name_of(result.outcome), studies::stability::result_in_words(result),
+                    result.run.steps, result.run.step_cuts, result.run.cpu_time,
+                    result.diagnosis.empty() ? "" : "  ", result.diagnosis));
     std::fflush(stdout);
 }
 
@@ -85,7 +87,7 @@ void write_page(const StabilityArguments& arguments, const std::vector<studies::
 {
     const fs::path folder = *arguments.folder, pictures = folder / "stability";
     make_output_folder(folder);
-    make_output_folder(pictures);
+    results::make_own_folder(pictures);
     std::vector<std::string> drawn;
     if (plots::can_draw_figures())
         drawn = plots::draw_figures(studies::stability::stability_figures(scenes, results), pictures);
@@ -113,13 +115,13 @@ int stability_command(const StabilityArguments& arguments)
     std::size_t finished = 0;
     const bool on_terminal = isatty(STDERR_FILENO) == 1;
     const auto done = [&](const studies::stability::CellResult& result) {
-        if (on_terminal) fmt::print(stderr, "\r\033[K");
+        if (on_terminal) say_over("", true);
         if (!to_stdout) print_line(result);
-        if (on_terminal) fmt::print(stderr, "{} of {} cells", ++finished, cells.size());
+        if (on_terminal) say_over(fmt::format("{} of {} cells", ++finished, cells.size()), true);
     };
     const std::vector<studies::stability::CellResult> results =
         studies::stability::run_cells(cells, arguments.jobs, done);
-    if (on_terminal) fmt::print(stderr, "\r\033[K");
+    if (on_terminal) say_over("", true);
     const auto failed =
         std::count_if(results.begin(), results.end(), [](const studies::stability::CellResult& result) {
             return studies::stability::is_failure(result.outcome);
@@ -129,13 +131,14 @@ int stability_command(const StabilityArguments& arguments)
         const std::string range = studies::stability::sound_range_in_words(scene, results);
         if (studies::stability::holds_too_little(scene, results)) {
             too_little = true;
-            fmt::print(stderr, "{}: {:g} and {:g} are required\n", range,
-                       studies::stability::least_decades_of_stiffness, studies::stability::least_decades_of_step);
+            complain(fmt::format("{}: {:g} and {:g} are required", range,
+                                 studies::stability::least_decades_of_stiffness,
+                                 studies::stability::least_decades_of_step));
         } else if (!range.empty() && !to_stdout) {
-            fmt::print("{}\n", range);
+            say(range);
         }
     }
-    if (!to_stdout) fmt::print("{} of {} cells failed\n", failed, results.size());
+    if (!to_stdout) say(fmt::format("{} of {} cells failed", failed, results.size()));
     if (arguments.json || arguments.folder) {
         const std::string behaviour = golden::behaviour(golden::hashes());
         if (arguments.json)

@@ -7,8 +7,10 @@
 #include "app/commands/commands.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/outputs.h"
+#include "app/commands/say.h"
 #include "app/plots/plots.h"
 #include "app/results/atomic_file.h"
+#include "app/results/own_folder.h"
 #include "app/studies/converge/measured_run.h"
 
 namespace voussoir::app::commands
@@ -22,9 +24,12 @@ void write_page(const StudyTargets& targets, const StudyOutput& output)
     const std::filesystem::path folder = *targets.folder, page = folder / (targets.name + ".md");
     make_output_folder(folder);
     std::vector<std::string> drawn;
-    if (plots::can_draw_figures()) drawn = plots::draw_figures(output.figures, folder / targets.name);
+    if (plots::can_draw_figures()) {
+        results::make_own_folder(folder / targets.name);
+        drawn = plots::draw_figures(output.figures, folder / targets.name);
+    }
     results::write_atomically(page, output.page(drawn));
-    if (!targets.quiet) fmt::print("written: {}\n", page.string());
+    if (!targets.quiet) say(fmt::format("written: {}", page.string()));
 }
 
 }  // namespace
@@ -36,12 +41,12 @@ int publish_study(const StudyTargets& targets, const std::function<StudyOutput()
     try {
         const StudyOutput output = study();
         const bool to_stdout = targets.json && *targets.json == "-";
-        if (!to_stdout && !targets.quiet) fmt::print("{}", output.table);
+        if (!to_stdout && !targets.quiet) say_lines(output.table);
         if (targets.json) write_json_text(*targets.json, output.json);
         if (targets.folder) write_page(targets, output);
         return exit_done;
     } catch (const studies::converge::Interrupted&) {
-        fmt::print(stderr, "interrupted: the study is incomplete and nothing is written\n");
+        complain("interrupted: the study is incomplete and nothing is written");
         return exit_interrupted;
     }
 }

@@ -1,11 +1,12 @@
 #include "app/commands/trust_watch.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "app/commands/say.h"
 #include "app/words/trust_words.h"
 
 namespace voussoir::app::commands
@@ -36,9 +37,9 @@ std::vector<std::string> print_trust(const Case& the_case, const std::optional<T
 {
     if (!noted) return {};
     const Trust trust = trust_in(*noted, the_case.stages, energy);
-    fmt::print("  {}\n", words::vibrations_in_words(trust));
+    say(fmt::format("  {}", words::vibrations_in_words(trust)));
     const std::string shares = words::shares_in_words(trust.shares);
-    if (!shares.empty()) fmt::print("  {}\n", shares);
+    if (!shares.empty()) say(fmt::format("  {}", shares));
     return words::warnings_of(trust, the_case.stages);
 }
 

@@ -6,9 +6,11 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
+#include "app/commands/say.h"
 #include "app/golden/hashes.h"
 #include "app/plots/plots.h"
 #include "app/results/atomic_file.h"
+#include "app/results/own_folder.h"
 #include "app/studies/verify/page.h"
 #include "app/studies/verify/plot.h"
 #include "app/studies/verify/runner.h"
@@ -47,7 +49,7 @@ std::vector<studies::verify::Benchmark> chosen(const std::vector<std::string>& n
 void list(const std::vector<studies::verify::Benchmark>& benchmarks)
 {
     for (const studies::verify::Benchmark& benchmark : benchmarks)
-        fmt::print("{:<30} {} ({})\n", benchmark.name, benchmark.title, benchmark.source);
+        say(fmt::format("{:<30} {} ({})", benchmark.name, benchmark.title, benchmark.source));
 }
 
 std::string command_line(const VerifyArguments& arguments)
@@ -72,8 +74,10 @@ void write_page(const VerifyArguments& arguments, const std::vector<studies::ver
     }
     std::erase_if(figures, [](const plots::Figure& figure) { return figure.diagrams.empty(); });
     std::vector<std::string> plots;
-    if (!figures.empty() && plots::can_draw_figures())
+    if (!figures.empty() && plots::can_draw_figures()) {
+        results::make_own_folder(folder / "verification");
         plots = plots::draw_figures(figures, folder / "verification");
+    }
     results::write_atomically(folder / "verification.md",
                               studies::verify::verification_page(outcomes, command_line(arguments), plots) +
                                   version::engine_paragraph(golden::behaviour(golden::hashes())));
@@ -93,20 +97,20 @@ int verify_command(const VerifyArguments& arguments)
     const bool to_stdout = arguments.json && *arguments.json == "-";
     const bool on_terminal = isatty(STDERR_FILENO) == 1;
     std::vector<studies::verify::VerifyOutcome> outcomes;
-    if (!to_stdout) fmt::print("{}", studies::verify::table_head());
+    if (!to_stdout) say_lines(studies::verify::table_head());
     for (std::size_t i = 0; i < benchmarks.size(); ++i) {
         // A short line that the next one overwrites.
-        if (on_terminal) fmt::print(stderr, "{} of {}: {}", i + 1, benchmarks.size(), benchmarks[i].name);
+        if (on_terminal) say_over(fmt::format("{} of {}: {}", i + 1, benchmarks.size(), benchmarks[i].name), true);
         outcomes.push_back(studies::verify::run_benchmark(benchmarks[i], arguments.sweep));
-        if (on_terminal) fmt::print(stderr, "\r\033[K");
+        if (on_terminal) say_over("", true);
         if (to_stdout) continue;
-        fmt::print("{}{}", studies::verify::table_line(outcomes.back()),
-                   studies::verify::sweep_lines(outcomes.back()));
+        say_lines(fmt::format("{}{}", studies::verify::table_line(outcomes.back()),
+                              studies::verify::sweep_lines(outcomes.back())));
         std::fflush(stdout);
     }
     const auto passed =
         std::count_if(outcomes.begin(), outcomes.end(), [](const auto& each) { return each.pass; });
-    if (!to_stdout) fmt::print("{} of {} passed\n", passed, outcomes.size());
+    if (!to_stdout) say(fmt::format("{} of {} passed", passed, outcomes.size()));
     if (arguments.json) write_json_text(*arguments.json, studies::verify::verify_json(outcomes));
     if (arguments.folder) write_page(arguments, outcomes);
     return passed == static_cast<std::ptrdiff_t>(outcomes.size()) ? exit_done : exit_failure;

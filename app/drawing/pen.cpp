@@ -5,6 +5,7 @@
 
 #include <system_error>
 
+#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::drawing
@@ -96,12 +97,20 @@ void mark(Cairo* pen, std::size_t shape, double x, double y)
 
 void write_png(cairo_surface_t* surface, const std::filesystem::path& file)
 {
-    std::error_code none;
-    std::filesystem::remove(file, none);  // a link there may lead anywhere
-    const cairo_status_t status = cairo_surface_write_to_png(surface, file.c_str());
-    if (status != CAIRO_STATUS_SUCCESS)
-        throw InputError(file.string(), std::string("cannot be written: ") + cairo_status_to_string(status),
-                         "give a writable folder on a disk with free space");
+    const importers::process::SignalsHeld held;
+    std::filesystem::path part = file;
+    part += ".part";
+    std::error_code error;
+    std::filesystem::remove(part, error);  // a link there may lead anywhere
+    const cairo_status_t status = cairo_surface_write_to_png(surface, part.c_str());
+    if (status == CAIRO_STATUS_SUCCESS) {
+        std::filesystem::rename(part, file, error);
+        if (!error) return;
+    }
+    const std::string reason = error ? error.message() : cairo_status_to_string(status);
+    std::filesystem::remove(part, error);
+    throw InputError(file.string(), "cannot be written: " + reason,
+                     "give a writable folder on a disk with free space");
 }
 
 }  // namespace voussoir::app::drawing

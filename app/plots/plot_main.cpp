@@ -1,17 +1,18 @@
 // voussoir-plot: diagrams. Reads the folder (a line) and the figures as JSON from its standard input, writes
 // FOLDER/NAME.png for every figure, and the names to its standard output.
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <iterator>
 
 #include "app/plots/draw_figure.h"
 #include "app/plots/draw_map.h"
+#include "importers/process/program_start.h"
 
 namespace plots = voussoir::app::plots;
 
 int main()
 {
+    voussoir::importers::process::begin_helper();
     try {
         std::string folder;
         std::getline(std::cin, folder);
@@ -23,7 +24,7 @@ int main()
         }
         return 0;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "voussoir-plot: %s\n", error.what());
+        voussoir::importers::process::complain("voussoir-plot", error.what());
         return 2;
     }
 }

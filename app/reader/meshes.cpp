@@ -106,7 +106,8 @@ void read_mesh(YamlCursor& entry, const YamlCursor& file, BlockReading& reading)
     mesh.chosen = read_stone_choice(entry, mesh.request);
     entry.reject_unknown_keys();
     if (mesh.name.empty()) return;
-    if (!std::filesystem::is_regular_file(mesh.request.file))
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(mesh.request.file, none))
         file.fault("no mesh file " + mesh.request.file.string(), "paths are relative to the case file");
     else if (reading.findings.faults.size() == faults_before)
         reading.meshes.push_back(std::move(mesh));

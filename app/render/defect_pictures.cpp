@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
@@ -136,10 +137,16 @@ DefectRequest defects_from_json(const std::string& text)
     return request;
 }
 
+bool can_draw_defects()
+{
+    std::error_code none;
+    return fs::exists(importers::process::helper_folder() / "voussoir-defects", none);
+}
+
 std::vector<fs::path> draw_defects(const DefectPictures& pictures, const fs::path& folder)
 {
     const fs::path helper = importers::process::helper_folder() / "voussoir-defects";
-    if (!fs::exists(helper))
+    if (!can_draw_defects())
         throw InputError(helper.string(), "there is no such program",
                          "build voussoir with VOUSSOIR_RENDER=ON to have pictures");
     const importers::process::ChildAnswer answer =

@@ -60,6 +60,9 @@ struct DefectPictures {
     std::vector<DefectPicture> pictures;
 };
 
+/// Is there the helper that draws them?
+bool can_draw_defects();
+
 /// Starts `voussoir-defects` (beside the running program), which draws the pictures into `folder`.
 /// @returns the files it made
 /// @throws InputError when the helper is missing or fails

@@ -7,12 +7,14 @@
 #include <string>
 
 #include "app/render/defect_page.h"
+#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
 namespace render = voussoir::app::render;
 
 int main(int argc, char**)
 {
+    voussoir::importers::process::begin_helper();
     if (argc > 1) {
         std::fputs("voussoir-defects is started by voussoir: a JSON request on the standard input\n", stderr);
         return 2;
@@ -25,7 +27,7 @@ int main(int argc, char**)
         std::cout.flush();
         return std::cout ? 0 : 1;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        voussoir::importers::process::complain("voussoir-defects", error.what());
         return 1;
     }
 }

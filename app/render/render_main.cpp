@@ -1,7 +1,6 @@
 // voussoir-render: pictures from a results file. Without arguments it reads them from its standard input, one to a
 // line: that is how voussoir asks it.
 #include <fmt/format.h>
-#include <sys/prctl.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "app/render/film.h"
 #include "app/render/render_run.h"
 #include "importers/process/own_limits.h"
+#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
 namespace process = voussoir::importers::process;
@@ -77,7 +77,6 @@ std::vector<std::string> arguments_of(int count, char** words)
 {
     std::vector<std::string> list(words + 1, words + count);
     if (list.empty()) {
-        prctl(PR_SET_PDEATHSIG, SIGTERM);  // who asked wants nothing any more when it is gone
         for (std::string line; std::getline(std::cin, line);) list.push_back(line);
     }
     std::reverse(list.begin(), list.end());  // as CLI11 wants them
@@ -148,14 +147,15 @@ int run(int count, char** words)
 
 int main(int count, char** words)
 {
+    process::begin_helper();
     limit_resources();
     try {
         return run(count, words);
     } catch (const InputError& error) {
-        std::fprintf(stderr, "voussoir-render: %s\n", error.what());
+        process::complain("voussoir-render", error.what());
         return 2;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "voussoir-render: %s\n", error.what());
+        process::complain("voussoir-render", error.what());
         return 1;
     }
 }

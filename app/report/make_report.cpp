@@ -12,6 +12,7 @@
 #include "app/report/mechanism_words.h"
 #include "app/report/sections.h"
 #include "app/results/atomic_file.h"
+#include "app/results/own_folder.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::report
@@ -69,6 +70,7 @@ Section pictures_of(const RunRecord& record, const fs::path& folder)
     options.color = SnapshotColor::principal_stress;
     options.times = {record.course.times.back()};
     attempt(section, "There is no picture of the stresses", [&] {
+        results::make_own_folder(folder / "stress");
         for (const fs::path& picture : render::render_snapshots(record.file, folder / "stress", options))
             section.pictures.push_back(
                 {picture, "Largest compressive principal stress of each stone at the end."});
@@ -161,9 +163,7 @@ std::vector<fs::path> make_report(const fs::path& results_file, const fs::path& 
 {
     const RunRecord record(fs::absolute(results_file));
     const fs::path companions = fs::absolute(folder) / "report";
-    std::error_code error;
-    fs::create_directories(companions, error);
-    if (error) throw InputError(companions.string(), error.message(), "name a folder that can be created");
+    results::make_own_folder(companions);
     const Document document = document_of(record, companions, film, told);
     for (const Section& section : document.sections)
         for (const Table& table : section.tables)

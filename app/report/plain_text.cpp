@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/document.h"
+#include "app/words/csv_cell.h"
 
 namespace voussoir::app::report
 {
@@ -87,26 +88,9 @@ std::string to_json(const Document& document)
 
 std::string to_csv(const Table& table)
 {
-    const auto cell = [](const std::string& text) {
-        double number = 0;
-        std::size_t read = 0;
-        try {
-            number = std::stod(text, &read);
-        } catch (const std::exception&) {
-            read = 0;
-        }
-        const bool is_number = read == text.size() && !text.empty() && number == number;
-        std::string safe = text;
-        if (!is_number && !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos)
-            safe = "'" + text;
-        if (safe.find_first_of(",\"\n\r") == std::string::npos) return safe;
-        std::string quoted = "\"";
-        for (const char c : safe) quoted += c == '"' ? "\"\"" : std::string(1, c);
-        return quoted + "\"";
-    };
     std::string text;
     const auto line = [&](const std::vector<std::string>& cells) {
-        for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? "," : "") + cell(cells[i]);
+        for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? "," : "") + words::csv_cell(cells[i]);
         text += "\n";
     };
     line(table.columns);

@@ -1,15 +1,14 @@
 // voussoir-report: the report of a run. Reads from its standard input, one to a line, the results file, the folder
 // to write into, and "film" or "no film"; writes the files that it made.
 #include <fmt/format.h>
-#include <sys/prctl.h>
 
-#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/report/make_report.h"
 #include "importers/process/own_limits.h"
+#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
 namespace
@@ -34,21 +33,22 @@ void report()
 
 int main()
 {
+    voussoir::importers::process::begin_helper();
     // The results may be anybody's.
     voussoir::importers::process::limit_self(RLIMIT_CORE, 0);
     voussoir::importers::process::limit_own_memory(rlim_t{8} << 30);
-    prctl(PR_SET_PDEATHSIG, SIGTERM);  // who asked wants nothing any more when it is gone
     try {
         report();
         return 0;
     } catch (const voussoir::InputError& error) {
-        std::fprintf(stderr, "voussoir-report: %s\n", error.what());
+        voussoir::importers::process::complain("voussoir-report", error.what());
         return 2;
     } catch (const nlohmann::json::exception&) {
-        std::fprintf(stderr, "voussoir-report: the summary in the results is damaged: run the case again\n");
+        voussoir::importers::process::complain("voussoir-report",
+                                               "the summary in the results is damaged: run the case again");
         return 2;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "voussoir-report: %s\n", error.what());
+        voussoir::importers::process::complain("voussoir-report", error.what());
         return 1;
     }
 }

@@ -1,11 +1,10 @@
 #include "app/results/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "libdda/errors.h"
@@ -73,13 +72,41 @@ void sync_file(const std::filesystem::path& path)
     if (error != 0) refuse_writing(path, error);
 }
 
-std::string read_whole_file(const std::filesystem::path& path)
+OwnFile::OwnFile(const std::filesystem::path& path)
+    : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC))
 {
-    std::ifstream stream(path, std::ios::binary);
-    std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    if (!stream.good() && !stream.eof()) {
-        throw InputError(path.string(), "cannot be read", "give a file that exists and may be read");
+    struct stat is = {};
+    const int error = descriptor_ < 0 || ::fstat(descriptor_, &is) != 0 ? errno : 0;
+    if (error == 0 && S_ISREG(is.st_mode)) {
+        size_ = static_cast<std::uintmax_t>(is.st_size);
+        return;
     }
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (error == 0 || error == ELOOP || error == ENXIO)
+        throw InputError(path.string(), "a link, a folder, a pipe or a device, not a file", "remove it");
+    throw InputError(path.string(), "cannot be read: " + std::generic_category().message(error),
+                     "give a file that exists and may be read");
+}
+
+OwnFile::~OwnFile()
+{
+    ::close(descriptor_);
+}
+
+std::string OwnFile::read(std::size_t count)
+{
+    std::string bytes(count, '\0');
+    std::size_t had = 0;
+    while (had < count) {
+        const ssize_t got = ::read(descriptor_, bytes.data() + had, count - had);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0)
+            throw InputError(path_.string(), "cannot be read: " + std::generic_category().message(errno),
+                             "give a file that may be read");
+        if (got == 0) break;
+        had += static_cast<std::size_t>(got);
+    }
+    bytes.resize(had);
     return bytes;
 }
 

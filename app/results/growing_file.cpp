@@ -151,6 +151,7 @@ void GrowingFile::flush()
 
 void GrowingFile::close()
 {
+    for (Hdf5Series& series : series_) file_.close(series);
     series_.clear();  // open datasets would keep the file open
     file_.close();
 }

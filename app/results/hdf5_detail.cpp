@@ -53,6 +53,11 @@ std::uint64_t product(const Extents& extents, std::size_t first)
                            extents.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
+std::string instead_of_attribute(const std::string& object, const std::string& name)
+{
+    return object == "/" ? "/" + name : object + "." + name;
+}
+
 Hdf5Id simple_space(const Extents& extents)
 {
     const std::vector<hsize_t> size{extents.begin(), extents.end()};

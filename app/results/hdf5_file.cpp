@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "app/results/hdf5_detail.h"
@@ -13,7 +14,13 @@ namespace voussoir::app::results
 
 Hdf5Id::~Hdf5Id()
 {
-    if (id_ >= 0) H5Idec_ref(id_);
+    close();
+}
+
+std::int64_t Hdf5Id::close()
+{
+    const std::int64_t id = std::exchange(id_, -1);
+    return id >= 0 ? H5Idec_ref(id) : 0;
 }
 
 Hdf5Id& Hdf5Id::operator=(Hdf5Id&& other) noexcept
@@ -44,6 +51,8 @@ Hdf5Id timeless(hid_t kind)
     H5Pset_obj_track_times(properties.get(), false);
     return properties;
 }
+
+constexpr std::size_t largest_text_attribute = 60'000;  // bytes; HDF5 has 64 kB for it and what describes it
 
 /// Fixed-length strings, all as long as the longest: they need no heap.
 struct PackedTexts {
@@ -87,6 +96,10 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path)
     Hdf5File result;
     result.path_ = path;
     const Hdf5Id access = access_properties();
+    std::error_code error;
+    const std::filesystem::file_status there = std::filesystem::status(path, error);
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        result.check(-1, "it is no file");  // HDF5 would wait for a pipe
     result.file_ = Hdf5Id(
         result.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), "it is not a complete HDF5 file"));
     return result;
@@ -95,18 +108,19 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path)
 void Hdf5File::make_group(const std::string& name)
 {
     const Hdf5Id properties = timeless(H5P_GROUP_CREATE);
-    const Hdf5Id group(
-        check(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), name));
+    Hdf5Id group(check(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), name));
+    check(group.close(), name);
 }
 
 void Hdf5File::write_dataset(const std::string& name, std::int64_t type, const Hdf5Id& space, const void* values)
 {
     const Hdf5Id properties = timeless(H5P_DATASET_CREATE);
-    const Hdf5Id dataset(
+    Hdf5Id dataset(
         check(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
               name));
-    if (H5Sget_simple_extent_npoints(space.get()) == 0) return;
-    check(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+    if (H5Sget_simple_extent_npoints(space.get()) != 0)
+        check(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+    check(dataset.close(), name);  // a small one is written only here
 }
 
 void Hdf5File::write_values(const std::string& name, ElementType type, const void* values, const Extents& extents)
@@ -129,21 +143,25 @@ void Hdf5File::write_texts(const std::string& name, const std::vector<std::strin
 void Hdf5File::write_attribute(const std::string& object, const std::string& name, std::int64_t type,
                                const Hdf5Id& space, const void* value)
 {
-    const Hdf5Id attribute(check(H5Acreate_by_name(file_.get(), object.c_str(), name.c_str(), type, space.get(),
-                                                   H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                                 name));
+    Hdf5Id attribute(check(H5Acreate_by_name(file_.get(), object.c_str(), name.c_str(), type, space.get(),
+                                             H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                           name));
     check(H5Awrite(attribute.get(), type, value), name);
+    check(attribute.close(), name);
 }
 
 void Hdf5File::attribute(const std::string& object, const std::string& name, const std::string& text)
 {
     const PackedTexts packed = pack({text});
+    if (packed.bytes.size() > largest_text_attribute) return write_text(instead_of_attribute(object, name), text);
     write_attribute(object, name, packed.type.get(), Hdf5Id(H5Screate(H5S_SCALAR)), packed.bytes.data());
 }
 
 void Hdf5File::attribute(const std::string& object, const std::string& name, const std::vector<std::string>& texts)
 {
     const PackedTexts packed = pack(texts);
+    if (packed.bytes.size() > largest_text_attribute)
+        return write_texts(instead_of_attribute(object, name), texts);
     write_attribute(object, name, packed.type.get(), simple_space({texts.size()}), packed.bytes.data());
 }
 
@@ -203,8 +221,9 @@ void Hdf5File::append_values(Hdf5Series& series, ElementType type, const void* v
 
 void Hdf5File::overwrite(const std::string& name, std::int64_t value)
 {
-    const Hdf5Id dataset = open_dataset(name);
+    Hdf5Id dataset = open_dataset(name);
     check(H5Dwrite(dataset.get(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), name);
+    check(dataset.close(), name);
 }
 
 void Hdf5File::flush()
@@ -216,7 +235,12 @@ void Hdf5File::close()
 {
     if (file_.get() < 0) return;
     flush();
-    file_ = Hdf5Id();
+    check(file_.close(), "what was written could not be stored");
+}
+
+void Hdf5File::close(Hdf5Series& series) const
+{
+    check(series.dataset.close(), series.name);
 }
 
 }  // namespace voussoir::app::results

@@ -53,6 +53,9 @@ class Hdf5Id
     Hdf5Id(const Hdf5Id&) = delete;
     Hdf5Id& operator=(const Hdf5Id&) = delete;
     std::int64_t get() const { return id_; }
+    /// What was held back in memory is written now. @returns negative when it could not be, which the destructor,
+    /// where it closes, cannot tell
+    std::int64_t close();
 
  private:
     std::int64_t id_ = -1;
@@ -90,7 +93,8 @@ class Hdf5File
     {
         write(name, values, {values.size()});
     }
-    /// Attributes of the group or dataset `object`.
+    /// Attributes of the group or dataset `object`. HDF5 has no room for more than 64 kB in one: texts that are
+    /// larger become a dataset `object.name` (of the root `/name`), which text_attribute() finds as well.
     void attribute(const std::string& object, const std::string& name, const std::string& text);
     void attribute(const std::string& object, const std::string& name, const std::vector<std::string>& texts);
     void attribute(const std::string& object, const std::string& name, double value);
@@ -108,6 +112,8 @@ class Hdf5File
     void overwrite(const std::string& name, std::int64_t value);
     /// All that was written reaches the operating system: it survives the death of this process.
     void flush();
+    /// No more rows come.
+    void close(Hdf5Series& series) const;
     /// Flushes and closes, so that a failure is heard; without it the destructor closes silently.
     void close();
 

@@ -152,6 +152,9 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& name) const
 
 std::vector<std::string> Hdf5File::texts_attribute(const std::string& object, const std::string& name) const
 {
+    const std::string instead = instead_of_attribute(object, name);
+    if (H5Aexists_by_name(file_.get(), object.c_str(), name.c_str(), H5P_DEFAULT) == 0 && has(instead))
+        return read_texts(instead);
     const Hdf5Id attribute(
         check(H5Aopen_by_name(file_.get(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
               "it has no attribute " + name + " of " + object));

@@ -10,6 +10,7 @@
 #include "app/results/atomic_file.h"
 #include "app/results/scene_vectors.h"
 #include "app/results/surface_mesh.h"
+#include "app/words/csv_cell.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::results
@@ -77,7 +78,9 @@ void Histories::create(const std::filesystem::path& path, const std::vector<doub
 {
     if (columns.empty()) return;
     path_ = path;
-    write_atomically(path_, fmt::format("{}\n", fmt::join(columns, ",")) + lines_of(rows, columns.size()));
+    std::string heading;
+    for (const std::string& column : columns) heading += (heading.empty() ? "" : ",") + words::csv_cell(column);
+    write_atomically(path_, heading + "\n" + lines_of(rows, columns.size()));
     stream_.open(path_, std::ios::app);
     if (!stream_) refuse_writing(path_, errno);
 }

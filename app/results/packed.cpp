@@ -23,16 +23,35 @@ void write_packed(const std::filesystem::path& path, std::string_view mark, cons
     write_atomically(path, std::string(mark) + payload + tail.bytes);
 }
 
-std::string read_packed(const std::filesystem::path& path, std::string_view mark, const std::string& what)
+namespace
 {
-    const std::string file = read_whole_file(path);
-    std::uint64_t stored = 0;
-    if (!std::string_view(file).starts_with(mark) || file.size() < mark.size() + sizeof stored) {
+
+void expect_mark(OwnFile& file, const std::filesystem::path& path, std::string_view mark, const std::string& what)
+{
+    if (file.read(mark.size()) != mark)
         throw InputError(path.string(), "not " + what + " of this version of voussoir",
                          "give " + what + " that this version wrote");
-    }
-    std::string payload = file.substr(mark.size(), file.size() - mark.size() - sizeof stored);
-    std::memcpy(&stored, file.data() + file.size() - sizeof stored, sizeof stored);
+}
+
+}  // namespace
+
+std::string read_packed_head(const std::filesystem::path& path, std::string_view mark, const std::string& what,
+                             std::size_t size)
+{
+    OwnFile file(path);
+    expect_mark(file, path, mark, what);
+    return file.read(size);
+}
+
+std::string read_packed(const std::filesystem::path& path, std::string_view mark, const std::string& what)
+{
+    OwnFile file(path);
+    expect_mark(file, path, mark, what);
+    std::uint64_t stored = 0;
+    std::string payload = file.read(file.size() - mark.size());
+    if (payload.size() < sizeof stored) refuse_damaged(path);
+    std::memcpy(&stored, payload.data() + payload.size() - sizeof stored, sizeof stored);
+    payload.resize(payload.size() - sizeof stored);
     if (stored != fnv1a(payload)) refuse_damaged(path);
     return payload;
 }

@@ -25,6 +25,11 @@ void write_packed(const std::filesystem::path& path, std::string_view mark, cons
 /// @returns the payload. @throws InputError when the file cannot be read, has another mark, or was damaged
 std::string read_packed(const std::filesystem::path& path, std::string_view mark, const std::string& what);
 
+/// The first `size` bytes of the payload, or as many as there are, unchecked, whatever the file's size.
+/// @throws InputError when the file cannot be read or has another mark
+std::string read_packed_head(const std::filesystem::path& path, std::string_view mark, const std::string& what,
+                             std::size_t size);
+
 [[noreturn]] void refuse_damaged(const std::filesystem::path& path);
 
 class Packer

@@ -1,5 +1,9 @@
 #include "app/results/restart_file.h"
 
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
 #include "app/results/packed.h"
 #include "app/results/restart_checks.h"
 #include "app/results/state_fields.h"
@@ -11,7 +15,9 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 15\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 16\n";  // its number rises when the layout changes
+constexpr const char* what = "a restart file";
+constexpr std::size_t head_bytes = 1 + 8 + 8;  // whether it ended, its time, the bytes of what follows
 
 // The lists of members below do not compile when a struct has got another one: then store that too.
 
@@ -108,7 +114,7 @@ void restart_fields(Archive& archive, SomeRestart& restart)
     archive.fields(version, commit, dirty, sources, compiled.instruction_set, compiled.compiler, compiled.eigen);
     archive.fields(from.text, from.overrides, from.blocks, from.motions);
     archive.list(restart.remarks);
-    archive.fields(restart.ended, restart.history_rows, restart.wall_time, restart.cpu_time);
+    archive.fields(restart.history_rows, restart.wall_time, restart.cpu_time);
     archive.maybe(restart.trust, [](auto& to, auto& start) { trust_fields(to, start); });
     position_fields(archive, restart.position);
     state_fields(archive, restart.state);
@@ -123,16 +129,36 @@ std::filesystem::path restart_file_in(const std::filesystem::path& folder)
 
 void save_restart(const Restart& restart, const std::filesystem::path& path)
 {
+    Packer rest;
+    restart_fields(rest, restart);
     Packer packer;
-    restart_fields(packer, restart);
+    packer.fields(restart.ended, restart.state.time, static_cast<std::uint64_t>(rest.bytes.size()));
+    packer.bytes += rest.bytes;
     write_packed(path, mark, packer.bytes);
+}
+
+RestartHead read_restart_head(const std::filesystem::path& path)
+{
+    RestartHead head;
+    const std::string bytes = read_packed_head(path, mark, what, head_bytes);
+    Unpacker unpacker(bytes);
+    std::uint64_t rest = 0;
+    unpacker.fields(head.ended, head.time, rest);
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    const std::uintmax_t around = mark.size() + head_bytes + sizeof(std::uint64_t);
+    if (!unpacker.done() || error || size < around || size - around != rest || !std::isfinite(head.time))
+        refuse_damaged(path);
+    return head;
 }
 
 Restart load_restart(const std::filesystem::path& path)
 {
-    const std::string payload = read_packed(path, mark, "a restart file");
-    Unpacker unpacker(payload);
+    const RestartHead head = read_restart_head(path);  // the size is right, so it is not one that fills the memory
+    const std::string payload = read_packed(path, mark, what);
+    Unpacker unpacker(std::string_view(payload).substr(std::min(head_bytes, payload.size())));
     Restart restart;
+    restart.ended = head.ended;
     restart_fields(unpacker, restart);
     if (!unpacker.done() || !is_sound(restart)) refuse_damaged(path);
     return restart;

@@ -28,6 +28,15 @@ struct Restart {
 /// Where a folder of results has it.
 std::filesystem::path restart_file_in(const std::filesystem::path& folder);
 
+/// What its first bytes tell, which is all that is read of a file that is about to be replaced.
+struct RestartHead {
+    bool ended = false;
+    double time = 0;  // s, of the state
+};
+
+/// @throws InputError when the file cannot be read, is none of this version, or has another length than it says
+RestartHead read_restart_head(const std::filesystem::path& path);
+
 /// Written, synced and renamed: the file is there whole or not at all. @throws InputError
 void save_restart(const Restart& restart, const std::filesystem::path& path);
 

@@ -8,6 +8,7 @@
 #include "app/results/atomic_file.h"
 #include "app/results/frame_rows.h"
 #include "app/results/histories.h"
+#include "app/results/own_folder.h"
 #include "app/results/results_reader.h"
 #include "app/results/summary.h"
 #include "app/results/twin_files.h"
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> pictures_in(const fs::path& folder)
 {
     std::vector<std::string> pictures;
+    if (!is_own_folder(folder / "snapshots")) return pictures;  // a link: the pictures are not ours
     std::error_code none;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder / "snapshots", none)) {
         const std::string name = entry.path().filename().string();
@@ -67,9 +69,10 @@ CopiedRows rows_of(const fs::path& results, const Restart& restart)
 std::vector<std::string> files_in(const fs::path& folder)
 {
     std::vector<std::string> files = {"results.h5", "results.xdmf"};
-    if (fs::exists(folder / "histories.csv")) files.emplace_back("histories.csv");
+    std::error_code none;
+    if (fs::exists(folder / "histories.csv", none)) files.emplace_back("histories.csv");
     files.emplace_back("summary.json");
-    if (fs::exists(restart_file_in(folder))) files.push_back(restart_file_in({}));
+    if (fs::exists(restart_file_in(folder), none)) files.push_back(restart_file_in({}));
     const std::vector<std::string> pictures = pictures_in(folder);
     files.insert(files.end(), pictures.begin(), pictures.end());
     return files;

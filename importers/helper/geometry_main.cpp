@@ -13,6 +13,7 @@
 #include "importers/helper/rock.h"
 #include "importers/helper/wire.h"
 #include "importers/process/own_limits.h"
+#include "importers/process/program_start.h"
 
 namespace process = voussoir::importers::process;
 namespace helper = voussoir::importers::helper;
@@ -44,6 +45,7 @@ std::string answer_to(const std::string& text)
 
 int main(int argc, char**)
 {
+    process::begin_helper();
     if (argc > 1) {
         std::fputs("voussoir-geometry is started by voussoir: a JSON request on the standard input\n", stderr);
         return 2;
@@ -53,7 +55,7 @@ int main(int argc, char**)
         std::cout << answer_to(text) << std::flush;
         return std::cout ? 0 : 1;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        voussoir::importers::process::complain("voussoir-geometry", error.what());
         return 1;
     }
 }

@@ -68,6 +68,7 @@ struct Conversation {
     Channel errors;  // its standard error
     std::string unsent, output, error_output;
     std::size_t max_output = 0, told = 0;  // bytes; told: of the output, to on_line
+    bool is_cut_off = false;               // the output: it could not be received to its end
     std::function<void(const std::string&)> on_line;
 };
 
@@ -93,13 +94,16 @@ void send_some(Conversation& talk)
     if (talk.unsent.empty()) shutdown(talk.text.ours.number(), SHUT_WR);
 }
 
-/// @returns false at the end of the stream
-bool receive_some(const Descriptor& from, std::string& text)
+enum class Stream { open, ended, broken };
+
+Stream receive_some(const Descriptor& from, std::string& text)
 {
     std::array<char, 65536> buffer{};
     const ssize_t got = recv(from.number(), buffer.data(), buffer.size(), 0);
-    if (got > 0) text.append(buffer.data(), static_cast<std::size_t>(got));
-    return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
+    if (got == 0) return Stream::ended;
+    if (got < 0) return errno == EAGAIN || errno == EINTR ? Stream::open : Stream::broken;
+    text.append(buffer.data(), static_cast<std::size_t>(got));
+    return Stream::open;
 }
 
 /// Tells the lines that have come whole.
@@ -120,24 +124,24 @@ struct Stop {
 Stop converse(Conversation& talk, double seconds)
 {
     const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
-    bool text_open = true, errors_open = true;
-    while (text_open || errors_open) {
+    Stream text = Stream::open, errors = Stream::open;
+    while (text == Stream::open || errors == Stream::open) {
         const std::chrono::duration<double, std::milli> left = deadline - Clock::now();
         if (left.count() <= 0)
             return {"it did not finish within " + std::to_string(std::lround(seconds)) + " s", true};
         const short text_events = static_cast<short>(POLLIN | (talk.unsent.empty() ? 0 : POLLOUT));
-        std::array<pollfd, 2> streams{pollfd{text_open ? talk.text.ours.number() : -1, text_events, 0},
-                                      pollfd{errors_open ? talk.errors.ours.number() : -1, POLLIN, 0}};
+        std::array<pollfd, 2> streams{pollfd{text == Stream::open ? talk.text.ours.number() : -1, text_events, 0},
+                                      pollfd{errors == Stream::open ? talk.errors.ours.number() : -1, POLLIN, 0}};
         if (poll(streams.data(), streams.size(), static_cast<int>(std::min(left.count() + 1, 1e6))) < 0) continue;
         if (streams[0].revents & POLLOUT) send_some(talk);
-        if (streams[0].revents & (POLLIN | POLLHUP | POLLERR))
-            text_open = receive_some(talk.text.ours, talk.output);
+        if (streams[0].revents & (POLLIN | POLLHUP | POLLERR)) text = receive_some(talk.text.ours, talk.output);
         tell_lines(talk);
         if (streams[1].revents & (POLLIN | POLLHUP | POLLERR))
-            errors_open = receive_some(talk.errors.ours, talk.error_output);
+            errors = receive_some(talk.errors.ours, talk.error_output);
         if (talk.output.size() > talk.max_output || talk.error_output.size() > talk.max_output)
             return {"its output exceeded " + std::to_string(talk.max_output >> 20) + " MiB"};
     }
+    talk.is_cut_off = text == Stream::broken;
     return {};
 }
 
@@ -197,7 +201,9 @@ ChildAnswer ask_child(const std::filesystem::path& program, const std::string& i
     const int status = wait_for_end(child, !stopped.why.empty());
     if (!stopped.why.empty()) return {std::move(talk.output), stopped.why, stopped.out_of_time};
     const bool out_of_time = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
-    return {std::move(talk.output), describe_end(status, talk.error_output), out_of_time};
+    std::string failure = describe_end(status, talk.error_output);
+    if (failure.empty() && talk.is_cut_off) failure = "its answer could not be received";
+    return {std::move(talk.output), std::move(failure), out_of_time};
 }
 
 std::filesystem::path helper_folder()

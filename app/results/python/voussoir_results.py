@@ -33,6 +33,20 @@ class Results:
     def _texts(self, name):
         return [text.decode() if isinstance(text, bytes) else str(text) for text in self.file[name][()]]
 
+    def _attribute(self, name, attribute):
+        """A list of texts beside a dataset: an attribute, or a dataset where it is too large for one."""
+        if attribute in self.file[name].attrs:
+            return [text.decode() if isinstance(text, bytes) else str(text) for text in self.file[name].attrs[attribute]]
+        return self._texts(f"{name}.{attribute}")
+
+    @property
+    def histories(self):
+        """The rows of histories.csv as {heading: (steps)}; empty if the case has no histories."""
+        if "histories" not in self.file:
+            return {}
+        values = self.file["histories/values"][()]
+        return dict(zip(self._attribute("histories/values", "columns"), values.T))
+
     def frame_data(self, name):
         """A dataset under /frames with one row a frame, such as "velocities": (frames, ...)."""
         return self.file["frames/" + name][: self.frames]
