@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "app/reader/local_origin.h"
 #include "libdda/analysis/drawn_misfit.h"
 #include "libdda/analysis/overlaps.h"
 
@@ -47,11 +48,20 @@ std::string reason_of(const Model& model, const DrawnMisfit& misfit)
     return millimetres(misfit.tolerance()) + ", " + reason;
 }
 
-void measure_fit(YamlCursor& top, Model& model)
+/// What the joints of meshes need, and the rounding of coordinates far from their origin.
+void take_default_fit(YamlCursor& top, bool has_meshes, Model& model)
 {
-    const DrawnMisfit misfit = drawn_misfit(model);
-    model.fit_tolerance = misfit.tolerance();
-    top.took_default("fit_tolerance", model.fit_tolerance > 0 ? reason_of(model, misfit) : "0, the joints fit");
+    std::string reason = "0, the joints fit";
+    if (has_meshes) {
+        const DrawnMisfit misfit = drawn_misfit(model);
+        model.fit_tolerance = misfit.tolerance();
+        if (model.fit_tolerance > 0) reason = reason_of(model, misfit);
+    }
+    if (const double rounding = rounded_misfit(model); rounding > model.fit_tolerance) {
+        model.fit_tolerance = rounding;
+        reason = millimetres(rounding) + ", as coordinates so far from their origin are rounded";
+    }
+    if (has_meshes || model.fit_tolerance > 0) top.took_default("fit_tolerance", reason);
 }
 
 /// Depth of all pairs of stones that overlap [m], whatever the fit_tolerance.
@@ -85,10 +95,10 @@ class MeshOverlaps
         }
         refuse(std::move(refused));
         if (small > 0)
-            findings_.warnings.push_back(
-                fmt::format("{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: {}; voussoir "
-                            "check lists them",
-                            findings_.mesh_place, small, 100 * most, consequence()));
+            findings_.warnings.push_back(fmt::format(
+                "{}: {} overlap, by at most {:.2g} % of the smaller one: {}; voussoir check lists them",
+                findings_.mesh_place, small == 1 ? "1 pair of stones" : fmt::format("{} pairs of stones", small),
+                100 * most, consequence()));
     }
 
  private:
@@ -193,8 +203,8 @@ void settle_fit(YamlCursor& top, const std::optional<double>& given, Case& resul
     const bool sound = findings.faults.empty() && !model.blocks.empty();
     if (given)
         model.fit_tolerance = *given;
-    else if (sound && !result.mesh_files.empty())
-        measure_fit(top, model);
+    else if (sound)
+        take_default_fit(top, !result.mesh_files.empty(), model);
     MeshOverlaps(model, sound, findings).judge();
     if (sound) refuse_deep_overlaps(model, findings);
 }
