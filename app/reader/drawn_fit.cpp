@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -207,6 +208,28 @@ void settle_fit(YamlCursor& top, const std::optional<double>& given, Case& resul
         take_default_fit(top, !result.mesh_files.empty(), model);
     MeshOverlaps(model, sound, findings).judge();
     if (sound) refuse_deep_overlaps(model, findings);
+}
+
+void refuse_rounded_stresses(const Case& the_case, Findings& findings)
+{
+    constexpr double rounded_share = 1e-5;  // of the weight: a run that asks for less finds no equilibrium
+    const Model& model = the_case.model;
+    if (!findings.faults.empty() || !is_deformable(model.kinematics) || the_case.stages.empty()) return;
+    const double gravity = the_case.stages.front().gravity.norm();
+    for (const Block& block : model.blocks) {
+        const BlockMaterial& stone = model.materials[static_cast<std::size_t>(block.material)];
+        const double weight = stone.density * gravity * std::cbrt(block.moments.volume);  // Pa, on its own base
+        const double rounding = std::numeric_limits<double>::epsilon() * stone.young;     // Pa
+        if (!(weight > 0) || !(rounding > rounded_share * weight)) continue;
+        findings.faults.push_back(
+            {findings.file + ": " + block.name,
+             fmt::format(
+                 "its weight presses with {:.2g} Pa, and with a modulus of {:.2g} Pa stresses are rounded by "
+                 "{:.1g} Pa",
+                 weight, stone.young, rounding),
+             "check density and young; stones that stiff are rigid: kinematics: spatial_rigid"});
+        return;
+    }
 }
 
 void refuse_soft_joints(const Case& the_case, Findings& findings)

@@ -1,4 +1,5 @@
 // Properties of generated cases: what is accepted runs, and the same case told otherwise gives the same answer.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -97,41 +98,63 @@ double difference(const Answer& plain, const Answer& other, const Telling& telli
     for (const auto& [name, move] : plain.moves)
         most =
             std::max(most, (telling.rotation().transpose() * other.moves.at(name) / telling.scale - move).norm());
-    return most / std::max(largest_move(plain), 1e-6);
+    constexpr double least = 1e-4;  // m: what stands still is compared with a tenth of a millimetre
+    return most / std::max(largest_move(plain), least);
 }
 
-/// The differences of all seeds that are allowed to be `allowed` at most; those that are more are told, by their
-/// seeds.
+/// What is asked of the differences of all seeds, as shares of the largest move.
+struct Allowed {
+    double usually;  // of 99 in 100 cases: rounding
+    double ever;     // of any: a point that sticks or slides by next to nothing is decided by rounding
+};
+
+/// Collects differences; those that are too large are told by their seeds, and a single seed with both its cases.
 class Differences
 {
  public:
-    explicit Differences(double allowed) : allowed_(allowed) {}
-    void add(std::uint64_t seed, double difference)
+    explicit Differences(const Allowed& allowed) : allowed_(allowed) {}
+    Differences(const Differences&) = delete;
+    Differences& operator=(const Differences&) = delete;
+    void add(std::uint64_t seed, double difference, const std::string& texts)
     {
         ++count_;
-        if (difference <= allowed_) return;
-        ADD_FAILURE() << "seed " << seed << ": the answers differ by " << difference << " of the largest move";
+        if (difference > allowed_.usually)
+            unusual_ += fmt::format(" {} ({:.2g})", seed, difference), ++unusual_count_;
+        if (difference > allowed_.ever)
+            ADD_FAILURE() << "seed " << seed << ": the answers differ by " << difference << " of the largest move"
+                          << (is_one_seed() ? texts : "");
     }
-    ~Differences() { ::testing::Test::RecordProperty("cases", std::to_string(count_)); }
+    ~Differences()
+    {
+        EXPECT_GT(count_, 0);
+        EXPECT_LE(unusual_count_, 1 + count_ / 100)
+            << "seeds whose answers differ by more than " << allowed_.usually << ":" << unusual_;
+    }
 
  private:
-    double allowed_;
-    int count_ = 0;
+    static bool is_one_seed() { return seeds().second - seeds().first == 1; }
+
+    Allowed allowed_;
+    int count_ = 0, unusual_count_ = 0;
+    std::string unusual_;
 };
 
-/// Tells the scenes of all seeds that `wanted` in another way and compares.
-void expect_same(double allowed, const std::function<bool(const GeneratedScene&)>& wanted,
-                 const std::function<Telling(std::uint64_t)>& telling_of, const Telling& plain = {},
-                 std::uint64_t every = 4)
+/// Tells the scenes of all seeds that are `wanted` in another way and compares.
+void expect_same(const Allowed& allowed, const std::function<bool(const GeneratedScene&)>& wanted,
+                 const std::function<Telling(std::uint64_t)>& telling_of, const Telling& plain = {})
 {
     Differences differences(allowed);
     const auto [first, end] = seeds();
     for (std::uint64_t seed = first; seed < end; ++seed) {
         const GeneratedScene scene = generated(seed);
-        if (seed % every != 0 || !wanted(scene)) continue;
+        if (!wanted(scene)) continue;
         const Telling telling = telling_of(seed);
-        differences.add(seed,
-                        difference(run_text(text_of(scene, plain)), run_text(text_of(scene, telling)), telling));
+        const std::string here = text_of(scene, plain), there = text_of(scene, telling);
+        const Answer answer = run_text(here), other = run_text(there);
+        differences.add(seed, difference(answer, other, telling),
+                        fmt::format("\n{}\nends as {} after {} steps\n{}\nends as {} after {} steps", here,
+                                    static_cast<int>(answer.report.outcome), answer.report.steps, there,
+                                    static_cast<int>(other.report.outcome), other.report.steps));
     }
 }
 
@@ -197,16 +220,16 @@ TEST(GeneratedCases, MutatedOnesRunIfAndOnlyIfTheyAreAccepted)
 
 TEST(GeneratedCases, AnswersDoNotDependOnTheUnitOfLength)
 {
-    expect_same(1e-6, always, [](std::uint64_t seed) {
+    expect_same({1e-6, 5e-3}, always, [](std::uint64_t seed) {
         Telling telling;
-        telling.unit = seed % 8 == 0 ? "mm" : "cm";
+        telling.unit = seed % 2 == 0 ? "mm" : "cm";
         return telling;
     });
 }
 
 TEST(GeneratedCases, AnswersDoNotDependOnTheOrderOfStacks)
 {
-    expect_same(1e-6, always, [](std::uint64_t) {
+    expect_same({1e-6, 5e-3}, always, [](std::uint64_t) {
         Telling telling;
         telling.other_order = true;
         return telling;
@@ -215,16 +238,16 @@ TEST(GeneratedCases, AnswersDoNotDependOnTheOrderOfStacks)
 
 TEST(GeneratedCases, AnswersTurnWithTheScene)
 {
-    expect_same(1e-5, always, [](std::uint64_t seed) {
+    expect_same({1e-5, 5e-3}, always, [](std::uint64_t seed) {
         Telling telling;
-        telling.quarter_turns = 1 + static_cast<int>(seed / 4 % 3);
+        telling.quarter_turns = 1 + static_cast<int>(seed % 3);
         return telling;
     });
 }
 
 TEST(GeneratedCases, AnswersAreMirroredWithTheScene)
 {
-    expect_same(1e-5, always, [](std::uint64_t) {
+    expect_same({1e-5, 5e-3}, always, [](std::uint64_t) {
         Telling telling;
         telling.mirrored = true;
         return telling;
@@ -233,9 +256,9 @@ TEST(GeneratedCases, AnswersAreMirroredWithTheScene)
 
 TEST(GeneratedCases, AnswersMoveWithTheScene)
 {
-    expect_same(1e-4, always, [](std::uint64_t seed) {
+    expect_same({1e-4, 5e-3}, always, [](std::uint64_t seed) {
         Telling telling;
-        const double far = seed % 8 == 0 ? 1e9 : 100;
+        const double far = seed % 2 == 0 ? 1e9 : 100;
         telling.offset = {far, -far, 0};
         return telling;
     });
@@ -243,9 +266,9 @@ TEST(GeneratedCases, AnswersMoveWithTheScene)
 
 TEST(GeneratedCases, AnswersScaleWithTheUnitsOfAllQuantities)
 {
-    expect_same(1e-5, always, [](std::uint64_t seed) {
+    expect_same({1e-5, 5e-3}, always, [](std::uint64_t seed) {
         Telling telling;
-        telling.scale = seed % 8 == 0 ? 10 : 0.25;
+        telling.scale = seed % 2 == 0 ? 10 : 0.25;
         return telling;
     });
 }
@@ -253,12 +276,12 @@ TEST(GeneratedCases, AnswersScaleWithTheUnitsOfAllQuantities)
 TEST(GeneratedCases, ThreadsAndResumingChangeNoBit)
 {
     const auto [first, end] = seeds();
-    for (std::uint64_t seed = first; seed < end; seed += 4) {
+    for (std::uint64_t seed = first; seed < end; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const Case the_case = reader::read_case_text("case.yaml", text_of(generated(seed), {}), {});
         const Answer whole = run_whole(the_case);
         const Answer threaded = run_whole(the_case, 3),
-                     resumed = run_resumed(the_case, 1 + static_cast<int>(seed / 4 % 7));
+                     resumed = run_resumed(the_case, 1 + static_cast<int>(seed % 7));
         for (const auto& [name, place] : whole.places) {
             EXPECT_EQ(threaded.places.at(name), place) << name;
             EXPECT_EQ(resumed.places.at(name), place) << name;
@@ -272,9 +295,11 @@ TEST(GeneratedCases, PlanarScenesAreSpatialOnesOfOneExtent)
     for (const std::string kind : {"rigid", "deformable"}) {
         Telling space;
         space.kinematics = "spatial_" + kind;
+        space.young = 1e10;  // the masses of softer stones are seen to bulge across the plane
         space.joint = ", contact_stiffness: 1 GPa/m";
         expect_same(
-            kind == "rigid" ? 1e-4 : 2e-2, [](const GeneratedScene& scene) { return scene.flat; },
+            kind == "rigid" ? Allowed{1e-6, 1e-3} : Allowed{3e-3, 3e-2},
+            [](const GeneratedScene& scene) { return scene.flat; },
             [&](std::uint64_t) {
                 Telling plane = space;
                 plane.kinematics = "planar_" + kind;
@@ -288,13 +313,14 @@ TEST(GeneratedCases, StiffStonesAreRigidOnes)
 {
     Telling rigid;
     rigid.kinematics = "spatial_rigid";
-    rigid.joint = ", contact_stiffness: 1 GPa/m";
+    rigid.joint = ", contact_stiffness: 0.1 GPa/m";
     expect_same(
-        1e-2, always,
+        {1e-2, 3e-2}, always,
         [&](std::uint64_t) {
             Telling stiff = rigid;
             stiff.kinematics = "spatial_deformable";
-            stiff.young = 1e14;
+            stiff.young =
+                1e11;  // stresses of stiffer ones are rounded by more than a resting stone may be unbalanced
             return stiff;
         },
         rigid);

@@ -164,6 +164,8 @@ std::string text_of(const GeneratedScene& scene, const Telling& telling)
         "joints: {{dry: {{friction: {} deg{}}}}}\n",
         telling.kinematics.empty() ? kind : telling.kinematics, 9.80665 * s, 2400 / (s * s * s), young / s,
         scene.friction, telling.joint);
+    // Stones of a spatial scene are free to bulge across the plane.
+    if (telling.kinematics == "planar_deformable") writing.out += "plane: stress\n";
     writing.add_boxes();
     writing.add_motion();
     writing.add_start();
