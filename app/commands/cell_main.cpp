@@ -35,9 +35,13 @@ app::studies::stability::StabilityCell cell_named(const std::string& name)
 
 }  // namespace
 
-int main()
+int main(int argc, char**)
 {
     voussoir::importers::process::begin_helper();
+    if (argc > 1) {
+        std::fputs("voussoir-cell is started by voussoir: a request on the standard input\n", stderr);
+        return 2;
+    }
     try {
         const std::string text(std::istreambuf_iterator<char>(std::cin), {});
         const app::studies::stability::CellRequest request = app::studies::stability::cell_request_from_json(text);

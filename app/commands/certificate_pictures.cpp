@@ -94,7 +94,10 @@ void draw_gaps(Album& album)
             })];
         render::DefectPicture picture =
             pair_picture(album, gap.a, gap.b, importers::assembly::length_words(gap.width) + " apart");
-        if (group.gaps.size() > 1) picture.title += fmt::format(" (and {} pairs like it)", group.gaps.size() - 1);
+        if (group.gaps.size() > 1)
+            picture.title +=
+                fmt::format(" (and {} like it)",
+                            group.gaps.size() == 2 ? "1 pair" : fmt::format("{} pairs", group.gaps.size() - 1));
         picture.marks.push_back({{importers::assembly::length_words(gap.width) + " apart", {}, {}, gap.polygons},
                                  render::MarkLook::gap});
         picture.mark_legend.emplace_back(render::MarkLook::gap, "facing area, half way");

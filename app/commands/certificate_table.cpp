@@ -62,9 +62,10 @@ void print_contact_graph(const importers::assembly::Assembly& assembly)
     if (assembly.stones.size() < 2) return;
     double area = 0;
     for (const importers::assembly::StoneContact& contact : assembly.contacts) area += contact.area;
-    say(fmt::format("contact graph: {} pairs touch over {:.6g} m2, {} group{}, {}", assembly.contacts.size(), area,
-                    assembly.components.size(), assembly.components.size() == 1 ? "" : "s",
-                    ground_words(assembly)));
+    say(fmt::format(
+        "contact graph: {} over {:.6g} m2, {} group{}, {}",
+        assembly.contacts.size() == 1 ? "1 pair touches" : fmt::format("{} pairs touch", assembly.contacts.size()),
+        area, assembly.components.size(), assembly.components.size() == 1 ? "" : "s", ground_words(assembly)));
     if (assembly.contacts.empty()) return;
     say(fmt::format("  {:<24} {:<24} {:>10} {:>8} {:>13}", "stone", "stone", "area m2", "patches",
                     "smallest gap"));

@@ -128,7 +128,8 @@ void print_contacts(const Model& model)
                         model.blocks[b].name, contact.points, contact.area, contact.smallest_gap,
                         contact.max_stiffness, model.joint_between(a, b).name));
     }
-    say(fmt::format("  {} pairs of blocks, {} points, {:.6g} m2", pairs.size(), points, area));
+    say(fmt::format("  {} pair{} of blocks, {} points, {:.6g} m2", pairs.size(), pairs.size() == 1 ? "" : "s",
+                    points, area));
 }
 
 void print_stages(const std::vector<Stage>& stages)

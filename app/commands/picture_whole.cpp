@@ -60,7 +60,10 @@ void add_whole(Album& album)
     render::DefectPicture picture;
     picture.name = "assembly.png";
     picture.title = album.title;
-    picture.subtitle = fmt::format("{} stones, {} pairs touch", assembly.stones.size(), assembly.contacts.size());
+    picture.subtitle =
+        fmt::format("{} stone{}, {}", assembly.stones.size(), assembly.stones.size() == 1 ? "" : "s",
+                    assembly.contacts.size() == 1 ? "1 pair touches"
+                                                  : fmt::format("{} pairs touch", assembly.contacts.size()));
     if (!album.defects.empty()) picture.subtitle += fmt::format(", {} only marked", album.defects.size());
     std::set<render::StoneLook> used;
     for (int i = 0; i < static_cast<int>(album.pictures.shapes.size()); ++i) {

@@ -24,6 +24,15 @@ void refuse(RecordSet& set, const InputError& error)
     complain(error);
 }
 
+/// Says that a file is read that takes more than about a second.
+void announce(const std::filesystem::path& file)
+{
+    constexpr double long_file = 64e6;  // bytes
+    std::error_code error;
+    const auto size = static_cast<double>(std::filesystem::file_size(file, error));
+    if (!error && size > long_file) fmt::print(stderr, "{}: reading {:.0f} MB\n", file.string(), size / 1e6);
+}
+
 /// The name of a file without what says how it is packed and written.
 std::string stem_of(const std::filesystem::path& file)
 {
@@ -53,6 +62,7 @@ std::vector<RecordSet> read_one_by_one(const RecordArguments& arguments, const r
         set.file = file.string();
         set.stem = stem_of(file);
         try {
+            announce(file);
             records::Record record = records::read_record(file, options);
             set.format = record.format;
             set.station = record.station;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "app/commands/outputs.h"
 #include "app/commands/record_set.h"
@@ -102,9 +104,38 @@ plots::Curve thinned(const std::string& name, const std::vector<double>& x, cons
     return curve;
 }
 
-std::string curve_name(const records::Channel& channel, std::size_t number)
+/// Of each channel the part of its files' names; two that would be alike, whatever the case of their letters, take
+/// a number, so that neither is written over.
+std::vector<std::string> file_parts(const RecordSet& set)
 {
-    return channel.component.empty() ? fmt::format("channel {}", number + 1) : channel.component;
+    std::vector<std::string> parts;
+    std::set<std::string> taken;
+    const auto is_free = [&](std::string name) {
+        for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        return taken.insert(name).second;
+    };
+    for (std::size_t k = 0; k < set.channels.size(); ++k) {
+        const std::string part = file_part(set.channels[k].channel.component, k);
+        std::string name = part;
+        for (int number = 2; !is_free(name); ++number) name = fmt::format("{}_{}", part, number);
+        parts.push_back(std::move(name));
+    }
+    return parts;
+}
+
+/// A name for each channel in headings and diagrams: curves of one name would be of one colour.
+std::vector<std::string> curve_names(const RecordSet& set)
+{
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < set.channels.size(); ++k) {
+        const std::string& component = set.channels[k].channel.component;
+        const std::string plain = component.empty() ? fmt::format("channel {}", k + 1) : component;
+        std::string name = plain;
+        for (int number = 2; std::find(names.begin(), names.end(), name) != names.end(); ++number)
+            name = fmt::format("{} ({})", plain, number);
+        names.push_back(std::move(name));
+    }
+    return names;
 }
 
 /// The station, or the first file without its folder and how many more.
@@ -118,6 +149,7 @@ std::string title_of(const RecordSet& set)
 /// Every acceleration by itself, then all velocities and all displacements.
 plots::Figure series_figure(const RecordSet& set)
 {
+    const std::vector<std::string> names = curve_names(set);
     plots::Figure figure{set.stem + "_series", title_of(set), set.format, {}, true, {}};
     plots::Diagram velocities{"time [s]", "velocity [m/s]", {}, {}, false, false, false};
     plots::Diagram displacements{"time [s]", "displacement [m]", {}, {}, false, false, false};
@@ -135,7 +167,7 @@ plots::Figure series_figure(const RecordSet& set)
             v.push_back(motion.velocity(since));
             d.push_back(motion.displacement(since));
         }
-        const std::string name = curve_name(channel, k);
+        const std::string& name = names[k];
         figure.diagrams.push_back(
             {"time [s]", name + " [m/s2]", {thinned(name, times, a)}, {}, false, false, false});
         velocities.curves.push_back(thinned(name, times, v));
@@ -175,6 +207,7 @@ plots::Curve fourier_curve(const std::string& name, const records::Channel& chan
 
 plots::Figure spectra_figure(const RecordSet& set)
 {
+    const std::vector<std::string> names = curve_names(set);
     plots::Figure figure{set.stem + "_spectra",
                          title_of(set),
                          "5 % of critical damping; Fourier amplitudes smoothed in bands",
@@ -186,7 +219,7 @@ plots::Figure spectra_figure(const RecordSet& set)
     for (std::size_t k = 0; k < set.channels.size(); ++k) {
         const MeasuredChannel& measured = set.channels[k];
         if (!measured.spectrum || !(measured.peak_acceleration > 0)) continue;
-        const std::string name = curve_name(measured.channel, k);
+        const std::string& name = names[k];
         response.curves.push_back({name, measured.spectrum->periods, measured.spectrum->pseudo_acceleration});
         fourier.curves.push_back(fourier_curve(name, measured.channel));
     }
@@ -205,12 +238,13 @@ void write_tables(const RecordSet& set, const fs::path& folder, std::vector<std:
     };
     std::vector<const records::Channel*> channels;
     for (const MeasuredChannel& measured : set.channels) channels.push_back(&measured.channel);
+    const std::vector<std::string> parts = file_parts(set);
     const bool alike = std::all_of(channels.begin(), channels.end(), [&](const records::Channel* channel) {
         return share_times(*channel, *channels[0]);
     });
     if (alike) write(set.stem + ".csv", series_csv(channels));
     for (std::size_t k = 0; k < channels.size(); ++k) {
-        const std::string part = set.stem + "_" + file_part(channels[k]->component, k);
+        const std::string part = set.stem + "_" + parts[k];
         if (!alike) write(part + ".csv", series_csv({channels[k]}));
         if (!records::has_unit(*channels[k]) || channels[k]->quantity != records::Quantity::acceleration) continue;
         write(part + ".at2",

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/record_set.h"
@@ -17,6 +18,30 @@ using nlohmann::json;
 
 constexpr double shortest_period = 0.02, longest_period = 10;  // s
 constexpr std::size_t period_count = 100;
+
+/// Says how far a long record is, on the standard error: after a second, then about every second.
+class Telling
+{
+ public:
+    explicit Telling(std::string what) : what_(std::move(what)) {}
+    /// @param begin, end the shares of the whole that this part of it is
+    std::function<void(double)> part(double begin, double end)
+    {
+        return [this, begin, end](double share) { tell(begin + (end - begin) * share); };
+    }
+
+ private:
+    void tell(double share)
+    {
+        const auto now = std::chrono::steady_clock::now();
+        if (share >= 1 || now - told_ < std::chrono::seconds(1)) return;
+        told_ = now;
+        fmt::print(stderr, "{}: measuring, {:.0f} %\n", what_, 100 * share);
+    }
+
+    std::string what_;
+    std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+};
 
 bool begin_together(const records::Channel& a, const records::Channel& b)
 {
@@ -158,8 +183,12 @@ void measure(std::vector<records::Channel> channels, RecordSet& set)
             const bool is_acceleration = channel.quantity == records::Quantity::acceleration;
             measured.peak_acceleration = is_acceleration ? records::peak(channel) : motion.peak_acceleration();
             if (is_acceleration) {
-                measured.measures = records::measures::measures_of(channel);
-                measured.spectrum = records::measures::response_spectrum(channel, periods);
+                Telling telling(fmt::format("{} {}", set.file, name_of(channel)));
+                constexpr double predominant = 0.75;  // of the work: three of four periods
+                measured.measures =
+                    records::measures::measures_of(channel, {.tell = telling.part(0, predominant)});
+                measured.spectrum =
+                    records::measures::response_spectrum(channel, periods, 0.05, telling.part(predominant, 1));
             }
         }
         measured.channel = std::move(channel);

@@ -10,9 +10,13 @@
 
 namespace plots = voussoir::app::plots;
 
-int main()
+int main(int argc, char**)
 {
     voussoir::importers::process::begin_helper();
+    if (argc > 1) {
+        std::fputs("voussoir-plot is started by voussoir: a request on the standard input\n", stderr);
+        return 2;
+    }
     try {
         std::string folder;
         std::getline(std::cin, folder);

@@ -39,10 +39,14 @@ void add_stones(std::vector<DrawnStone> drawn, const YamlCursor& shape, Belongin
     using importers::patterns::max_blocks;
     std::vector<Block>& blocks = reading.model.blocks;
     const std::size_t first = blocks.size(), copies = belonging.copies.size(), count = drawn.size() * copies;
-    if (copies > 1 && first + count > max_blocks)
+    if (first + count > max_blocks) {  // said before they are made: a stone takes kilobytes
+        reading.is_full = true;
         return shape.fault(
-            fmt::format("{} copies of {} blocks: more than {} blocks", copies, drawn.size(), max_blocks),
-            "give fewer copies or larger blocks");
+            copies > 1
+                ? fmt::format("{} copies of {} blocks: more than {} blocks", copies, drawn.size(), max_blocks)
+                : fmt::format("more than {} blocks", max_blocks),
+            copies > 1 ? "give fewer copies or larger blocks" : "give larger blocks or fewer walls");
+    }
     const std::string place = shape.place();
     std::vector<std::string> own_groups;
     for (std::size_t c = 0; c < copies; ++c)

@@ -96,6 +96,7 @@ struct BlockReading {
     Eigen::Vector3d mesh_origin = Eigen::Vector3d::Zero();  // m, subtracted from what meshes gave
     std::optional<DrawnDepth> depth;                        // absent in spatial scenes
     std::vector<EntryStones> entries;
+    bool is_full = false;  // an entry would have passed the bound on blocks, and a fault says so
 };
 
 /// Adds a block, still without group and material; a fault instead if its name is taken. Parts are in model

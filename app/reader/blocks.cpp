@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/reader/block_reading.h"
+#include "app/reader/local_origin.h"
 #include "app/reader/overlaps.h"
 #include "app/words/nearest_word.h"
 #include "importers/patterns/max_blocks.h"
@@ -181,9 +182,10 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     if (entries.empty() && section->is_list())
         section->fault("no block", "give at least one mesh, box, polygon or pattern");
     const auto are_too_many = [&](YamlCursor& where) {
-        if (model.blocks.size() <= importers::patterns::max_blocks) return false;
-        where.fault(fmt::format("more than {} blocks", importers::patterns::max_blocks),
-                    "give larger blocks or fewer walls");
+        if (model.blocks.size() <= importers::patterns::max_blocks && !reading.is_full) return false;
+        if (!reading.is_full)
+            where.fault(fmt::format("more than {} blocks", importers::patterns::max_blocks),
+                        "give larger blocks or fewer walls");
         model.blocks.clear();  // they have no groups yet, and nobody is to look at them
         return true;
     };
@@ -194,6 +196,7 @@ std::vector<std::string> read_blocks(YamlCursor& top, const std::filesystem::pat
     const std::size_t without_mesh = model.blocks.size();
     import_meshes(reading);
     if (are_too_many(*section)) return {};
+    settle_origin(reading);
     settle_thickness(top, thickness, reading);
     settle_groups_and_places(initial_state, reading, without_mesh);
     refuse_infinite_masses(reading);

@@ -72,6 +72,7 @@ void read_everything(YamlCursor& top, Case& result, Findings& findings)
     MotionContext motions{result.file.parent_path(), result.model.kinematics, result.motions};
     result.stages = read_stages(top, result.model, foundations, motions);
     result.output = read_output(top, result.model, result.stages);
+    refuse_rounded_stresses(result, findings);
     refuse_soft_joints(result, findings);
     top.reject_unknown_keys();
 }

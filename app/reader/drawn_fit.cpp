@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 
+#include "app/reader/local_origin.h"
 #include "libdda/analysis/drawn_misfit.h"
 #include "libdda/analysis/overlaps.h"
 
@@ -47,11 +49,20 @@ std::string reason_of(const Model& model, const DrawnMisfit& misfit)
     return millimetres(misfit.tolerance()) + ", " + reason;
 }
 
-void measure_fit(YamlCursor& top, Model& model)
+/// What the joints of meshes need, and the rounding of coordinates far from their origin.
+void take_default_fit(YamlCursor& top, bool has_meshes, Model& model)
 {
-    const DrawnMisfit misfit = drawn_misfit(model);
-    model.fit_tolerance = misfit.tolerance();
-    top.took_default("fit_tolerance", model.fit_tolerance > 0 ? reason_of(model, misfit) : "0, the joints fit");
+    std::string reason = "0, the joints fit";
+    if (has_meshes) {
+        const DrawnMisfit misfit = drawn_misfit(model);
+        model.fit_tolerance = misfit.tolerance();
+        if (model.fit_tolerance > 0) reason = reason_of(model, misfit);
+    }
+    if (const double rounding = rounded_misfit(model); rounding > model.fit_tolerance) {
+        model.fit_tolerance = rounding;
+        reason = millimetres(rounding) + ", as coordinates so far from their origin are rounded";
+    }
+    if (has_meshes || model.fit_tolerance > 0) top.took_default("fit_tolerance", reason);
 }
 
 /// Depth of all pairs of stones that overlap [m], whatever the fit_tolerance.
@@ -85,10 +96,10 @@ class MeshOverlaps
         }
         refuse(std::move(refused));
         if (small > 0)
-            findings_.warnings.push_back(
-                fmt::format("{}: {} pairs of stones overlap, by at most {:.2g} % of the smaller one: {}; voussoir "
-                            "check lists them",
-                            findings_.mesh_place, small, 100 * most, consequence()));
+            findings_.warnings.push_back(fmt::format(
+                "{}: {} overlap, by at most {:.2g} % of the smaller one: {}; voussoir check lists them",
+                findings_.mesh_place, small == 1 ? "1 pair of stones" : fmt::format("{} pairs of stones", small),
+                100 * most, consequence()));
     }
 
  private:
@@ -193,10 +204,32 @@ void settle_fit(YamlCursor& top, const std::optional<double>& given, Case& resul
     const bool sound = findings.faults.empty() && !model.blocks.empty();
     if (given)
         model.fit_tolerance = *given;
-    else if (sound && !result.mesh_files.empty())
-        measure_fit(top, model);
+    else if (sound)
+        take_default_fit(top, !result.mesh_files.empty(), model);
     MeshOverlaps(model, sound, findings).judge();
     if (sound) refuse_deep_overlaps(model, findings);
+}
+
+void refuse_rounded_stresses(const Case& the_case, Findings& findings)
+{
+    constexpr double rounded_share = 1e-5;  // of the weight: a run that asks for less finds no equilibrium
+    const Model& model = the_case.model;
+    if (!findings.faults.empty() || !is_deformable(model.kinematics) || the_case.stages.empty()) return;
+    const double gravity = the_case.stages.front().gravity.norm();
+    for (const Block& block : model.blocks) {
+        const BlockMaterial& stone = model.materials[static_cast<std::size_t>(block.material)];
+        const double weight = stone.density * gravity * std::cbrt(block.moments.volume);  // Pa, on its own base
+        const double rounding = std::numeric_limits<double>::epsilon() * stone.young;     // Pa
+        if (!(weight > 0) || !(rounding > rounded_share * weight)) continue;
+        findings.faults.push_back(
+            {findings.file + ": " + block.name,
+             fmt::format(
+                 "its weight presses with {:.2g} Pa, and with a modulus of {:.2g} Pa stresses are rounded by "
+                 "{:.1g} Pa",
+                 weight, stone.young, rounding),
+             "check density and young; stones that stiff are rigid: kinematics: spatial_rigid"});
+        return;
+    }
 }
 
 void refuse_soft_joints(const Case& the_case, Findings& findings)

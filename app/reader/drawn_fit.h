@@ -19,6 +19,9 @@ std::optional<double> read_fit_tolerance(YamlCursor& top);
 /// as a run would stop at. The model must have its joints.
 void settle_fit(YamlCursor& top, const std::optional<double>& given, Case& result, Findings& findings);
 
+/// A fault for a stone so stiff for its weight that its stresses are rounding.
+void refuse_rounded_stresses(const Case& the_case, Findings& findings);
+
 /// Faults for stones that are certain to sink too deep into their neighbours in a static stage.
 void refuse_soft_joints(const Case& the_case, Findings& findings);
 

@@ -6,18 +6,20 @@
 #include <numbers>
 
 #include "app/reader/plane.h"
+#include "libdda/geometry/unit_vector.h"
 
 namespace voussoir::app::reader
 {
 namespace
 {
 
-constexpr double least_lean = 1e-6;  // rad, between gravity and the direction that it is to turn towards
+constexpr double largest_gravity = 1e9;  // m/s2: more is a slip, and squares of it are soon no numbers
+constexpr double least_lean = 1e-6;      // rad, between gravity and the direction that it is to turn towards
 
 /// A vector turned by an angle towards a direction, in the plane of the two.
 Eigen::Vector3d turned(const Eigen::Vector3d& gravity, const Eigen::Vector3d& towards, double angle)
 {
-    const Eigen::Vector3d axis = gravity.cross(towards).normalized();
+    const Eigen::Vector3d axis = unit_vector(Eigen::Vector3d(gravity.cross(towards)));
     return Eigen::AngleAxisd(angle, axis) * gravity;
 }
 
@@ -27,7 +29,7 @@ Eigen::Vector3d read_towards(YamlCursor& map, Kinematics kinematics, const Eigen
     const auto value = map.require("towards", "the horizontal direction that gravity leans to, such as [1, 0, 0]");
     if (!value) return Eigen::Vector3d::Zero();
     const Eigen::Vector3d towards = read_direction(*value, kinematics);
-    if (gravity.cross(towards).norm() > least_lean * gravity.norm() * towards.norm()) return towards;
+    if (gravity.cross(unit_vector(towards)).norm() > least_lean * gravity.norm()) return towards;
     value->fault("along gravity, or of length 0", "give a direction across it, such as [1, 0, 0]");
     return Eigen::Vector3d::Zero();
 }
@@ -44,7 +46,7 @@ Eigen::Vector3d read_gravity(YamlCursor& top, Kinematics kinematics)
     }
     if (!map->expect_map("gravity {magnitude: 9.80665 m/s2, direction: [0, 0, -1]}")) return otherwise;
     const double magnitude = map->quantity_or("magnitude", words::dimension::acceleration,
-                                              words::Range::non_negative(), otherwise.norm());
+                                              words::Range{0, largest_gravity, true, true}, otherwise.norm());
     Eigen::Vector3d direction = otherwise.normalized();
     if (const std::optional<YamlCursor> value = map->find("direction")) {
         direction = read_direction(*value, kinematics);

@@ -7,6 +7,7 @@
 
 #include "app/reader/plane.h"
 #include "importers/patterns/max_blocks.h"
+#include "libdda/geometry/unit_vector.h"
 
 namespace voussoir::app::reader
 {
@@ -25,11 +26,9 @@ Vector3d read_axis(YamlCursor& rotate, Kinematics kinematics)
     if (!value) return -Vector3d::UnitY();
     if (value->is_scalar())
         return Vector3d::Unit(rotate.find_choice<int>("axis", {{"x", 0}, {"y", 1}, {"z", 2}}).value_or(2));
-    Vector3d axis = value->as_vector(words::dimension::number);
-    const double largest = axis.cwiseAbs().maxCoeff();
-    if (largest == 0) value->fault("an axis of length 0", "give a direction");
-    if (!std::isnormal(axis.squaredNorm())) axis /= largest;  // its square is too large or too small for a number
-    return axis.normalized();
+    const Vector3d axis = value->as_vector(words::dimension::number);
+    if (axis.isZero(0)) value->fault("an axis of length 0", "give a direction");
+    return unit_vector(axis);
 }
 
 Vector3d read_scale(const YamlCursor& value, Kinematics kinematics)

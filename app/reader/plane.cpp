@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "libdda/geometry/plane.h"
+#include "libdda/geometry/unit_vector.h"
 
 namespace voussoir::app::reader
 {
@@ -36,7 +37,7 @@ Eigen::Vector3d read_direction(const YamlCursor& value, Kinematics kinematics)
     const Eigen::Vector3d direction = read_vector(value, words::dimension::number, kinematics);
     if (is_planar(kinematics) && std::abs(direction.y()) > 0)  // NaN is a fault already
         value.fault(fmt::format("{:g} along y", direction.y()), "a planar scene lies in x and z: give [x, z]");
-    return direction;
+    return of_measurable_length(direction);
 }
 
 Eigen::Vector3d read_place(const YamlCursor& value, Kinematics kinematics)

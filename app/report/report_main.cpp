@@ -31,9 +31,13 @@ void report()
 
 }  // namespace
 
-int main()
+int main(int argc, char**)
 {
     voussoir::importers::process::begin_helper();
+    if (argc > 1) {
+        std::fputs("voussoir-report is started by voussoir: a request on the standard input\n", stderr);
+        return 2;
+    }
     // The results may be anybody's.
     voussoir::importers::process::limit_self(RLIMIT_CORE, 0);
     voussoir::importers::process::limit_own_memory(rlim_t{8} << 30);

@@ -48,9 +48,12 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
     const std::string nearest = nearest_word(word, known);
     if (!nearest.empty()) return "did you mean " + nearest + "?";
     constexpr std::size_t most = 16;
+    std::vector<std::string> different;  // a key may be asked for in two places
+    for (const std::string& each : known)
+        if (std::find(different.begin(), different.end(), each) == different.end()) different.push_back(each);
     std::string list;
-    for (std::size_t i = 0; i < std::min(known.size(), most); ++i) list += (i > 0 ? ", " : "") + known[i];
-    if (known.size() > most) list += ", ...";
+    for (std::size_t i = 0; i < std::min(different.size(), most); ++i) list += (i > 0 ? ", " : "") + different[i];
+    if (different.size() > most) list += ", ...";
     return list.empty() ? "there is none to choose from" : "known here: " + list;
 }
 

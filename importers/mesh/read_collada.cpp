@@ -3,6 +3,7 @@
 
 #include "importers/mesh/formats.h"
 #include "importers/mesh/text.h"
+#include "libdda/geometry/unit_vector.h"
 
 namespace voussoir::importers::mesh
 {
@@ -132,12 +133,13 @@ class ColladaReader
         if (kind == "matrix") transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(v.data()).transpose();
         if (kind == "translate") transform.translate(Eigen::Vector3d(v[0], v[1], v[2]));
         if (kind == "scale") transform.scale(Eigen::Vector3d(v[0], v[1], v[2]));
-        if (const Eigen::Vector3d axis(v[0], v[1], v[2]); kind == "rotate" && axis.norm() > 0)
-            transform.rotate(Eigen::AngleAxisd(v[3] * std::numbers::pi / 180, axis.normalized()));
+        if (const Eigen::Vector3d axis(v[0], v[1], v[2]); kind == "rotate" && !axis.isZero(0))
+            transform.rotate(Eigen::AngleAxisd(v[3] * std::numbers::pi / 180, unit_vector(axis)));
         if (kind == "lookat") {
             const Eigen::Vector3d eye(v[0], v[1], v[2]),
-                z = (eye - Eigen::Vector3d(v[3], v[4], v[5])).normalized();
-            const Eigen::Vector3d x = Eigen::Vector3d(v[6], v[7], v[8]).cross(z).normalized();
+                z = unit_vector(Eigen::Vector3d(eye - Eigen::Vector3d(v[3], v[4], v[5])));
+            const Eigen::Vector3d up = of_measurable_length(Eigen::Vector3d(v[6], v[7], v[8])),
+                                  x = up.cross(z).normalized();
             transform.matrix().topRows<3>() << x, z.cross(x), z, eye;
         }
         return transform;

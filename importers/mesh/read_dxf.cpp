@@ -4,6 +4,7 @@
 
 #include "importers/mesh/dxf_pairs.h"
 #include "importers/mesh/text.h"
+#include "libdda/geometry/unit_vector.h"
 
 namespace voussoir::importers::mesh
 {
@@ -221,7 +222,7 @@ class DxfReader
     /// The axes of an entity drawn in a plane, from its normal: the "arbitrary axis" of the DXF reference.
     static Eigen::Matrix3d axes_of(const Eigen::Vector3d& extrusion)
     {
-        const Eigen::Vector3d z = extrusion.norm() > 0 ? extrusion.normalized() : Eigen::Vector3d::UnitZ();
+        const Eigen::Vector3d z = !extrusion.isZero(0) ? unit_vector(extrusion) : Eigen::Vector3d::UnitZ();
         const bool near_z = std::abs(z.x()) < 1. / 64 && std::abs(z.y()) < 1. / 64;
         const Eigen::Vector3d x =
             (near_z ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ()).cross(z).normalized();

@@ -6,6 +6,7 @@
 
 #include "importers/mesh/gltf_container.h"
 #include "importers/mesh/text.h"
+#include "libdda/geometry/unit_vector.h"
 
 namespace voussoir::importers::mesh
 {
@@ -187,7 +188,7 @@ class GltfReader
         const auto turn = numbers_of<4>(node, "rotation", {0, 0, 0, 1});
         const Eigen::Quaterniond rotation(turn[3], turn[0], turn[1], turn[2]);
         transform.translate(Eigen::Vector3d(shift[0], shift[1], shift[2]));
-        if (node.contains("rotation")) transform.rotate(rotation.normalized());
+        if (node.contains("rotation")) transform.rotate(Eigen::Quaterniond(unit_vector(rotation.coeffs())));
         transform.scale(Eigen::Vector3d(scale[0], scale[1], scale[2]));
         return transform;
     }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "importers/patterns/max_blocks.h"
 #include "importers/patterns/openings.h"
 
 namespace voussoir::importers::patterns
@@ -259,6 +260,9 @@ void lay(const Facade& facade, const std::vector<double>& beds, const BlockForma
             here.back().insert(here.back().end(), fixed_here.begin(), fixed_here.end());
         }
         lay_lintels(laying, course);
+        if (cells.size() > max_blocks)  // halves of blocks and headers, which no estimate knows beforehand
+            throw InputError("block", "more than " + std::to_string(max_blocks) + " blocks",
+                             "give a larger block or a smaller wall");
         below = std::move(here);
     }
 }

@@ -1,7 +1,9 @@
 #include "importers/patterns/openings.h"
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
+#include <utility>
 
 #include "importers/patterns/facade.h"
 
@@ -33,6 +35,33 @@ bool overlap(const Patch& a, const Patch& b)
     const double margin = 1e-9 * (a.right - a.left + a.top - a.foot);
     return a.left < b.right - margin && b.left < a.right - margin && a.foot < b.top - margin &&
            b.foot < a.top - margin;
+}
+
+/// Each patch that overlaps earlier ones, after one of them: (earlier, later), in the order of the later. Patches
+/// are met from left to right; one that overlaps does not stay for the next to be compared with, so that equal
+/// ones, however many, are compared with the first alone.
+std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const std::vector<NamedPatch>& patches)
+{
+    std::vector<std::size_t> by_left(patches.size());
+    std::iota(by_left.begin(), by_left.end(), 0);
+    std::stable_sort(by_left.begin(), by_left.end(),
+                     [&](std::size_t a, std::size_t b) { return patches[a].patch.left < patches[b].patch.left; });
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    std::vector<std::size_t> open;  // those that reach to where the next one begins
+    for (const std::size_t next : by_left) {
+        std::erase_if(open, [&](std::size_t k) { return patches[k].patch.right <= patches[next].patch.left; });
+        const auto other = std::find_if(open.begin(), open.end(), [&](std::size_t k) {
+            return overlap(patches[k].patch, patches[next].patch);
+        });
+        if (other == open.end())
+            open.push_back(next);
+        else
+            found.push_back(std::minmax(*other, next));
+    }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.second, a.first) < std::pair(b.second, b.first);
+    });
+    return found;
 }
 
 bool check_place(const NamedOpening& named, const Facade& facade, double height, std::vector<Fault>& faults)
@@ -80,11 +109,9 @@ void check_openings(const Facade& facade, double height, const Lintel& lintel, s
         patches.push_back({patch_of(named.opening, lintel), "the lintel over " + named.key, named.key});
         check_lintel(patches.back(), facade, height, faults);
     }
-    for (std::size_t b = 0; b < patches.size(); ++b)
-        for (std::size_t a = 0; a < b; ++a)
-            if (overlap(patches[a].patch, patches[b].patch))
-                faults.push_back({patches[b].key, patches[a].name + " and " + patches[b].name + " overlap",
-                                  "leave some wall between them"});
+    for (const auto& [a, b] : overlaps_of(patches))
+        faults.push_back({patches[b].key, patches[a].name + " and " + patches[b].name + " overlap",
+                          "leave some wall between them"});
 }
 
 }  // namespace voussoir::importers::patterns

@@ -1,13 +1,13 @@
 #include "libdda/contact/find_contacts.h"
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <optional>
 
 #include "libdda/contact/broad_phase.h"
 #include "libdda/contact/narrow_phase.h"
 #include "libdda/contact/narrow_phase_planar.h"
+#include "libdda/model/parallel.h"
 
 namespace voussoir::contact
 {
@@ -101,20 +101,13 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
     const OldContacts<D> old(model, contacts_in<D>(state), first_part);
     const std::vector<PairKey> pairs = candidate_pairs(parts, reach, fully_held);
     std::vector<std::optional<FoundPatch<D>>> slots(pairs.size());
-    std::exception_ptr failure;  // memory may run out in any thread, and no exception may leave the loop
-#pragma omp parallel for num_threads(threads) schedule(static) if (pairs.size() > 256)
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        try {
+    in_parallel(pairs.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i)
             slots[i] = find_patch(
                 model, state, fully_held, parts, reach, pairs[i],
                 old.between(pairs[i], std::minmax(parts[pairs[i].first].block, parts[pairs[i].second].block)),
                 overlap);
-        } catch (...) {
-#pragma omp critical
-            failure = std::current_exception();
-        }
-    }
-    if (failure) std::rethrow_exception(failure);
+    });
 
     found.patches.clear();
     found.points.clear();

@@ -68,12 +68,14 @@ void require_samples(const std::vector<double>& samples, double time_step, const
 }
 
 /// Slopes of a sampled displacement: zero at the start (from rest), central inside, second-order one-sided at the
-/// end. @returns (n) [m/s]
+/// end, and zero where its last two samples are equal: a record that ends flat leaves the ground at rest. @returns
+/// (n) [m/s]
 std::vector<double> hermite_slopes(const std::vector<double>& d, double h)
 {
     const std::size_t last = d.size() - 1;
     std::vector<double> slopes(d.size(), 0.0);
     for (std::size_t i = 1; i < last; ++i) slopes[i] = (d[i + 1] - d[i - 1]) / (2 * h);
+    if (d[last] == d[last - 1]) return slopes;
     slopes[last] = last == 1 ? (d[1] - d[0]) / h : (3 * d[last] - 4 * d[last - 1] + d[last - 2]) / (2 * h);
     return slopes;
 }

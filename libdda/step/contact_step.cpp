@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "libdda/model/parallel.h"
 #include "libdda/step/turning.h"
 
 namespace voussoir::step
@@ -180,32 +181,32 @@ void scale_stiffness(double factor, ContactStep<K>& step)
 template <class K>
 void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, ContactStep<K>& step)
 {
-    const int count = static_cast<int>(step.patches.size());
-#pragma omp parallel for num_threads(threads) schedule(static) if (count > 256)
-    for (int k = 0; k < count; ++k) {
-        PatchStep<K>& patch = step.patches[k];
-        const PatchMove<K> move(d, patch);
-        for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            PointStep<K::dimension>& p = step.points[i];
-            move_point(move, patch, p);
-            normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
-            shear_force(friction_of(patch, p), bound, patch, p);
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            PatchStep<K>& patch = step.patches[k];
+            const PatchMove<K> move(d, patch);
+            for (int i = patch.first; i < patch.first + patch.count; ++i) {
+                PointStep<K::dimension>& p = step.points[i];
+                move_point(move, patch, p);
+                normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
+                shear_force(friction_of(patch, p), bound, patch, p);
+            }
+            sum_forces(step.points, patch);
         }
-        sum_forces(step.points, patch);
-    }
+    });
 }
 
 template <class K>
 void follow_bounds(int threads, ContactStep<K>& step)
 {
-    const int count = static_cast<int>(step.patches.size());
-#pragma omp parallel for num_threads(threads) schedule(static) if (count > 256)
-    for (int k = 0; k < count; ++k) {
-        PatchStep<K>& patch = step.patches[k];
-        for (int i = patch.first; i < patch.first + patch.count; ++i)
-            shear_force(friction_of(patch, step.points[i]), FrictionBound::exact, patch, step.points[i]);
-        sum_forces(step.points, patch);
-    }
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            PatchStep<K>& patch = step.patches[k];
+            for (int i = patch.first; i < patch.first + patch.count; ++i)
+                shear_force(friction_of(patch, step.points[i]), FrictionBound::exact, patch, step.points[i]);
+            sum_forces(step.points, patch);
+        }
+    });
 }
 
 template <class K>

@@ -1,5 +1,7 @@
 #include "libdda/step/contact_stiffness.h"
 
+#include "libdda/model/parallel.h"
+
 namespace voussoir::step
 {
 namespace
@@ -113,15 +115,15 @@ void add_points(const std::vector<PointStep<D>>& points, bool published, PatchSt
 template <class K>
 void contact_stiffness(bool published, int threads, ContactStep<K>& step)
 {
-    const int count = static_cast<int>(step.patches.size());
-#pragma omp parallel for num_threads(threads) schedule(static) if (count > 256)
-    for (int k = 0; k < count; ++k) {
-        PatchStep<K>& patch = step.patches[k];
-        patch.aa.setZero();
-        patch.ab.setZero();
-        patch.bb.setZero();
-        add_points(step.points, published, patch);
-    }
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            PatchStep<K>& patch = step.patches[k];
+            patch.aa.setZero();
+            patch.ab.setZero();
+            patch.bb.setZero();
+            add_points(step.points, published, patch);
+        }
+    });
 }
 
 #define VOUSSOIR_INSTANTIATE(K) template void contact_stiffness(bool, int, ContactStep<K>&)

@@ -88,7 +88,24 @@ void check_finite(const SourceFile& file, const Rows& rows, FaultList& faults)
     }
 }
 
-/// Whether all rows but the first are alike: a count and a time step stand above one value on each line.
+/// The time step [s] of a first line that gives the number of samples and the step ("11800 0.005"), which is taken
+/// out of the rows: only where exactly so many numbers follow, and where it cannot be the first row of a table.
+std::optional<double> take_count_and_step(Rows& rows)
+{
+    if (rows.count() < 2 || rows.width(0) != 2 || (rows.width(1) == 2 && rows.at(1, 0) > rows.at(0, 0)))
+        return std::nullopt;
+    const double count = rows.at(0, 0), step = rows.at(0, 1);
+    if (count < 2 || count != static_cast<double>(rows.numbers.size() - 2) || !(step > 0 && step <= 1))
+        return std::nullopt;
+    rows.numbers.erase(rows.numbers.begin(), rows.numbers.begin() + 2);
+    rows.starts.erase(rows.starts.begin());
+    for (std::size_t& start : rows.starts) start -= 2;
+    rows.lines.erase(rows.lines.begin());
+    return step;
+}
+
+/// Whether all rows but the first are alike: numbers that are not count and step stand above one value on each
+/// line.
 bool is_first_the_odd_one(const Rows& rows)
 {
     if (rows.count() < 4 || rows.width(0) < 2) return false;
@@ -104,7 +121,8 @@ void check_widths(const SourceFile& file, const Rows& rows, bool last_may_be_sho
     if (is_first_the_odd_one(rows)) {
         faults.add(file.at(rows.lines.front()),
                    std::to_string(width) + " numbers where every other line has " + std::to_string(rows.width(1)),
-                   "if these are the number of samples and the time step, remove the line and give the time step");
+                   "if these are the number of samples and the time step, so many samples must follow; otherwise "
+                   "remove the line");
         return;
     }
     for (std::size_t row = 1; row < rows.count(); ++row) {
@@ -252,13 +270,14 @@ bool recognises(const SourceFile& file)
 Record read(const SourceFile& file, const ReadOptions& options)
 {
     FaultList faults;
-    const Rows rows = read_rows(file, faults);
+    Rows rows = read_rows(file, faults);
+    const std::optional<double> step_above = take_count_and_step(rows);
     refuse_spectra(file, rows.lines.front());
     check_finite(file, rows, faults);
-    const bool has_time = has_time_column(rows);
+    const bool has_time = !step_above && has_time_column(rows);
     const bool by_row = !has_time && !options.column;  // values only: the rows are one long list
     check_widths(file, rows, by_row, faults);
-    if (by_row) refuse_three_components(file, rows, faults);
+    if (by_row && !step_above) refuse_three_components(file, rows, faults);
     const Unit unit = resolve_unit("", options, file.name, faults);
     const std::vector<std::size_t> columns = choose_columns(rows, options, has_time, file.name, faults);
     const std::size_t count = by_row ? rows.numbers.size() : rows.count();
@@ -270,7 +289,7 @@ Record read(const SourceFile& file, const ReadOptions& options)
     if (timed) faults.throw_if_any(file.name);  // times cannot be judged before every row is complete
     const Times times = timed ? judge_times(file, rows, options, faults) : Times{};
     faults.throw_if_any(file.name);
-    const std::optional<double> in_file = timed ? std::optional<double>(times.mean_step) : std::nullopt;
+    const std::optional<double> in_file = timed ? std::optional<double>(times.mean_step) : step_above;
     const double time_step = resolve_time_step(in_file, options, file.name, faults);
     faults.throw_if_any(file.name);
 

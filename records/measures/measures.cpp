@@ -93,10 +93,10 @@ double bracketed_duration(const Channel& channel, double threshold)
     return steps * channel.time_step;
 }
 
-double predominant_period(const Channel& channel)
+double predominant_period(const Channel& channel, const std::function<void(double)>& tell)
 {
     const std::vector<double> periods = logarithmic_periods(0.02, 10, 312);  // 2 % apart
-    const std::vector<double> spectrum = response_spectrum(channel, periods).pseudo_acceleration;
+    const std::vector<double> spectrum = response_spectrum(channel, periods, 0.05, tell).pseudo_acceleration;
     return periods[static_cast<std::size_t>(std::max_element(spectrum.begin(), spectrum.end()) -
                                             spectrum.begin())];
 }
@@ -170,7 +170,7 @@ Measures measures_of(const Channel& channel, const MeasureOptions& options)
     measures.duration_5_75 = measures.time_75 - measures.time_5;
     measures.duration_5_95 = measures.time_95 - measures.time_5;
     measures.bracketed_duration = bracketed_duration(even, options.bracket_threshold);
-    measures.predominant_period = predominant_period(even);
+    measures.predominant_period = predominant_period(even, options.tell);
     measures.mean_period = mean_period(even);
     measures.residual_velocity = motion.residual_velocity();
     measures.residual_displacement = motion.residual_displacement();

@@ -1,6 +1,7 @@
 // What an earthquake engineer asks of a record, in single figures.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "records/record.h"
@@ -28,6 +29,7 @@ struct Measures {
 /// What measures depend on.
 struct MeasureOptions {
     double bracket_threshold = 0.05 * standard_gravity;  // m/s2
+    std::function<void(double)> tell = {};  // is told the share of the work that is done, now and then
 };
 
 /// Measures of an acceleration that is linear between its samples, as the engine integrates it: integrals are

@@ -132,15 +132,28 @@ OscillatorState advanced(const Oscillator& oscillator, const Influence& over, co
             -u * w * w * over.impulse + v * over.impulse_rate - acceleration * over.impulse - jerk * over.step};
 }
 
+int stretches_of(const Oscillator& oscillator, double time_step)
+{
+    return static_cast<int>(std::ceil(time_step / longest_stretch(oscillator)));
+}
+
 ResponseWalk::ResponseWalk(const Oscillator& oscillator, const std::vector<double>& samples, double time_step)
     : oscillator_(oscillator),
       samples_(samples),
       sampling_rate_(1 / time_step),
-      division_(static_cast<int>(std::ceil(time_step / longest_stretch(oscillator)))),
+      division_(stretches_of(oscillator, time_step)),
       length_(time_step / division_),
       over_sampled_(influence(oscillator, length_)),
       over_free_(influence(oscillator, longest_stretch(oscillator)))
 {
+}
+
+ResponseWalk::ResponseWalk(const Oscillator& oscillator, const std::vector<double>& samples, double time_step,
+                           std::size_t first, const OscillatorState& state)
+    : ResponseWalk(oscillator, samples, time_step)
+{
+    sample_ = first;
+    state_ = state;
 }
 
 bool ResponseWalk::next(Stretch& stretch)

@@ -36,6 +36,9 @@ struct Stretch {
 OscillatorState advanced(const Oscillator& oscillator, const Influence& over, const OscillatorState& start,
                          double acceleration, double jerk);
 
+/// How many stretches, of at most a sixteenth of a period, a sampling interval is divided into.
+int stretches_of(const Oscillator& oscillator, double time_step);
+
 /// Walks along the response from rest to an acceleration that is linear between samples, in stretches of at most a
 /// sixteenth of a period, and on for four periods after the last sample, when the ground moves on unaccelerated.
 class ResponseWalk
@@ -43,8 +46,13 @@ class ResponseWalk
  public:
     /// @param samples (n >= 2) [m/s2], which must outlive the walk; @param time_step [s]
     ResponseWalk(const Oscillator& oscillator, const std::vector<double>& samples, double time_step);
+    /// The same from sample `first` on, where the response is known.
+    ResponseWalk(const Oscillator& oscillator, const std::vector<double>& samples, double time_step,
+                 std::size_t first, const OscillatorState& state);
     /// The next stretch. @returns false when there is none
     bool next(Stretch& stretch);
+    /// The sample at or before the beginning of the next stretch.
+    std::size_t sample() const { return sample_; }
 
  private:
     Oscillator oscillator_;

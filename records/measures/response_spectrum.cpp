@@ -10,6 +10,7 @@
 #include "libdda/text/numbers.h"
 #include "records/measures/acceleration.h"
 #include "records/measures/oscillator.h"
+#include "records/measures/response_peaks.h"
 
 namespace voussoir::records::measures
 {
@@ -35,27 +36,6 @@ void require_oscillators(const std::vector<double>& periods, double damping, dou
 Oscillator oscillator_of(double period, double damping)
 {
     return {2 * std::numbers::pi / period, damping};
-}
-
-/// Peaks of relative displacement and absolute acceleration.
-std::pair<double, double> peaks_of_response(const Oscillator& oscillator, const Channel& channel)
-{
-    const Watched displacement = watched_displacement();
-    const Watched acceleration = watched_absolute_acceleration(oscillator);
-    double largest_displacement = 0, largest_acceleration = 0;
-    const auto take = [&](const Stretch& stretch, const Watched& watched, double sag, double& largest) {
-        const double ends =
-            std::max(std::abs(value(watched, stretch.start)), std::abs(value(watched, stretch.end)));
-        if (ends + watched.swing * sag > largest)
-            largest = std::max(largest, peak_within(oscillator, stretch, watched));
-    };
-    ResponseWalk walk(oscillator, channel.samples, channel.time_step);
-    for (Stretch stretch{}; walk.next(stretch);) {
-        const double sag = largest_sag(oscillator, stretch);
-        take(stretch, displacement, sag, largest_displacement);
-        take(stretch, acceleration, sag, largest_acceleration);
-    }
-    return {largest_displacement, largest_acceleration};
 }
 
 constexpr std::size_t orientations = 180;
@@ -152,18 +132,22 @@ void require_pair(const Channel& first, const Channel& second)
 
 }  // namespace
 
-ResponseSpectrum response_spectrum(const Channel& channel, const std::vector<double>& periods, double damping)
+ResponseSpectrum response_spectrum(const Channel& channel, const std::vector<double>& periods, double damping,
+                                   const std::function<void(double)>& tell)
 {
     const Channel even = even_acceleration(channel, "response spectrum");
     require_oscillators(periods, damping, even.time_step);
     ResponseSpectrum spectrum{damping, periods, {}, {}, {}, {}};
-    for (const double period : periods) {
-        const Oscillator oscillator = oscillator_of(period, damping);
-        const auto [displacement, acceleration] = peaks_of_response(oscillator, even);
-        spectrum.displacement.push_back(displacement);
-        spectrum.pseudo_velocity.push_back(displacement * oscillator.frequency);
-        spectrum.pseudo_acceleration.push_back(displacement * oscillator.frequency * oscillator.frequency);
-        spectrum.absolute_acceleration.push_back(acceleration);
+    std::vector<Oscillator> oscillators;
+    oscillators.reserve(periods.size());
+    for (const double period : periods) oscillators.push_back(oscillator_of(period, damping));
+    const std::vector<ResponsePeaks> peaks = peaks_of_responses(oscillators, even.samples, even.time_step, tell);
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+        const double w = oscillators[i].frequency;
+        spectrum.displacement.push_back(peaks[i].displacement);
+        spectrum.pseudo_velocity.push_back(peaks[i].displacement * w);
+        spectrum.pseudo_acceleration.push_back(peaks[i].displacement * w * w);
+        spectrum.absolute_acceleration.push_back(peaks[i].absolute_acceleration);
     }
     return spectrum;
 }

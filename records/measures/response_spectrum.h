@@ -1,6 +1,7 @@
 // Elastic response spectra of a recorded acceleration.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "records/record.h"
@@ -32,10 +33,11 @@ struct RotatedSpectrum {
 /// most, and peaks are those of the continuous response, found within stretches at the roots of its rate to about
 /// 1e-12, over the record and four periods of free vibration after it.
 /// @param periods [s], > 0, each at least a thousandth of the time step; @param damping ratio, >= 0
+/// @param tell is told the share of the work that is done, now and then; may be empty
 /// @throws InputError when the channel is not an acceleration with a unit, or a period or the damping out of range
 /// Source: [NigamJennings1969]
 ResponseSpectrum response_spectrum(const Channel& channel, const std::vector<double>& periods,
-                                   double damping = 0.05);
+                                   double damping = 0.05, const std::function<void(double)>& tell = {});
 
 /// RotD50 and RotD100 of two components at right angles, of equal time step and count.
 /// @throws InputError as response_spectrum, or when the two do not go together

@@ -1,7 +1,8 @@
 # One place for the flags every target of the project shares.
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
 
 # The same answer bit for bit on any number of threads: no contraction of a*b+c, no fast-math anywhere.
 add_library(voussoir_flags INTERFACE)
@@ -47,7 +48,6 @@ if(VOUSSOIR_SANITIZE)
   target_link_options(voussoir_flags INTERFACE -fsanitize=address,undefined)
 endif()
 if(VOUSSOIR_TSAN)
-  # g++'s OpenMP is not instrumented, and every barrier in it looks like none. clang's tells the sanitizer of its own.
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
     message(FATAL_ERROR "ThreadSanitizer needs clang++: cmake --preset tsan")
   endif()
@@ -56,7 +56,7 @@ if(VOUSSOIR_TSAN)
 endif()
 
 # Half of the compile time is Eigen's headers. They are parsed once for all targets that share their flags; a target
-# with flags of its own (OpenMP, CGAL's rounding) parses them once for itself. Sources include what they use all the
+# with flags of its own (CGAL's rounding) parses them once for itself. Sources include what they use all the
 # same: a build with the option off shows it.
 option(VOUSSOIR_PCH "Precompile the headers of Eigen and the standard library" ON)
 set(voussoir_precompiled_headers <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <map> <memory> <optional>

@@ -1,13 +1,43 @@
 #include "app/studies/ensemble/variation.h"
 
 #include <set>
-#include <sstream>
+#include <utility>
 
 #include "app/studies/converge/setting.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::studies::ensemble
 {
+
+namespace
+{
+
+/// The values between commas; those within brackets, braces and quotes belong to a value: [a.at2,b.at2,c.at2].
+std::vector<std::string> values_in(const std::string& list)
+{
+    std::vector<std::string> values;
+    std::string value;
+    int depth = 0;
+    char quote = 0;
+    for (const char c : list) {
+        if (quote != 0)
+            quote = c == quote ? '\0' : quote;
+        else if (c == '"' || c == '\'')
+            quote = c;
+        else if (c == '[' || c == '{')
+            ++depth;
+        else if (c == ']' || c == '}')
+            --depth;
+        if (c == ',' && depth <= 0 && quote == 0)
+            values.push_back(std::exchange(value, ""));
+        else
+            value += c;
+    }
+    if (!value.empty()) values.push_back(value);
+    return values;
+}
+
+}  // namespace
 
 Variation read_variation(const std::string& text)
 {
@@ -17,9 +47,7 @@ Variation read_variation(const std::string& text)
     };
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) throw refuse("names no key");
-    Variation variation{text.substr(0, equals), {}};
-    std::istringstream list(text.substr(equals + 1));
-    for (std::string value; std::getline(list, value, ',');) variation.values.push_back(value);
+    Variation variation{text.substr(0, equals), values_in(text.substr(equals + 1))};
     const std::set<std::string> different(variation.values.begin(), variation.values.end());
     if (different.contains("")) throw refuse("has an empty value");
     if (different.size() != variation.values.size()) throw refuse("has a value twice");

@@ -15,7 +15,8 @@ struct Variation {
     std::vector<std::string> values;  // at least one, all different
 };
 
-/// Reads "KEY=VALUE,VALUE,...". @throws InputError when it is not that
+/// Reads "KEY=VALUE,VALUE,...", where a value may be a list or a map: KEY=[a,b,c],[d,e,f]. @throws InputError when
+/// it is not that
 Variation read_variation(const std::string& text);
 
 /// The case once for every value. @throws InputError with the faults of the first that cannot be read, or when

@@ -1,6 +1,8 @@
 // `voussoir record` as its user meets it.
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -45,6 +47,39 @@ TEST(Record, WithoutAUnitIsListedWithoutPeak)
     EXPECT_TRUE(channel["units_in_file"].is_null());
     EXPECT_TRUE(channel["pga_m_s2"].is_null());
     EXPECT_FALSE(channel.contains("arias_intensity_m_s"));
+}
+
+// The second was written over the first, with exit code 0.
+TEST(Record, ChannelsOfOneNameHaveFilesOfTheirOwn)
+{
+    const TemporaryFolder folder;
+    const std::string a = folder.write("a.txt", sine(2, 2, 0.01, 100)).string();
+    const std::string b = folder.write("b.txt", sine(1, 3, 0.01, 100)).string();
+    const std::string out = (folder.path() / "out").string();
+    const Ended ended = voussoir(folder, {"record", a, b, "--together", "--unit", "m/s2", "-o", out});
+    EXPECT_EQ(ended.exit_code, 0);
+    const auto samples_of = [&](const std::string& name) {
+        const json entry = listed(voussoir(folder, {"record", out + "/" + name, "--json", "-"}))[0];
+        return entry["channels"][0]["pga_m_s2"].get<double>();
+    };
+    EXPECT_NEAR(samples_of("a_column2.at2"), 2, 1e-2);
+    EXPECT_NEAR(samples_of("a_column2_2.at2"), 1, 1e-2);
+}
+
+// All oscillators walked one by one before, for 15 s.
+TEST(Record, AMillionSamplesTakeSeconds)
+{
+    const TemporaryFolder folder;
+    std::string text = "1000000 0.005\n";
+    for (int i = 0; i < 1'000'000; ++i)
+        text += std::to_string(std::exp(-1e-5 * std::abs(i - 500'000)) * std::sin(0.01 * i)) + "\n";
+    const std::string file = folder.write("long.txt", text).string();
+    rusage before{}, after{};
+    getrusage(RUSAGE_CHILDREN, &before);
+    const Ended ended = voussoir(folder, {"record", file, "--unit", "m/s2"});
+    getrusage(RUSAGE_CHILDREN, &after);
+    EXPECT_EQ(ended.exit_code, 0);
+    EXPECT_LT(after.ru_utime.tv_sec - before.ru_utime.tv_sec, 6) << "2 s on a core of its own";
 }
 
 TEST(Record, UnevenSamplesHaveNoStepButAMotion)

@@ -32,6 +32,23 @@ std::string with_gravity(const std::string& gravity, const std::string& at_rest 
 
 }  // namespace
 
+// Squares of these lengths are no numbers: gravity was zero then, and 9.80665 was printed.
+TEST(Gravity, ItsDirectionMayHaveAnyLength)
+{
+    for (const std::string length : {"1e160", "1e308", "1e-160", "1e-300", "7"}) {
+        const Case the_case =
+            read("gravity: {direction: [" + length + ", 0, -" + length + "]}\n" +
+                 with_gravity(", gravity: {tilt: 90 deg, towards: [-" + length + ", 0, -" + length + "]}"));
+        const double part = g / std::numbers::sqrt2;
+        EXPECT_TRUE(the_case.stages[0].gravity.isApprox(Eigen::Vector3d(part, 0, -part), 1e-14)) << length;
+        EXPECT_TRUE(the_case.stages[1].gravity.isApprox(Eigen::Vector3d(-part, 0, -part), 1e-14)) << length;
+    }
+    EXPECT_NE(faults_of("gravity: {direction: [0, 0, 0]}\n" + with_gravity("")).find("a direction of length 0"),
+              std::string::npos);
+    EXPECT_NE(faults_of("gravity: {magnitude: 1e200}\n" + with_gravity("")).find("must be >= 0 and <= 1e+09"),
+              std::string::npos);
+}
+
 TEST(StageGravity, GrowsFromNothing)
 {
     const Stage stage = read(with_gravity(", gravity: {ramp: 2 s}")).stages[1];

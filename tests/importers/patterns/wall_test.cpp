@@ -248,6 +248,36 @@ TEST(Generate, WritesWallsAndHousesWithTheCommandThatMakesThemAgain)
     EXPECT_NE(run(first, "voussoir-generate wall --opening 1,0,1 -o x.obj 2> /dev/null"), 0);
 }
 
+// Every pair of them overlaps: what is said grows with their number, not with its square.
+TEST(Wall, OfManyEqualOpeningsIsRefusedInALineForEach)
+{
+    patterns::Wall asked = whole_wall(16, 12);
+    asked.openings.assign(3000, {1, 1, 1, 1});
+    try {
+        patterns::wall(asked);
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.faults.size(), 2U * 3000 - 2);  // each but the first, and its lintel
+        EXPECT_EQ(error.faults[0].place, "openings[1]");
+        EXPECT_EQ(error.faults[0].found, "openings[0] and openings[1] overlap");
+    }
+}
+
+// The estimate knows whole blocks; a course of one block has two halves above it.
+TEST(Wall, OfMoreBlocksThanItSeemsIsRefusedBeforeTheyAreMade)
+{
+    patterns::Wall asked = whole_wall(3, 2);
+    asked.length = 1.0;
+    asked.block_length = 0.5;
+    asked.height = 0.25 * 99'000;  // estimated 198 000, laid 247 500
+    try {
+        patterns::wall(asked);
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.faults.at(0).found, "more than 200000 blocks");
+    }
+}
+
 TEST(Wall, ThatIsAllOpeningIsRefused)
 {
     patterns::Wall nothing;

@@ -181,6 +181,14 @@ TEST(GroundMotion, DisplacementPassesThroughItsSamplesFromRest)
     EXPECT_EQ(motion.displacement(-1), 0);
 }
 
+// Printed to 0.1 mm: the last but one sample has the value of the last, the one before it has not.
+TEST(GroundMotion, ADisplacementThatEndsFlatEndsAtRest)
+{
+    const GroundMotion motion = GroundMotion::from_displacement({0, 0.0199, 0.02, 0.02}, 0.01, "flat");
+    EXPECT_EQ(motion.residual_velocity(), 0);
+    EXPECT_EQ(motion.displacement(10), 0.02);
+}
+
 TEST(GroundMotion, SmoothDisplacementGivesItsVelocityToThirdOrder)
 {
     const auto largest_error = [](double h) {

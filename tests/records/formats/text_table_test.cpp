@@ -89,7 +89,7 @@ TEST(TextTable, SaysThatNoUnitIsTakenFromTheHeading)
 
 TEST(TextTable, TellsACountAndAStepAboveTheValuesInOneSentence)
 {
-    const std::string faults = refusal("4 0.01\n1\n2\n3\n4\n", in_g(0.01));
+    const std::string faults = refusal("5 0.01\n1\n2\n3\n4\n", in_g(0.01));
     expect_in(faults, ":1: 2 numbers where every other line has 1");
     EXPECT_EQ(faults.find(":2:"), std::string::npos);
 }
@@ -187,6 +187,20 @@ TEST(TextTable, OneDamagedTimeDoesNotTurnTimesIntoSamples)
         content += std::to_string(i == 20 ? 3 : 0.01 * i) + " 1 2\n";
     }
     expect_in(refusal(content, in_g(0.01)), ":22: time");
+}
+
+TEST(TextTable, TakesTheCountAndTheStepOfTheFirstLine)
+{
+    for (const std::string rows : {"0.1\n-0.3\n0.2\n0.4\n", "0.1 -0.3 0.2\n0.4\n", "0.1 -0.3\n0.2 0.4\n"}) {
+        const Record record = read("4 0.005\n" + rows, in_g());
+        ASSERT_EQ(record.channels.size(), 1) << rows;
+        EXPECT_EQ(record.channels.front().time_step, 0.005);
+        ASSERT_EQ(record.channels.front().samples.size(), 4);
+        EXPECT_DOUBLE_EQ(record.channels.front().samples[1], -0.3 * g);
+    }
+    const Record table = read("4 0.005\n5 0.1\n6 0.2\n", in_g());  // times 4, 5 and 6 s
+    EXPECT_EQ(table.channels.front().time_step, 1);
+    expect_in(refusal("5 0.005\n0.1\n-0.3\n0.2\n0.4\n", in_g()), "so many samples must follow");
 }
 
 TEST(TextTable, NamesTheFirstFaultsAndCountsTheRest)

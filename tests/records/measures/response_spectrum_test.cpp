@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "libdda/errors.h"
+#include "records/measures/response_peaks.h"
 #include "records/units.h"
 #include "tests/records/channels.h"
 #include "tests/records/expected.h"
@@ -133,6 +134,32 @@ TEST(ResponseSpectrum, OfASuddenLoadIsTwiceTheStaticOne)
 {
     const Channel step = of_samples(std::vector<double>(2001, 3.0), 0.001);
     EXPECT_NEAR(measures::response_spectrum(step, {0.3}, 0).pseudo_acceleration[0], 6, 1e-12);
+}
+
+// Oscillators that walk together have the peaks that each has when every stretch of its walk is looked into.
+TEST(ResponseSpectrum, ManyOscillatorsHaveThePeaksOfEachBitForBit)
+{
+    const Channel channel = noise(3000, 0.01, 5);
+    std::vector<measures::Oscillator> oscillators;
+    for (const double damping : {0.0, 0.05, 1.5})
+        for (const double period : measures::logarithmic_periods(0.011, 9, 21))
+            oscillators.push_back({2 * pi / period, damping});
+    const auto together = measures::peaks_of_responses(oscillators, channel.samples, channel.time_step);
+    ASSERT_EQ(together.size(), oscillators.size());
+    for (std::size_t i = 0; i < oscillators.size(); ++i) {
+        const measures::Oscillator& oscillator = oscillators[i];
+        const measures::Watched acceleration = measures::watched_absolute_acceleration(oscillator);
+        measures::ResponsePeaks alone;
+        measures::ResponseWalk walk(oscillator, channel.samples, channel.time_step);
+        for (measures::Stretch stretch{}; walk.next(stretch);) {
+            alone.displacement = std::max(
+                alone.displacement, measures::peak_within(oscillator, stretch, measures::watched_displacement()));
+            alone.absolute_acceleration =
+                std::max(alone.absolute_acceleration, measures::peak_within(oscillator, stretch, acceleration));
+        }
+        EXPECT_EQ(together[i].displacement, alone.displacement) << i;
+        EXPECT_EQ(together[i].absolute_acceleration, alone.absolute_acceleration) << i;
+    }
 }
 
 TEST(ResponseSpectrum, HasThePeaksOfTheGroundAtItsEnds)

@@ -54,6 +54,14 @@ void expect_refusal(const std::string& vary, const std::string& part)
 
 }  // namespace
 
+TEST(Ensemble, VariesListsAndMaps)
+{
+    const Variation variation =
+        read_variation("foundation.motion.records=[a.at2,b.at2],[c.at2,d.at2],{x: 'e,f', y: 1}");
+    EXPECT_EQ(variation.key, "foundation.motion.records");
+    EXPECT_EQ(variation.values, (std::vector<std::string>{"[a.at2,b.at2]", "[c.at2,d.at2]", "{x: 'e,f', y: 1}"}));
+}
+
 TEST(EnsembleStatistics, MediansAndRanges)
 {
     EXPECT_EQ(median_of({3, 1, 2}), 2);
