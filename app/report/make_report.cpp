@@ -9,6 +9,7 @@
 #include "app/plots/plots.h"
 #include "app/render/snapshots.h"
 #include "app/report/diagrams.h"
+#include "app/report/interactive_view.h"
 #include "app/report/mechanism_words.h"
 #include "app/report/sections.h"
 #include "app/results/atomic_file.h"
@@ -107,6 +108,26 @@ Section film_of(const RunRecord& record, const fs::path& folder, const std::func
     return section;
 }
 
+/// The view, or why there is none.
+Section view_of(const RunRecord& record, InteractiveView& view)
+{
+    Section section{"Interactive view", {}, {}, {}, {}, {}};
+    view.script = view_script();
+    if (view.script.text.empty()) {
+        section.paragraphs.emplace_back(
+            "There is none: this program was built without npm, which brings the library that draws it.");
+        return section;
+    }
+    view.data = view_data(record, magnification(record));
+    section.has_view = !view.data.empty();
+    section.paragraphs.emplace_back(
+        section.has_view
+            ? "The page report.html shows the stones as they moved relative to the ground, to be turned "
+              "and played. Joints open by more than 0.1 mm are red, those that slid are orange."
+            : "There is none: this structure has too many stones for one page.");
+    return section;
+}
+
 void add_diagrams(const RunRecord& record, const fs::path& folder, std::vector<Section>& sections)
 {
     const std::vector<NamedFigure> figures = diagrams_of(record);
@@ -137,6 +158,7 @@ Document document_of(const RunRecord& record, const fs::path& folder, bool film,
     document.mechanism_line = words_of(record.mechanism, record.results.model, record.course).headline;
     document.sections.push_back(key_results(record));
     document.sections.push_back(mechanism_section(record));
+    document.sections.push_back(view_of(record, document.view));
     document.sections.push_back(pictures_of(record, folder));
     if (film) document.sections.push_back(film_of(record, folder, told));
     document.sections.push_back({"Histories", {}, {}, {}, {}, {}});
