@@ -258,6 +258,21 @@ void add_report(CLI::App& app, std::function<int()>& chosen)
         [arguments, &chosen] { chosen = [arguments] { return app::commands::report_command(*arguments); }; });
 }
 
+void add_compare(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<app::commands::CompareArguments>();
+    CLI::App* command =
+        app.add_subcommand("compare", "Two runs side by side: a page with tables, diagrams and a film of both");
+    command->add_option("a", arguments->a, "The folder of a run, or its results.h5")->required()->type_name("A");
+    command->add_option("b", arguments->b, "The same of another")->required()->type_name("B");
+    command->add_option("-o,--output", arguments->folder, "Folder for the comparison (comparison)")
+        ->type_name("DIR");
+    command->add_flag("--no-film", arguments->no_film, "Make no film");
+    command->add_flag("-q,--quiet", arguments->quiet, "Print the names of the files only");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::compare_command(*arguments); }; });
+}
+
 void add_verify(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<app::commands::VerifyArguments>();
@@ -439,6 +454,7 @@ int run_program(int argument_count, char** arguments)
     add_record(app, chosen);
     add_render(app, chosen);
     add_report(app, chosen);
+    add_compare(app, chosen);
     add_verify(app, chosen);
     add_converge(app, chosen);
     add_ensemble(app, chosen);

@@ -113,6 +113,16 @@ struct ReportArguments {
 /// The report of a run, from its results: a page, and the same as text and tables.
 int report_command(const ReportArguments& arguments);
 
+struct CompareArguments {
+    std::filesystem::path a, b;    // results files, or folders of runs
+    std::filesystem::path folder;  // empty: comparison
+    bool no_film = false;
+    bool quiet = false;
+};
+
+/// Two runs side by side, from their results: a page, and the same as text and tables.
+int compare_command(const CompareArguments& arguments);
+
 constexpr std::uint64_t default_verify_seed = 1;
 
 struct VerifyArguments {

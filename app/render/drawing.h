@@ -16,6 +16,10 @@ class Drawing
     /// @throws InputError when the size is too large for the library
     Drawing(int width, int height);
 
+    /// Of the pictures, in pixels.
+    int width() const { return canvas_.width() / Canvas::supersampling; }
+    int height() const { return canvas_.height() / Canvas::supersampling; }
+
     /// @param pixel size of one logical pixel (1 at a picture height of 900)
     Image draw(const Scene& scene, const Camera& camera, const drawing::ColorScale& scale, double pixel);
 

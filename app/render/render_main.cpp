@@ -27,7 +27,9 @@ using voussoir::app::SnapshotOptions;
 struct Arguments {
     std::filesystem::path results, folder = "snapshots";
     std::string color = "displacement", size = "1600x900", format = "mp4";
-    std::filesystem::path film;  // empty: pictures
+    std::filesystem::path film;    // empty: pictures
+    std::filesystem::path beside;  // another run, on the right
+    std::vector<std::string> titles;
     double frames_per_second = 25, slow_down = 1;
     double deformation_scale = 1, joint_threshold_mm = 0.1;
     SnapshotOptions options;
@@ -62,6 +64,9 @@ void describe(CLI::App& app, Arguments& arguments)
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     app.add_option("--video", arguments.film, "A film of this name instead of pictures");
+    app.add_option("--beside", arguments.beside, "Results of another run, to be shown on the right");
+    app.add_option("--title", arguments.titles, "Title over a run, in the order of the runs")
+        ->allow_extra_args(false);
     app.add_option("--format", arguments.format, "Format of the film")
         ->check(CLI::IsMember(render::film_format_names()))
         ->capture_default_str();
@@ -91,6 +96,15 @@ extern "C" void note_signal(int)
     asked_to_stop = 1;
 }
 
+std::vector<render::FilmedFile> runs_of(const Arguments& arguments)
+{
+    std::vector<render::FilmedFile> runs = {{arguments.results, ""}};
+    if (!arguments.beside.empty()) runs.push_back({arguments.beside, ""});
+    for (std::size_t i = 0; i < std::min(runs.size(), arguments.titles.size()); ++i)
+        runs[i].title = arguments.titles[i];
+    return runs;
+}
+
 /// A stopped film leaves nothing, so the signals that stop a program are noted, and heard between two frames.
 void make_film(const Arguments& arguments)
 {
@@ -103,7 +117,7 @@ void make_film(const Arguments& arguments)
     film.frames_per_second = arguments.frames_per_second;
     film.slow_down = arguments.slow_down;
     film.deformation_scale = arguments.deformation_scale;
-    render::render_film(arguments.results, arguments.film, film, arguments.joint_threshold_mm * 1e-3,
+    render::render_film(runs_of(arguments), arguments.film, film, arguments.joint_threshold_mm * 1e-3,
                         [](std::size_t done, std::size_t all) {
                             fmt::print("frame {} of {}\n", done, all);
                             std::fflush(stdout);
@@ -117,10 +131,12 @@ void render(Arguments& arguments)
     arguments.options.color = render::color_named(arguments.color);
     arguments.options.deformation_scale = arguments.deformation_scale;
     if (!arguments.film.empty()) return make_film(arguments);
-    for (const std::filesystem::path& picture : render::render_run(
-             arguments.results, arguments.folder, arguments.options, arguments.joint_threshold_mm * 1e-3)) {
-        fmt::print("{}\n", picture.string());
-    }
+    const double threshold = arguments.joint_threshold_mm * 1e-3;
+    const std::vector<std::filesystem::path> pictures =
+        arguments.beside.empty()
+            ? render::render_run(arguments.results, arguments.folder, arguments.options, threshold)
+            : render::render_beside(runs_of(arguments), arguments.folder, arguments.options, threshold);
+    for (const std::filesystem::path& picture : pictures) fmt::print("{}\n", picture.string());
 }
 
 /// The results may be anybody's. A picture of 8000 x 8000 pixels takes 4 GB.

@@ -52,6 +52,7 @@ struct Document {
     std::string mechanism_line;  // in words
     std::vector<Section> sections;
     InteractiveView view;
+    std::string companions = "report";  // folder of its tables and pictures
 };
 
 /// One page with all pictures in it, which asks nothing of any network and prints.

@@ -103,7 +103,7 @@ bool is_number(const std::string& cell)
     return !cell.empty() && cell.find_first_not_of("0123456789.+-e") == std::string::npos;
 }
 
-std::string table(const Table& of)
+std::string table(const Table& of, const std::string& folder)
 {
     std::string text = "<table><caption>" + escaped(of.title) + "</caption>\n<thead><tr>";
     for (const std::string& column : of.columns) text += "<th>" + escaped(column) + "</th>";
@@ -116,12 +116,12 @@ std::string table(const Table& of)
     }
     text += "</tbody></table>\n";
     if (of.rows.size() > of.shown)
-        text += "<p class=\"more\">" + std::to_string(of.rows.size() - of.shown) + " more rows in report/" +
-                escaped(of.name) + ".csv.</p>\n";
+        text += "<p class=\"more\">" + std::to_string(of.rows.size() - of.shown) + " more rows in " + folder +
+                "/" + escaped(of.name) + ".csv.</p>\n";
     return text;
 }
 
-std::string section(const Section& of, std::size_t number)
+std::string section(const Section& of, std::size_t number, const std::string& folder)
 {
     std::string text = "<section id=\"s" + std::to_string(number) + "\">\n<h2>" + escaped(of.title) + "</h2>\n";
     for (const std::string& paragraph : of.paragraphs) text += "<p>" + escaped(paragraph) + "</p>\n";
@@ -136,7 +136,7 @@ std::string section(const Section& of, std::size_t number)
             "show "
             "the same without.</p></div>\n";
     for (const Picture& one : of.pictures) text += picture(one);
-    for (const Table& one : of.tables) text += table(one);
+    for (const Table& one : of.tables) text += table(one, folder);
     if (!of.verbatim.empty()) text += "<pre>" + escaped(of.verbatim) + "</pre>\n";
     return text + "</section>\n";
 }
@@ -161,7 +161,8 @@ std::string to_html(const Document& document)
     for (std::size_t i = 0; i < document.sections.size(); ++i)
         text += "<a href=\"#s" + std::to_string(i) + "\">" + escaped(document.sections[i].title) + "</a>";
     text += "</nav>\n";
-    for (std::size_t i = 0; i < document.sections.size(); ++i) text += section(document.sections[i], i);
+    for (std::size_t i = 0; i < document.sections.size(); ++i)
+        text += section(document.sections[i], i, document.companions);
     if (has_view)
         text += "<script type=\"application/json\" id=\"view-data\">" + document.view.data +
                 "</script>\n<script>" + document.view.script.text + "</script>\n";
