@@ -98,6 +98,9 @@ struct RenderArguments {
     std::optional<double> deformation_scale;
     std::optional<std::filesystem::path> film;  // a film instead of pictures; empty: video.mp4 beside the results
     double frames_per_second = 25, slow_down = 1;
+    std::vector<std::string> hidden, cuts, labels;  // names and places of stones, as the helper reads them
+    std::string view, orbit;                        // empty: as usual
+    bool orthographic = false, forces = false;
 };
 
 /// Pictures or a film from a results file, without a run.

@@ -31,5 +31,6 @@ class Drawing
 drawing::Rgb opened_color();
 drawing::Rgb slid_color();
 drawing::Rgb foundation_color();
+drawing::Rgb force_color();
 
 }  // namespace voussoir::app::render

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 #include "app/render/encoder.h"
@@ -26,24 +27,35 @@ constexpr double hold = 2;  // s of film for which the last moment of a run stay
 class Stage
 {
  public:
-    Stage(const std::vector<FilmedFile>& files, const SceneOptions& options, int width, int height)
-        : width_(width / static_cast<int>(files.size())), height_(height), drawing_(width_, height)
+    Stage(const std::vector<FilmedFile>& files, const SceneOptions& options, const Look& look, int width,
+          int height)
+        : width_(width / static_cast<int>(files.size())),
+          height_(height),
+          look_(look),
+          framing_(options.color),
+          drawing_(width_, height)
     {
         runs_.reserve(files.size());
-        for (const FilmedFile& file : files) runs_.emplace_back(file.results, options, file.title);
-        Framing framing(options.color);
+        for (const FilmedFile& file : files) runs_.emplace_back(file.results, options, look, file.title);
         for (const FilmedRun& run : runs_) {
-            run.frame_with(framing);
+            run.frame_with(framing_);
             start_ = std::min(start_, run.start());
             end_ = std::max(end_, run.end());
             early_ = early_ || run.ended_early();
         }
-        scale_ = framing.scale();
-        camera_ = framing.camera(width_, height, runs_.front().planar(), true);
+        scale_ = scale_of(framing_, runs_.front().look());
+        camera_ = framing_.camera(width_, height, runs_.front().planar(), true, look_);
     }
     double start() const { return start_; }
     double end() const { return end_; }
     bool ended_early() const { return early_; }
+
+    /// The viewer walks on. @param share of the whole way
+    void orbit(double share)
+    {
+        if (look_.orbit != 0)
+            camera_ = framing_.camera(width_, height_, runs_.front().planar(), true, look_, share * look_.orbit);
+    }
 
     /// Rows of all runs, one beside the other.
     std::vector<std::uint32_t> picture(double time, const std::string& note)
@@ -61,6 +73,8 @@ class Stage
 
  private:
     int width_, height_;
+    Look look_;
+    Framing framing_;
     Drawing drawing_;
     std::vector<FilmedRun> runs_;
     drawing::ColorScale scale_;
@@ -99,14 +113,16 @@ std::vector<double> film_times(const results::ResultsReader& results, const Film
 }
 
 void render_film(const std::vector<FilmedFile>& files, const fs::path& film, const FilmOptions& options,
-                 double joint_threshold, const std::function<bool(std::size_t done, std::size_t all)>& told)
+                 const Look& look, double joint_threshold,
+                 const std::function<bool(std::size_t done, std::size_t all)>& told)
 {
-    Stage stage(files, scene_options_of(options, joint_threshold), options.width, options.height);
+    Stage stage(files, scene_options_of(options, joint_threshold), look, options.width, options.height);
     const std::vector<double> times = times_between(stage.start(), stage.end(), options, stage.ended_early());
     const std::string note =
         options.slow_down != 1 ? fmt::format("   ·   slowed down {:g} times", options.slow_down) : "";
     Encoder encoder(film, options.format, options.width, options.height, options.frames_per_second);
     for (std::size_t i = 0; i < times.size(); ++i) {
+        stage.orbit(static_cast<double>(i) / static_cast<double>(times.size()));
         encoder.add(stage.picture(times[i], note));
         if (!told(i + 1, times.size()))
             throw InputError(film.string(), "the film was interrupted", "ask for it again");
@@ -115,13 +131,13 @@ void render_film(const std::vector<FilmedFile>& files, const fs::path& film, con
 }
 
 std::vector<fs::path> render_beside(const std::vector<FilmedFile>& files, const fs::path& folder,
-                                    const SnapshotOptions& options, double joint_threshold)
+                                    const SnapshotOptions& options, const Look& look, double joint_threshold)
 {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw InputError(folder.string(), "cannot be created: " + error.message(), "give another folder");
-    Stage stage(files, {options.color, options.deformation_scale.value_or(1), joint_threshold}, options.width,
-                options.height);
+    Stage stage(files, {options.color, options.deformation_scale.value_or(1), joint_threshold}, look,
+                options.width, options.height);
     std::vector<double> times = options.times;
     for (int i = 1; options.times.empty() && i <= options.count; ++i)
         times.push_back(stage.start() + (stage.end() - stage.start()) * i / options.count);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/render/look.h"
 #include "app/results/results_reader.h"
 
 namespace voussoir::app::render
@@ -31,7 +32,7 @@ struct FilmedFile {
 /// @param told after each frame how many of how many are done; false stops, and nothing is left
 /// @throws InputError when the results show nothing to film, or ffmpeg is missing or fails
 void render_film(const std::vector<FilmedFile>& files, const std::filesystem::path& film,
-                 const FilmOptions& options, double joint_threshold,
+                 const FilmOptions& options, const Look& look, double joint_threshold,
                  const std::function<bool(std::size_t done, std::size_t all)>& told);
 
 /// Pictures of two runs side by side, as the film has them, at the asked times or `count` times spread evenly.
@@ -39,6 +40,7 @@ void render_film(const std::vector<FilmedFile>& files, const std::filesystem::pa
 /// @throws InputError when there is nothing to draw, or the folder cannot be written
 std::vector<std::filesystem::path> render_beside(const std::vector<FilmedFile>& files,
                                                  const std::filesystem::path& folder,
-                                                 const SnapshotOptions& options, double joint_threshold);
+                                                 const SnapshotOptions& options, const Look& look,
+                                                 double joint_threshold);
 
 }  // namespace voussoir::app::render

@@ -43,10 +43,12 @@ std::size_t first_filmed(const results::ResultsReader& results)
     return moving > 0 ? moving - 1 : 0;
 }
 
-FilmedRun::FilmedRun(const fs::path& results_file, const SceneOptions& options, const std::string& title)
+FilmedRun::FilmedRun(const fs::path& results_file, const SceneOptions& options, const Look& look,
+                     const std::string& title)
     : results_(results_file), options_(options)
 {
     expect_drawable(results_, results_file, options.color);
+    options_.look = look_of(look, results_file, results_);
     const results::RunEnd end = results::run_end_of(results_file);
     early_ = results::early_end_in_words(end);
     model_ = in_space(results_.model);
@@ -100,6 +102,7 @@ std::vector<std::uint32_t> FilmedRun::picture(double time, const Camera& camera,
     PageText text = words_of(scene, model_, options_);
     text.subtitle += note;
     if (time >= end()) text.alarm = early_;
+    text.labels = placed_labels(scene, camera);
     strip_.now = scene.time;
     const Image image = drawing.draw(scene, camera, scale, logical_pixel(drawing.width(), drawing.height()));
     return page_pixels(image, scale, text, &strip_);

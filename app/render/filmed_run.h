@@ -20,12 +20,13 @@ class FilmedRun
  public:
     /// @param title in place of the run's own where it is not empty
     /// @throws InputError when the results show nothing that could be drawn
-    FilmedRun(const std::filesystem::path& results_file, const SceneOptions& options,
+    FilmedRun(const std::filesystem::path& results_file, const SceneOptions& options, const Look& look = {},
               const std::string& title = "");
 
     double start() const;  // s, of what is filmed
     double end() const;    // s, of the last stored frame
     bool planar() const;
+    const LookOfRun& look() const { return options_.look; }
     bool ended_early() const { return !early_.empty(); }
 
     /// Adds what is filmed, all stored frames for the colours and some fifty for the camera.

@@ -241,7 +241,7 @@ TEST(Beside, BothRunsHaveTheirHalfOnOneScale)
     const auto halves = [&](const std::filesystem::path& left, const std::filesystem::path& right) {
         std::vector<bool> alike;
         for (const auto& picture :
-             render_beside({{left, "A: one"}, {right, "A: one"}}, one.path() / "both", options, 1e-4)) {
+             render_beside({{left, "A: one"}, {right, "A: one"}}, one.path() / "both", options, {}, 1e-4)) {
             cairo_surface_t* surface = cairo_image_surface_create_from_png(picture.c_str());
             EXPECT_EQ(cairo_image_surface_get_width(surface), 800);
             const unsigned char* bytes = cairo_image_surface_get_data(surface);
