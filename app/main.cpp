@@ -222,6 +222,27 @@ void add_film(CLI::App& command, app::commands::RenderArguments& arguments)
         ->capture_default_str();
 }
 
+/// What is seen of the structure, and from where.
+void add_look(CLI::App& command, app::commands::RenderArguments& arguments)
+{
+    const auto add = [&](const char* name, std::vector<std::string>& values, const char* type, const char* help) {
+        command.add_option(name, values, help)->type_name(type)->allow_extra_args(false);
+    };
+    add("--hide", arguments.hidden, "PATTERN",
+        "Leave out stones or groups of this name; * and ? stand for others. Repeatable");
+    add("--cut", arguments.cuts, "PLACE", "Leave out stones there, by their centroid in m: x>1.5. Repeatable");
+    add("--label", arguments.labels, "PATTERN", "Write the names of these stones beside them. Repeatable");
+    command
+        .add_option("--view", arguments.view,
+                    "front, right, back, left, top, or AZIMUTH,ELEVATION in degrees: 30,20 (from aside)")
+        ->type_name("VIEW");
+    command.add_flag("--orthographic", arguments.orthographic, "Without perspective, as drawings are");
+    command.add_flag("--forces", arguments.forces, "Draw the contact forces and the line of thrust");
+    command.add_option("--orbit", arguments.orbit, "Degrees by which the viewer turns in the course of a film")
+        ->check(CLI::Number)
+        ->type_name("DEGREES");
+}
+
 void add_render(CLI::App& app, std::function<int()>& chosen)
 {
     auto arguments = std::make_shared<app::commands::RenderArguments>();
@@ -233,7 +254,7 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
         ->add_option("-o,--output", arguments->folder, "Folder for the pictures (snapshots/ beside the results)")
         ->type_name("DIR");
     command->add_option("--color", arguments->color, "What the colours show")
-        ->check(CLI::IsMember({"displacement", "principal_stress", "velocity", "opening", "slip"}))
+        ->check(CLI::IsMember({"displacement", "principal_stress", "velocity", "opening", "slip", "group"}))
         ->capture_default_str();
     command->add_option("--times", arguments->times, "Times to draw, in s")->check(CLI::NonNegativeNumber);
     command->add_option("--count", arguments->count, "Number of pictures, if no times are given")
@@ -244,6 +265,7 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
         ->check(CLI::Range(200, 8000));
     command->add_option("--deformation-scale", arguments->deformation_scale, "Magnification of displacements")
         ->check(CLI::PositiveNumber);
+    add_look(*command, *arguments);
     add_film(*command, *arguments);
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return app::commands::render_command(*arguments); }; });
@@ -262,6 +284,21 @@ void add_report(CLI::App& app, std::function<int()>& chosen)
     command->add_flag("-q,--quiet", arguments->quiet, "Print the names of the files only");
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return app::commands::report_command(*arguments); }; });
+}
+
+void add_compare(CLI::App& app, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<app::commands::CompareArguments>();
+    CLI::App* command =
+        app.add_subcommand("compare", "Two runs side by side: a page with tables, diagrams and a film of both");
+    command->add_option("a", arguments->a, "The folder of a run, or its results.h5")->required()->type_name("A");
+    command->add_option("b", arguments->b, "The same of another")->required()->type_name("B");
+    command->add_option("-o,--output", arguments->folder, "Folder for the comparison (comparison)")
+        ->type_name("DIR");
+    command->add_flag("--no-film", arguments->no_film, "Make no film");
+    command->add_flag("-q,--quiet", arguments->quiet, "Print the names of the files only");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return app::commands::compare_command(*arguments); }; });
 }
 
 void add_verify(CLI::App& app, std::function<int()>& chosen)
@@ -473,6 +510,7 @@ int run_program(int argument_count, char** arguments)
     add_record(app, chosen);
     add_render(app, chosen);
     add_report(app, chosen);
+    add_compare(app, chosen);
     add_verify(app, chosen);
     add_converge(app, chosen);
     add_ensemble(app, chosen);

@@ -98,6 +98,9 @@ struct RenderArguments {
     std::optional<double> deformation_scale;
     std::optional<std::filesystem::path> film;  // a film instead of pictures; empty: video.mp4 beside the results
     double frames_per_second = 25, slow_down = 1;
+    std::vector<std::string> hidden, cuts, labels;  // names and places of stones, as the helper reads them
+    std::string view, orbit;                        // empty: as usual
+    bool orthographic = false, forces = false;
 };
 
 /// Pictures or a film from a results file, without a run.
@@ -112,6 +115,16 @@ struct ReportArguments {
 
 /// The report of a run, from its results: a page, and the same as text and tables.
 int report_command(const ReportArguments& arguments);
+
+struct CompareArguments {
+    std::filesystem::path a, b;    // results files, or folders of runs
+    std::filesystem::path folder;  // empty: comparison
+    bool no_film = false;
+    bool quiet = false;
+};
+
+/// Two runs side by side, from their results: a page, and the same as text and tables.
+int compare_command(const CompareArguments& arguments);
 
 constexpr std::uint64_t default_verify_seed = 1;
 

@@ -96,6 +96,33 @@ Camera camera_for(const std::vector<Vector3d>& points, const PictureArea& area, 
                        view == View::straight_on ? Vector3d(-Vector3d::UnitY()) : from_aside(points));
 }
 
+Camera parallel_camera(const std::vector<Vector3d>& points, const PictureArea& area, double aspect,
+                       const Vector3d& back)
+{
+    Camera camera;
+    camera.back = back;
+    camera.right = Vector3d::UnitZ().cross(camera.back).normalized();
+    camera.up = camera.back.cross(camera.right);
+    Eigen::Matrix3d axes;
+    axes << camera.right.transpose(), camera.up.transpose(), camera.back.transpose();
+    Vector3d low = axes * points[0], high = low;
+    for (const Vector3d& p : points) {
+        low = low.cwiseMin(axes * p);
+        high = high.cwiseMax(axes * p);
+    }
+    const Vector3d middle = (low + high) / 2, size = (high - low).cwiseMax(1e-9);
+    const double share_x = (area.right - area.left) / 2, share_y = (area.top - area.bottom) / 2;
+    // metres in half a height of the picture: what is longest in its share of it decides
+    const double half = 0.5 * std::max(size.y() / share_y, size.x() / share_x / aspect);
+    Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+    const Vector3d scale(1 / (half * aspect), 1 / half, -1 / (0.6 * size.z() + half));
+    view.topLeftCorner<3, 3>() = scale.asDiagonal() * axes;
+    view.topRightCorner<3, 1>() =
+        Vector3d((area.left + area.right) / 2, (area.bottom + area.top) / 2, 0) - scale.cwiseProduct(middle);
+    camera.view_projection = view;
+    return camera;
+}
+
 Camera camera_from(const std::vector<Vector3d>& points, const PictureArea& area, double aspect,
                    const Vector3d& back)
 {

@@ -30,4 +30,8 @@ Camera camera_for(const std::vector<Eigen::Vector3d>& points, const PictureArea&
 Camera camera_from(const std::vector<Eigen::Vector3d>& points, const PictureArea& area, double aspect,
                    const Eigen::Vector3d& back);
 
+/// The same without perspective: parallel edges stay parallel, and lengths across the view can be measured.
+Camera parallel_camera(const std::vector<Eigen::Vector3d>& points, const PictureArea& area, double aspect,
+                       const Eigen::Vector3d& back);
+
 }  // namespace voussoir::app::render

@@ -79,6 +79,11 @@ drawing::Rgb slid_color()
     return {1.0F, 0.55F, 0.0F};
 }
 
+drawing::Rgb force_color()
+{
+    return {0.08F, 0.35F, 0.95F};
+}
+
 drawing::Rgb foundation_color()
 {
     return {0.76F, 0.76F, 0.77F};
@@ -109,6 +114,10 @@ Image Drawing::draw(const Scene& scene, const Camera& camera, const drawing::Col
     glDepthRange(0, 0.99995);  // marks in front of the edges they follow
     draw_lines(scene.slid, slid_color(), 3 * stroke);
     draw_lines(scene.opened, opened_color(), 3 * stroke);
+    glDisable(GL_DEPTH_TEST);  // forces are seen through the stones
+    draw_lines(scene.thrust, force_color(), 1.5 * stroke);
+    draw_lines(scene.forces, force_color(), 3 * stroke);
+    glEnable(GL_DEPTH_TEST);
     glDepthRange(0, 1);
     return canvas_.image();
 }

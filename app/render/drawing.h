@@ -16,6 +16,10 @@ class Drawing
     /// @throws InputError when the size is too large for the library
     Drawing(int width, int height);
 
+    /// Of the pictures, in pixels.
+    int width() const { return canvas_.width() / Canvas::supersampling; }
+    int height() const { return canvas_.height() / Canvas::supersampling; }
+
     /// @param pixel size of one logical pixel (1 at a picture height of 900)
     Image draw(const Scene& scene, const Camera& camera, const drawing::ColorScale& scale, double pixel);
 
@@ -27,5 +31,6 @@ class Drawing
 drawing::Rgb opened_color();
 drawing::Rgb slid_color();
 drawing::Rgb foundation_color();
+drawing::Rgb force_color();
 
 }  // namespace voussoir::app::render

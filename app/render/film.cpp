@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <system_error>
 
-#include "app/render/between.h"
 #include "app/render/encoder.h"
-#include "app/render/extrusion.h"
-#include "app/render/framing.h"
-#include "app/results/recorded_motions.h"
-#include "app/results/run_end.h"
+#include "app/render/filmed_run.h"
+#include "app/render/sheet.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::render
@@ -25,77 +23,73 @@ namespace fs = std::filesystem;
 constexpr double most_frames = 1e5;
 constexpr double hold = 2;  // s of film for which the last moment of a run stays that ended early
 
-/// The stored frame from which the film goes: the last before the motion, if there is one.
-std::size_t first_filmed(const results::ResultsReader& results)
-{
-    const std::size_t moving = first_dynamic_frame(results);
-    return moving > 0 ? moving - 1 : 0;
-}
-
-/// Reads each stored frame once as the time goes on, and mixes the two about it.
-class Playback
+/// One run, or two side by side on one time axis, with one camera and one colour scale.
+class Stage
 {
  public:
-    Playback(const results::ResultsReader& results, std::size_t first)
-        : results_(results), at_(first), before_(results.frame(first))
+    Stage(const std::vector<FilmedFile>& files, const SceneOptions& options, const Look& look, int width,
+          int height)
+        : width_(width / static_cast<int>(files.size())),
+          height_(height),
+          look_(look),
+          framing_(options.color),
+          drawing_(width_, height)
     {
-    }
-    results::RecordedFrame frame(double time)
-    {
-        while (at_ + 1 < results_.times.size() && results_.times[at_ + 1] <= time) {
-            ++at_;
-            before_ = after_ ? std::move(*after_) : results_.frame(at_);
-            after_.reset();
+        runs_.reserve(files.size());
+        for (const FilmedFile& file : files) runs_.emplace_back(file.results, options, look, file.title);
+        for (const FilmedRun& run : runs_) {
+            run.frame_with(framing_);
+            start_ = std::min(start_, run.start());
+            end_ = std::max(end_, run.end());
+            early_ = early_ || run.ended_early();
         }
-        if (at_ + 1 >= results_.times.size()) return before_;
-        if (!after_) after_ = results_.frame(at_ + 1);
-        return between(results_.model.kinematics, before_, *after_, time);
+        scale_ = scale_of(framing_, runs_.front().look());
+        camera_ = framing_.camera(width_, height, runs_.front().planar(), true, look_);
+    }
+    double start() const { return start_; }
+    double end() const { return end_; }
+    bool ended_early() const { return early_; }
+
+    /// The viewer walks on. @param share of the whole way
+    void orbit(double share)
+    {
+        if (look_.orbit != 0)
+            camera_ = framing_.camera(width_, height_, runs_.front().planar(), true, look_, share * look_.orbit);
+    }
+
+    /// Rows of all runs, one beside the other.
+    std::vector<std::uint32_t> picture(double time, const std::string& note)
+    {
+        const std::size_t across = static_cast<std::size_t>(width_), rows = static_cast<std::size_t>(height_);
+        if (runs_.size() == 1) return runs_.front().picture(time, camera_, scale_, drawing_, note);
+        std::vector<std::uint32_t> whole(runs_.size() * across * rows);
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            const std::vector<std::uint32_t> part = runs_[i].picture(time, camera_, scale_, drawing_, note);
+            for (std::size_t y = 0; y < rows; ++y)
+                std::copy_n(part.data() + y * across, across, whole.data() + (y * runs_.size() + i) * across);
+        }
+        return whole;
     }
 
  private:
-    const results::ResultsReader& results_;
-    std::size_t at_;
-    results::RecordedFrame before_;
-    std::optional<results::RecordedFrame> after_;
+    int width_, height_;
+    Look look_;
+    Framing framing_;
+    Drawing drawing_;
+    std::vector<FilmedRun> runs_;
+    drawing::ColorScale scale_;
+    Camera camera_;
+    double start_ = std::numeric_limits<double>::infinity(), end_ = -std::numeric_limits<double>::infinity();
+    bool early_ = false;
 };
 
-/// Camera and colours over all stored frames; the camera is content with some fifty.
-Framing framing_of(const results::ResultsReader& results, const results::RecordedModel& model,
-                   const SceneOptions& options)
+SceneOptions scene_options_of(const FilmOptions& options, double joint_threshold)
 {
-    Framing framing(options.color);
-    const std::size_t first = first_filmed(results), count = results.times.size() - first;
-    const std::size_t every = std::max<std::size_t>(1, count / 50);
-    for (std::size_t i = first; i < results.times.size(); ++i)
-        framing.add(make_scene(model, results.frame(i), options),
-                    (i - first) % every == 0 || i + 1 == results.times.size());
-    return framing;
+    return {options.color, options.deformation_scale.value_or(1), joint_threshold};
 }
 
-/// Of the motion with the largest peak.
-MotionStrip strip_of(const fs::path& results_file, const results::RunEnd& end)
+std::vector<double> times_between(double from, double to, const FilmOptions& options, bool ended_early)
 {
-    MotionStrip strip;
-    strip.end = std::max(end.planned, end.reached);
-    strip.label = "time";
-    const results::RecordedMotion* largest = nullptr;
-    const std::vector<results::RecordedMotion> motions = results::recorded_motions(results_file);
-    for (const results::RecordedMotion& motion : motions)
-        if (!largest || motion.peak_acceleration > largest->peak_acceleration) largest = &motion;
-    if (!largest) return strip;
-    for (const double time : largest->times) strip.times.push_back(largest->start + time);
-    strip.values = largest->acceleration;
-    const std::string axis = largest->followers.empty() ? "" : largest->followers.front();
-    strip.label = fmt::format("acceleration along {}, peak {:.3g} m/s²", axis.empty() ? '?' : axis.back(),
-                              largest->peak_acceleration);
-    return strip;
-}
-
-}  // namespace
-
-std::vector<double> film_times(const results::ResultsReader& results, const FilmOptions& options, bool ended_early)
-{
-    const double from = results.times[first_filmed(results)], to = results.times.back();
     if (!(to > from))
         throw InputError("video", "no time passes in these results, there is nothing to film",
                          "ask for pictures, or give the results of a run with a dynamic stage");
@@ -111,37 +105,52 @@ std::vector<double> film_times(const results::ResultsReader& results, const Film
     return times;
 }
 
-void render_film(const fs::path& results_file, const fs::path& film, const FilmOptions& options,
-                 double joint_threshold, const std::function<bool(std::size_t done, std::size_t all)>& told)
-{
-    const results::ResultsReader results(results_file);
-    expect_drawable(results, results_file, options.color);
-    const results::RunEnd end = results::run_end_of(results_file);
-    const std::string early = results::early_end_in_words(end);
-    const std::vector<double> times = film_times(results, options, !early.empty());
+}  // namespace
 
-    const SceneOptions scene_options{options.color, options.deformation_scale.value_or(1), joint_threshold};
-    const results::RecordedModel model = in_space(results.model);
-    const Framing framing = framing_of(results, model, scene_options);
-    const drawing::ColorScale scale = framing.scale();
-    const Camera camera = framing.camera(options.width, options.height, is_planar(model.kinematics), true);
-    MotionStrip strip = strip_of(results_file, end);
-    Playback playback(results, first_filmed(results));
+std::vector<double> film_times(const results::ResultsReader& results, const FilmOptions& options, bool ended_early)
+{
+    return times_between(results.times[first_filmed(results)], results.times.back(), options, ended_early);
+}
+
+void render_film(const std::vector<FilmedFile>& files, const fs::path& film, const FilmOptions& options,
+                 const Look& look, double joint_threshold,
+                 const std::function<bool(std::size_t done, std::size_t all)>& told)
+{
+    Stage stage(files, scene_options_of(options, joint_threshold), look, options.width, options.height);
+    const std::vector<double> times = times_between(stage.start(), stage.end(), options, stage.ended_early());
+    const std::string note =
+        options.slow_down != 1 ? fmt::format("   ·   slowed down {:g} times", options.slow_down) : "";
     Encoder encoder(film, options.format, options.width, options.height, options.frames_per_second);
-    Drawing drawing(options.width, options.height);
     for (std::size_t i = 0; i < times.size(); ++i) {
-        const Scene scene = make_scene(model, playback.frame(times[i]), scene_options);
-        PageText text = words_of(scene, model, scene_options);
-        if (options.slow_down != 1)
-            text.subtitle += fmt::format("   ·   slowed down {:g} times", options.slow_down);
-        if (times[i] >= results.times.back()) text.alarm = early;
-        strip.now = scene.time;
-        const Image image = drawing.draw(scene, camera, scale, logical_pixel(options.width, options.height));
-        encoder.add(page_pixels(image, scale, text, &strip));
+        stage.orbit(static_cast<double>(i) / static_cast<double>(times.size()));
+        encoder.add(stage.picture(times[i], note));
         if (!told(i + 1, times.size()))
             throw InputError(film.string(), "the film was interrupted", "ask for it again");
     }
     encoder.finish();
+}
+
+std::vector<fs::path> render_beside(const std::vector<FilmedFile>& files, const fs::path& folder,
+                                    const SnapshotOptions& options, const Look& look, double joint_threshold)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw InputError(folder.string(), "cannot be created: " + error.message(), "give another folder");
+    Stage stage(files, {options.color, options.deformation_scale.value_or(1), joint_threshold}, look,
+                options.width, options.height);
+    std::vector<double> times = options.times;
+    for (int i = 1; options.times.empty() && i <= options.count; ++i)
+        times.push_back(stage.start() + (stage.end() - stage.start()) * i / options.count);
+    std::sort(times.begin(), times.end());
+    std::vector<fs::path> pictures;
+    for (const double asked : times) {
+        const double time = std::clamp(asked, stage.start(), stage.end());
+        Image image{options.width, options.height, stage.picture(time, "")};
+        for (std::uint32_t& pixel : image.pixels) pixel |= 0xFF000000U;  // opaque
+        pictures.push_back(folder / fmt::format("snapshot_{:04}_t={:.3f}s.png", pictures.size() + 1, time));
+        Sheet(image, 1).write(pictures.back());
+    }
+    return pictures;
 }
 
 }  // namespace voussoir::app::render

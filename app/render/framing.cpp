@@ -86,10 +86,10 @@ void Framing::add(const Scene& scene, bool in_sight)
     }
 }
 
-Camera Framing::camera(int width, int height, bool planar, bool strip) const
+Camera Framing::camera(int width, int height, bool planar, bool strip, const Look& look, double orbited) const
 {
-    return camera_for(points_, drawing_area(width, height, strip), static_cast<double>(width) / height,
-                      planar ? View::straight_on : View::from_aside);
+    return look_at(points_, drawing_area(width, height, strip), static_cast<double>(width) / height,
+                   planar ? View::straight_on : View::from_aside, look, orbited);
 }
 
 drawing::ColorScale Framing::scale() const
@@ -99,6 +99,30 @@ drawing::ColorScale Framing::scale() const
     if (color_ != SnapshotColor::principal_stress) lowest = 0;
     const auto& [name, units] = quantity(color_);
     return drawing::make_scale(lowest, highest, name, units);
+}
+
+drawing::ColorScale scale_of(const Framing& framing, const LookOfRun& look)
+{
+    if (look.group_names.empty()) return framing.scale();
+    drawing::ColorScale scale;
+    scale.highest = std::max<double>(1, static_cast<double>(look.group_names.size()) - 1);
+    scale.caption = "group";
+    for (std::size_t i = 0; i < look.group_names.size(); ++i) {
+        scale.ticks.push_back(static_cast<double>(i));
+        scale.labels.push_back(look.group_names[i]);
+    }
+    return scale;
+}
+
+std::vector<PlacedWord> placed_labels(const Scene& scene, const Camera& camera)
+{
+    std::vector<PlacedWord> words;
+    words.reserve(scene.labels.size());
+    for (const Label& label : scene.labels) {
+        const Eigen::Vector4d clip = camera.view_projection * label.place.homogeneous();
+        words.push_back({label.text, (1 + clip.x() / clip.w()) / 2, (1 - clip.y() / clip.w()) / 2});
+    }
+    return words;
 }
 
 PageText words_of(const Scene& scene, const results::RecordedModel& model, const SceneOptions& options)
@@ -114,6 +138,9 @@ PageText words_of(const Scene& scene, const results::RecordedModel& model, const
     if (const std::string ground = ground_in_words(scene.ground); !ground.empty()) text.notes.push_back(ground);
     if (is_planar(model.kinematics))
         text.notes.push_back(fmt::format("planar scene, drawn {:g} m thick", model.thickness));
+    if (options.look.largest_force > 0)
+        text.notes.push_back(
+            fmt::format("blue: contact forces, up to {:.3g} kN, and thrust", options.look.largest_force / 1e3));
     if (options.deformation_scale != 1) {
         text.notes.push_back(fmt::format("displacements magnified {:g} times", options.deformation_scale));
     }

@@ -25,7 +25,9 @@ class Framing
 
     /// Sees the structure, the foundations no further out than a quarter of the structure's size, and fallen
     /// blocks no further than that size. @param planar seen as an elevation; @param strip with room for one
-    Camera camera(int width, int height, bool planar, bool strip = false) const;
+    /// @param orbited [rad] how far the viewer has turned
+    Camera camera(int width, int height, bool planar, bool strip = false, const Look& look = {},
+                  double orbited = 0) const;
     /// From the smallest value to the largest; from zero but for stresses.
     drawing::ColorScale scale() const;
 
@@ -35,6 +37,12 @@ class Framing
     std::vector<Eigen::Vector3d> points_;
     double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -std::numeric_limits<double>::infinity();
 };
+
+/// The scale of the framing, or the names of the groups with their colours.
+drawing::ColorScale scale_of(const Framing& framing, const LookOfRun& look);
+
+/// Where in the picture the labels are.
+std::vector<PlacedWord> placed_labels(const Scene& scene, const Camera& camera);
 
 /// Title, time, legend and notes of a picture.
 PageText words_of(const Scene& scene, const results::RecordedModel& model, const SceneOptions& options);

@@ -17,6 +17,21 @@ namespace
 // Logical pixels of a picture 900 high.
 constexpr double margin = 40, head = 108, foot = 92, bar_column = 150, bar_width = 22, strip_height = 64;
 
+/// Names with their colours, in place of a bar.
+void draw_names(cairo_t* pen, const drawing::ColorScale& scale, double width, double height)
+{
+    const double x = width - bar_column + 4;
+    double y = 0.5 * height - 11.0 * static_cast<double>(scale.ticks.size());
+    drawing::font(pen, 13);
+    for (std::size_t i = 0; i < scale.ticks.size() && i < 30; ++i, y += 22) {
+        drawing::use(pen, drawing::viridis(scale.share(scale.ticks[i])));
+        cairo_rectangle(pen, x, y - 11, 14, 14);
+        cairo_fill(pen);
+        drawing::use(pen, ink);
+        drawing::write(pen, scale.labels[i], x + 20, y);
+    }
+}
+
 void draw_bar(cairo_t* pen, const drawing::ColorScale& scale, double width, double height)
 {
     const double x = width - bar_column + 20, length = 0.56 * height, bottom = 0.5 * height + length / 2;
@@ -111,8 +126,18 @@ void draw_strip(const Sheet& sheet, const MotionStrip& strip)
 void draw_page(const Sheet& sheet, const drawing::ColorScale& scale, const PageText& text,
                const MotionStrip* strip)
 {
+    drawing::font(sheet.pen, 14);
+    for (const PlacedWord& label : text.labels) {
+        drawing::use(sheet.pen, ink);
+        drawing::write_on_white(sheet.pen, label.text,
+                                label.x * sheet.width + drawing::width_of(sheet.pen, label.text) / 2,
+                                label.y * sheet.height + 5);
+    }
     write_head(sheet, text.title, text.subtitle, margin);
-    draw_bar(sheet.pen, scale, sheet.width, sheet.height);
+    if (scale.caption == "group")
+        draw_names(sheet.pen, scale, sheet.width, sheet.height);
+    else
+        draw_bar(sheet.pen, scale, sheet.width, sheet.height);
     write_foot(sheet, text, strip ? sheet.height - strip_height : sheet.height);
     if (strip) draw_strip(sheet, *strip);
 }

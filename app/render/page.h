@@ -18,13 +18,20 @@ struct MotionStrip {
     double now = 0, end = 1;            // s; end: as planned
 };
 
+/// A word on the drawing. @param x, y from 0 (left, top) to 1
+struct PlacedWord {
+    std::string text;
+    double x = 0, y = 0;
+};
+
 struct PageText {
     std::string title;
     std::string subtitle;            // "t = 1.250 s, earthquake"
     std::vector<std::string> notes;  // lines at the lower right
     std::string opened, slid;        // legend of the marks
     bool foundations = false;        // grey blocks are explained
-    std::string alarm;               // in red above the legend: that the run ended early
+    std::vector<PlacedWord> labels;
+    std::string alarm;  // in red above the legend: that the run ended early
 };
 
 /// The part of a picture that is free for the drawing. @param strip with room for a strip below it

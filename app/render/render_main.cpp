@@ -7,10 +7,12 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <numbers>
 
 #include "app/render/color_names.h"
 #include "app/render/film.h"
 #include "app/render/render_run.h"
+#include "app/render/time_pictures.h"
 #include "importers/process/own_limits.h"
 #include "importers/process/program_start.h"
 #include "libdda/errors.h"
@@ -27,10 +29,16 @@ using voussoir::app::SnapshotOptions;
 struct Arguments {
     std::filesystem::path results, folder = "snapshots";
     std::string color = "displacement", size = "1600x900", format = "mp4";
-    std::filesystem::path film;  // empty: pictures
+    std::filesystem::path film;    // empty: pictures
+    std::filesystem::path beside;  // another run, on the right
+    std::vector<std::string> titles;
     double frames_per_second = 25, slow_down = 1;
     double deformation_scale = 1, joint_threshold_mm = 0.1;
     SnapshotOptions options;
+    render::Look look;
+    std::string view;
+    double orbit_degrees = 0;
+    int timed = 0;
 };
 
 void read_size(const std::string& text, SnapshotOptions& options)
@@ -62,6 +70,19 @@ void describe(CLI::App& app, Arguments& arguments)
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     app.add_option("--video", arguments.film, "A film of this name instead of pictures");
+    app.add_option("--hide", arguments.look.hidden, "Stones, or groups, of this name are left out")
+        ->allow_extra_args(false);
+    app.add_option("--cut", arguments.look.cuts, "Stones there are left out: x>1.5")->allow_extra_args(false);
+    app.add_option("--label", arguments.look.labels, "Stones of this name are named")->allow_extra_args(false);
+    app.add_option("--view", arguments.view, "front, right, back, left, top, or AZIMUTH,ELEVATION [deg]");
+    app.add_option("--orbit", arguments.orbit_degrees, "Turn of the viewer in the course of a film [deg]");
+    app.add_flag("--orthographic", arguments.look.orthographic, "Without perspective");
+    app.add_flag("--forces", arguments.look.forces, "Contact forces and the line of thrust");
+    app.add_flag("--groups", arguments.look.groups, "Colours show the groups");
+    app.add_option("--timed", arguments.timed, "Draw the last frame so often and tell the CPU time of each");
+    app.add_option("--beside", arguments.beside, "Results of another run, to be shown on the right");
+    app.add_option("--title", arguments.titles, "Title over a run, in the order of the runs")
+        ->allow_extra_args(false);
     app.add_option("--format", arguments.format, "Format of the film")
         ->check(CLI::IsMember(render::film_format_names()))
         ->capture_default_str();
@@ -90,6 +111,15 @@ extern "C" void note_signal(int)
     asked_to_stop = 1;
 }
 
+std::vector<render::FilmedFile> runs_of(const Arguments& arguments)
+{
+    std::vector<render::FilmedFile> runs = {{arguments.results, ""}};
+    if (!arguments.beside.empty()) runs.push_back({arguments.beside, ""});
+    for (std::size_t i = 0; i < std::min(runs.size(), arguments.titles.size()); ++i)
+        runs[i].title = arguments.titles[i];
+    return runs;
+}
+
 /// A stopped film leaves nothing, so the signals that stop a program are noted, and heard between two frames.
 void make_film(const Arguments& arguments)
 {
@@ -102,12 +132,25 @@ void make_film(const Arguments& arguments)
     film.frames_per_second = arguments.frames_per_second;
     film.slow_down = arguments.slow_down;
     film.deformation_scale = arguments.deformation_scale;
-    render::render_film(arguments.results, arguments.film, film, arguments.joint_threshold_mm * 1e-3,
-                        [](std::size_t done, std::size_t all) {
+    render::render_film(runs_of(arguments), arguments.film, film, arguments.look,
+                        arguments.joint_threshold_mm * 1e-3, [](std::size_t done, std::size_t all) {
                             fmt::print("frame {} of {}\n", done, all);
                             std::fflush(stdout);
                             return asked_to_stop == 0;
                         });
+}
+
+/// CPU time of all threads of a picture, in its parts, at steady state.
+void tell_times(const Arguments& arguments)
+{
+    const render::PictureTimes times = render::time_pictures(arguments.results, arguments.options, arguments.look,
+                                                             arguments.joint_threshold_mm * 1e-3, arguments.timed);
+    const double pixels = 1e-6 * arguments.options.width * arguments.options.height;
+    fmt::print("{} stones, {} x {}: {:.1f} ms of CPU a picture, {:.1f} ms a million pixels ({:.1f} ms wall)\n",
+               times.stones, arguments.options.width, arguments.options.height, 1e3 * times.cpu,
+               1e3 * times.cpu / pixels, 1e3 * times.wall);
+    fmt::print("reading {:.1f} ms, scene {:.1f} ms, drawing {:.1f} ms, page {:.1f} ms\n", 1e3 * times.reading,
+               1e3 * times.scene, 1e3 * times.drawing, 1e3 * times.page);
 }
 
 void render(Arguments& arguments)
@@ -115,11 +158,17 @@ void render(Arguments& arguments)
     read_size(arguments.size, arguments.options);
     arguments.options.color = render::color_named(arguments.color);
     arguments.options.deformation_scale = arguments.deformation_scale;
+    if (!arguments.view.empty()) render::set_view(arguments.view, arguments.look);
+    arguments.look.orbit = arguments.orbit_degrees * std::numbers::pi / 180;
+    if (arguments.timed > 0) return tell_times(arguments);
     if (!arguments.film.empty()) return make_film(arguments);
-    for (const std::filesystem::path& picture : render::render_run(
-             arguments.results, arguments.folder, arguments.options, arguments.joint_threshold_mm * 1e-3)) {
-        fmt::print("{}\n", picture.string());
-    }
+    const double threshold = arguments.joint_threshold_mm * 1e-3;
+    const std::vector<std::filesystem::path> pictures =
+        arguments.beside.empty()
+            ? render::render_run(arguments.results, arguments.folder, arguments.options, arguments.look, threshold)
+            : render::render_beside(runs_of(arguments), arguments.folder, arguments.options, arguments.look,
+                                    threshold);
+    for (const std::filesystem::path& picture : pictures) fmt::print("{}\n", picture.string());
 }
 
 /// The results may be anybody's. A picture of 8000 x 8000 pixels takes 4 GB.

@@ -50,7 +50,7 @@ std::vector<std::size_t> choose_frames(const results::ResultsReader& results, co
 }
 
 std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& folder,
-                                 const SnapshotOptions& options, double joint_threshold)
+                                 const SnapshotOptions& options, const Look& look, double joint_threshold)
 {
     const results::ResultsReader results(results_file);
     expect_drawable(results, results_file, options.color);
@@ -58,7 +58,8 @@ std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& f
     fs::create_directories(folder, error);
     if (error) throw InputError(folder.string(), "cannot be created: " + error.message(), "give another folder");
 
-    const SceneOptions scene_options{options.color, options.deformation_scale.value_or(1), joint_threshold};
+    const SceneOptions scene_options{options.color, options.deformation_scale.value_or(1), joint_threshold,
+                                     look_of(look, results_file, results)};
     const results::RecordedModel model = in_space(results.model);
     std::vector<Scene> scenes;
     Framing framing(options.color);
@@ -66,14 +67,16 @@ std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& f
         scenes.push_back(make_scene(model, results.frame(frame), scene_options));
         framing.add(scenes.back());
     }
-    const drawing::ColorScale scale = framing.scale();
-    const Camera camera = framing.camera(options.width, options.height, is_planar(model.kinematics));
+    const drawing::ColorScale scale = scale_of(framing, scene_options.look);
+    const Camera camera = framing.camera(options.width, options.height, is_planar(model.kinematics), false, look);
     Drawing drawing(options.width, options.height);
     std::vector<fs::path> pictures;
     for (const Scene& scene : scenes) {
         const Image image = drawing.draw(scene, camera, scale, logical_pixel(options.width, options.height));
         pictures.push_back(folder / fmt::format("snapshot_{:04}_t={:.3f}s.png", pictures.size() + 1, scene.time));
-        write_page(image, scale, words_of(scene, model, scene_options), pictures.back());
+        PageText text = words_of(scene, model, scene_options);
+        text.labels = placed_labels(scene, camera);
+        write_page(image, scale, text, pictures.back());
     }
     return pictures;
 }

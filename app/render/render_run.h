@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/render/look.h"
 #include "app/results/results_reader.h"
 
 namespace voussoir::app::render
@@ -19,6 +20,6 @@ std::vector<std::size_t> choose_frames(const results::ResultsReader& results, co
 /// @throws InputError when the results hold no frame or no stress, or the folder cannot be written
 std::vector<std::filesystem::path> render_run(const std::filesystem::path& results_file,
                                               const std::filesystem::path& folder, const SnapshotOptions& options,
-                                              double joint_threshold);
+                                              const Look& look, double joint_threshold);
 
 }  // namespace voussoir::app::render

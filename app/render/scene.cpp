@@ -22,9 +22,10 @@ struct Vertices {
 
 /// The coloured quantity of each block, where all of its vertices have one value. @returns (blocks) SI
 std::vector<double> block_values(const results::RecordedModel& model, const results::RecordedFrame& frame,
-                                 SnapshotColor color)
+                                 SnapshotColor color, const LookOfRun& look)
 {
     std::vector<double> values(model.block_names.size(), 0.0);
+    if (!look.group_names.empty()) return {look.group.begin(), look.group.end()};
     const auto unknowns = static_cast<std::size_t>(unknowns_per_block(model.kinematics));
     const int dimension = is_planar(model.kinematics) ? 2 : 3;
     for (std::size_t b = 0; b < values.size(); ++b) {
@@ -43,6 +44,11 @@ std::vector<double> block_values(const results::RecordedModel& model, const resu
     return values;
 }
 
+bool is_hidden(const LookOfRun& look, int block)
+{
+    return !look.hidden.empty() && look.hidden[static_cast<std::size_t>(block)];
+}
+
 Vertices place_vertices(const results::RecordedModel& model, const results::RecordedFrame& frame,
                         const SceneOptions& options)
 {
@@ -50,7 +56,8 @@ Vertices place_vertices(const results::RecordedModel& model, const results::Reco
     const results::SurfaceMesh& mesh = model.mesh;
     const std::vector<double> positions = results::positions_of(mesh, model.kinematics, frame.state);
     std::vector<double> values;
-    if (options.color != SnapshotColor::displacement) values = block_values(model, frame, options.color);
+    if (options.color != SnapshotColor::displacement || !options.look.group_names.empty())
+        values = block_values(model, frame, options.color, options.look);
     for (std::size_t v = 0; v < mesh.vertex_block.size(); ++v) {
         const int block = mesh.vertex_block[v];
         const Vector3d actual(positions.data() + 3 * v);
@@ -122,10 +129,46 @@ void mark_joints(const results::RecordedModel& model, const results::RecordedFra
         // Blocks that have slid off each other do not lie on each other any more.
         const bool open = motion.opening > options.joint_threshold || (slid && !touch(frame, joint));
         if (!open && !slid) continue;
+        if (is_hidden(options.look, joint.block_a) && is_hidden(options.look, joint.block_b)) continue;
         for (const int face : faces_of_joint(model.mesh, before, joint))
-            add_outline(model.mesh, face, vertices.drawn, open ? scene.opened : scene.slid);
+            if (!is_hidden(options.look, model.mesh.face_block[static_cast<std::size_t>(face)]))
+                add_outline(model.mesh, face, vertices.drawn, open ? scene.opened : scene.slid);
         ++(open ? scene.opened_joints : scene.slid_joints);
     }
+}
+
+/// Names beside the middles of stones, as they are drawn.
+void add_labels(const results::RecordedModel& model, const Vertices& vertices, const LookOfRun& look, Scene& scene)
+{
+    for (std::size_t b = 0; b < look.labelled.size(); ++b) {
+        if (!look.labelled[b] || is_hidden(look, static_cast<int>(b))) continue;
+        const int first = model.mesh.block_first_vertex[b], end = model.mesh.block_first_vertex[b + 1];
+        Vector3d middle = Vector3d::Zero();
+        for (int v = first; v < end; ++v) middle += vertices.drawn[static_cast<std::size_t>(v)] / (end - first);
+        scene.labels.push_back({model.block_names[b], middle});
+    }
+}
+
+/// The forces of the contacts at the places where they act, and in stones that two forces hold the line between
+/// these: in an arch, the line of thrust.
+void add_forces(const results::RecordedModel& model, const results::RecordedFrame& frame, const LookOfRun& look,
+                Scene& scene)
+{
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& centroid : model.centroids) box.extend(centroid);
+    const double longest = box.diagonal().norm() / 6;
+    std::vector<std::vector<Vector3d>> places(model.block_names.size());
+    for (const JointResultant& contact : frame.contacts) {
+        if (!(contact.normal_force > 0) || is_hidden(look, contact.block_a) || is_hidden(look, contact.block_b))
+            continue;
+        const Vector3d place = contact.pressure_centre - frame.ground;
+        const Vector3d half = 0.5 * longest / look.largest_force * contact.force;
+        scene.forces.push_back({place - half, place + half});
+        for (const int block : {contact.block_a, contact.block_b})
+            places[static_cast<std::size_t>(block)].push_back(place);
+    }
+    for (const std::vector<Vector3d>& two : places)
+        if (two.size() == 2) scene.thrust.push_back({two[0], two[1]});
 }
 
 }  // namespace
@@ -146,8 +189,11 @@ Scene make_scene(const results::RecordedModel& model, const results::RecordedFra
     std::vector<bool> foundation(model.block_names.size(), false);
     for (const int block : model.foundations) foundation[block] = true;
     for (std::size_t face = 0; face < model.mesh.face_block.size(); ++face) {
+        if (is_hidden(options.look, model.mesh.face_block[face])) continue;
         add_face(model.mesh, static_cast<int>(face), vertices, foundation[model.mesh.face_block[face]], scene);
     }
+    add_labels(model, vertices, options.look, scene);
+    if (options.look.largest_force > 0) add_forces(model, frame, options.look, scene);
     mark_joints(model, frame, vertices, options, scene);
     return scene;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/render/look.h"
 #include "app/results/results_reader.h"
 
 namespace voussoir::app::render
@@ -14,6 +15,7 @@ struct SceneOptions {
     SnapshotColor color = SnapshotColor::displacement;
     double deformation_scale = 1;
     double joint_threshold = noteworthy_opening;  // m, an opening or a slip larger than this is marked
+    LookOfRun look = {};
 };
 
 struct Triangle {
@@ -27,12 +29,19 @@ struct Segment {
     Eigen::Vector3d from, to;  // m
 };
 
+struct Label {
+    std::string text;
+    Eigen::Vector3d place;  // m
+};
+
 struct Scene {
     double time = 0;  // s
     std::string stage;
     Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement of the ground
     std::vector<Triangle> triangles;
     std::vector<Segment> edges, opened, slid;  // outlines of faces, and of the faces of marked joints
+    std::vector<Segment> forces, thrust;  // contact forces, a sixth of the structure for the largest of the run
+    std::vector<Label> labels;
     int opened_joints = 0, slid_joints = 0;
 };
 

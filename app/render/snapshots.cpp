@@ -35,6 +35,29 @@ std::string request(const fs::path& results_file, const fs::path& folder, const 
     return text;
 }
 
+/// What asks for a second run. A title stays one line and is never an option.
+std::string beside_request(const Beside* beside)
+{
+    if (beside == nullptr) return "";
+    std::string text = "--beside\n" + fs::absolute(beside->results).string() + "\n";
+    for (std::string title : {beside->title, beside->other_title}) {
+        std::replace(title.begin(), title.end(), '\n', ' ');
+        text += "--title\n" + title + "\n";
+    }
+    return text;
+}
+
+/// Options of the helper, as they are. @throws InputError for a text of two lines
+std::string look_request(const std::vector<std::string>& look)
+{
+    std::string text;
+    for (const std::string& word : look) {
+        if (word.find('\n') != std::string::npos) throw InputError("render", word, "a text of one line");
+        text += word + "\n";
+    }
+    return text;
+}
+
 /// The helper, which must be there. @param paths that it is told of, an argument to a line
 fs::path helper_for(const std::vector<fs::path>& paths)
 {
@@ -81,13 +104,15 @@ bool has_ffmpeg()
 }
 
 std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::path& asked_folder,
-                                       const SnapshotOptions& options)
+                                       const SnapshotOptions& options, const Beside* beside,
+                                       const std::vector<std::string>& look)
 {
     // A name that begins with a dash would be taken for an option.
     const fs::path folder = asked_folder.string().starts_with('-') ? "." / asked_folder : asked_folder;
     const fs::path helper = helper_for({results_file, folder});
-    const importers::process::ChildAnswer answer =
-        importers::process::ask_child(helper, request(results_file, folder, options), seconds_allowed, max_output);
+    const importers::process::ChildAnswer answer = importers::process::ask_child(
+        helper, request(results_file, folder, options) + beside_request(beside) + look_request(look),
+        seconds_allowed, max_output);
     if (!answer.failure.empty()) {
         throw InputError(results_file.string(), "voussoir-render drew no pictures: " + answer.failure,
                          "see its message");
@@ -105,7 +130,8 @@ std::string film_name(FilmFormat format)
 }
 
 void request_film(const fs::path& results_file, const fs::path& asked_film, const FilmOptions& options,
-                  const std::function<void(int done, int all)>& told)
+                  const std::function<void(int done, int all)>& told, const Beside* beside,
+                  const std::vector<std::string>& look)
 {
     constexpr double hours_allowed = 24;
     const fs::path film = fs::absolute(asked_film), helper = helper_for({results_file, film});
@@ -114,6 +140,7 @@ void request_film(const fs::path& results_file, const fs::path& asked_film, cons
                                    name_of(options.color), options.width, options.height);
     text += fmt::format("--fps\n{}\n--slow-down\n{}\n", options.frames_per_second, options.slow_down);
     if (options.deformation_scale) text += fmt::format("--deformation-scale\n{}\n", *options.deformation_scale);
+    text += beside_request(beside) + look_request(look);
     const auto on_line = [&](const std::string& line) {
         int done = 0, all = 0;
         if (told && std::sscanf(line.c_str(), "frame %d of %d", &done, &all) == 2) told(done, all);

@@ -28,7 +28,19 @@ struct Section {
     std::vector<std::string> points;  // a list
     std::vector<Table> tables;
     std::vector<Picture> pictures;
-    std::string verbatim;  // as it was written, line by line
+    std::string verbatim;   // as it was written, line by line
+    bool has_view = false;  // the interactive view stands here, on a page
+};
+
+/// A script, and the hash by which a page's policy lets it run.
+struct ViewScript {
+    std::string hash, text;  // "sha256-..."; both empty where there is none
+};
+
+/// What makes a page's interactive view.
+struct InteractiveView {
+    ViewScript script;
+    std::string data;  // JSON without "<"; empty: no view
 };
 
 struct Document {
@@ -39,6 +51,8 @@ struct Document {
     std::string mechanism;       // name_of(MechanismKind)
     std::string mechanism_line;  // in words
     std::vector<Section> sections;
+    InteractiveView view;
+    std::string companions = "report";  // folder of its tables and pictures
 };
 
 /// One page with all pictures in it, which asks nothing of any network and prints.

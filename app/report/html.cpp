@@ -1,9 +1,9 @@
 // The page: everything inside, texts escaped, a policy that forbids the browser to fetch anything.
-#include <array>
 #include <fstream>
 #include <iterator>
 #include <string_view>
 
+#include "app/report/base64.h"
 #include "app/report/document.h"
 
 namespace voussoir::app::report
@@ -11,7 +11,7 @@ namespace voussoir::app::report
 namespace
 {
 
-constexpr std::uintmax_t largest_film = 8 << 20;  // bytes; base64 makes a third more of it
+constexpr std::uintmax_t largest_film = 6 << 20;  // bytes; base64 makes a third more of it
 
 constexpr const char* style = R"(
 :root { --ink: #22252b; --faint: #616672; --line: #d8dce2; --accent: #31688e; }
@@ -34,7 +34,26 @@ figure { margin: 1rem 0 1.6rem; break-inside: avoid; }
 figure img, figure video { width: 100%; height: auto; border: 1px solid var(--line); display: block; }
 figcaption, .more { color: var(--faint); font-size: .88rem; }
 pre { font-size: .78rem; line-height: 1.4; background: #f6f7f9; padding: 1rem; white-space: pre-wrap; }
-@media print { body { max-width: none; padding: 0; font-size: 11pt; } nav, .film, section:has(> .film) { display: none; }
+#view h3 { margin: 0; font-size: 1.05rem; overflow-wrap: anywhere; }
+#view p { margin: .2rem 0 .6rem; }
+.view-body { display: flex; flex-wrap: wrap; gap: 1rem; align-items: flex-start; }
+.view-stage { position: relative; flex: 3 1 24rem; min-width: 0; }
+.view-stage canvas { display: block; width: 100%; border: 1px solid var(--line); touch-action: none; }
+.view-stage canvas:focus { outline: 2px solid var(--accent); }
+.view-panel { flex: 1 1 15rem; min-width: 0; max-height: 32rem; overflow: auto; }
+#view th, #view td { padding-right: .3rem; font-size: .8rem; }
+#view td + td { white-space: nowrap; }
+.view-panel button { all: unset; color: var(--accent); cursor: pointer; overflow-wrap: anywhere; }
+.view-panel button:focus-visible { outline: 2px solid var(--accent); }
+.view-history { width: 100%; height: auto; font-family: inherit; }
+.view-legend { position: absolute; left: .6rem; bottom: .6rem; font-size: .8rem; background: #ffffffd0; padding: .15rem .5rem; }
+.view-scale { display: inline-block; width: 8rem; height: .7rem; margin: 0 .4rem;
+  background: linear-gradient(90deg, #440154, #482878, #3e4989, #31688e, #26828e, #1f9e89, #35b779, #6ece58, #b5de2b, #fde725); }
+.view-swatch { display: inline-block; width: .8rem; height: .8rem; margin-right: .4rem; }
+.view-bar { display: flex; flex-wrap: wrap; align-items: center; gap: .4rem 1rem; margin: .6rem 0; font-size: .88rem; }
+.view-bar input { flex: 1 1 12rem; }
+@media print { body { max-width: none; padding: 0; font-size: 11pt; }
+  nav, .film, section:has(> .film), section:has(> #view) { display: none; }
   table { font-size: 8.5pt; } th, td { padding-right: .4rem; }
   h2 { break-after: avoid; } tr { break-inside: avoid; } figure img { max-height: 22cm; width: auto; max-width: 100%; } }
 )";
@@ -65,21 +84,6 @@ std::string bytes_of(const std::filesystem::path& file)
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-std::string base64(const std::string& bytes)
-{
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve(bytes.size() / 3 * 4 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63U];
-    }
-    return text;
-}
-
 std::string picture(const Picture& of)
 {
     const std::string caption = "<figcaption>" + escaped(of.caption) + "</figcaption></figure>\n";
@@ -99,7 +103,7 @@ bool is_number(const std::string& cell)
     return !cell.empty() && cell.find_first_not_of("0123456789.+-e") == std::string::npos;
 }
 
-std::string table(const Table& of)
+std::string table(const Table& of, const std::string& folder)
 {
     std::string text = "<table><caption>" + escaped(of.title) + "</caption>\n<thead><tr>";
     for (const std::string& column : of.columns) text += "<th>" + escaped(column) + "</th>";
@@ -112,12 +116,12 @@ std::string table(const Table& of)
     }
     text += "</tbody></table>\n";
     if (of.rows.size() > of.shown)
-        text += "<p class=\"more\">" + std::to_string(of.rows.size() - of.shown) + " more rows in report/" +
-                escaped(of.name) + ".csv.</p>\n";
+        text += "<p class=\"more\">" + std::to_string(of.rows.size() - of.shown) + " more rows in " + folder +
+                "/" + escaped(of.name) + ".csv.</p>\n";
     return text;
 }
 
-std::string section(const Section& of, std::size_t number)
+std::string section(const Section& of, std::size_t number, const std::string& folder)
 {
     std::string text = "<section id=\"s" + std::to_string(number) + "\">\n<h2>" + escaped(of.title) + "</h2>\n";
     for (const std::string& paragraph : of.paragraphs) text += "<p>" + escaped(paragraph) + "</p>\n";
@@ -126,8 +130,13 @@ std::string section(const Section& of, std::size_t number)
         for (const std::string& point : of.points) text += "<li>" + escaped(point) + "</li>\n";
         text += "</ul>\n";
     }
+    if (of.has_view)
+        text +=
+            "<div id=\"view\"><p class=\"more\">The view needs a browser with scripts and WebGL; the pictures "
+            "show "
+            "the same without.</p></div>\n";
     for (const Picture& one : of.pictures) text += picture(one);
-    for (const Table& one : of.tables) text += table(one);
+    for (const Table& one : of.tables) text += table(one, folder);
     if (!of.verbatim.empty()) text += "<pre>" + escaped(of.verbatim) + "</pre>\n";
     return text + "</section>\n";
 }
@@ -136,11 +145,14 @@ std::string section(const Section& of, std::size_t number)
 
 std::string to_html(const Document& document)
 {
+    const bool has_view = !document.view.data.empty();
     std::string text =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; media-src "
         "data:; "
-        "style-src 'unsafe-inline'\">\n"
+        "style-src 'unsafe-inline'" +
+        (has_view ? "; script-src '" + document.view.script.hash + "'" : std::string()) +
+        "\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
         escaped(document.title) + "</title>\n<style>" + style + "</style>\n</head>\n";
     text += document.alarm ? "<body class=\"alarm\">\n" : "<body>\n";
@@ -149,7 +161,11 @@ std::string to_html(const Document& document)
     for (std::size_t i = 0; i < document.sections.size(); ++i)
         text += "<a href=\"#s" + std::to_string(i) + "\">" + escaped(document.sections[i].title) + "</a>";
     text += "</nav>\n";
-    for (std::size_t i = 0; i < document.sections.size(); ++i) text += section(document.sections[i], i);
+    for (std::size_t i = 0; i < document.sections.size(); ++i)
+        text += section(document.sections[i], i, document.companions);
+    if (has_view)
+        text += "<script type=\"application/json\" id=\"view-data\">" + document.view.data +
+                "</script>\n<script>" + document.view.script.text + "</script>\n";
     return text + "</body>\n</html>\n";
 }
 

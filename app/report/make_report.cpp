@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
-#include "app/plots/plots.h"
 #include "app/render/snapshots.h"
 #include "app/report/diagrams.h"
+#include "app/report/interactive_view.h"
 #include "app/report/mechanism_words.h"
+#include "app/report/pages.h"
 #include "app/report/sections.h"
-#include "app/results/atomic_file.h"
-#include "app/results/own_folder.h"
-#include "libdda/errors.h"
 
 namespace voussoir::app::report
 {
@@ -22,34 +19,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// How much displacements are magnified so that the eye sees them: where the structure moves by less than a
-/// thousandth of its size, so that it is about a fiftieth; a round number.
-double magnification(const RunRecord& record)
-{
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& centroid : record.results.model.centroids) box.extend(centroid);
-    const double size = box.isEmpty() ? 0 : box.diagonal().norm();
-    const double largest =
-        record.course.displacement.empty()
-            ? 0
-            : *std::max_element(record.course.displacement.begin(), record.course.displacement.end());
-    if (!(largest > 0) || largest > 1e-3 * size) return 1;
-    const double wanted = std::min(0.02 * size / largest, 1e4),
-                 power = std::pow(10, std::floor(std::log10(wanted)));
-    return wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
-}
-
-/// Draws, or says why not.
-template <typename Make>
-void attempt(Section& section, const char* what, const Make& make)
-{
-    try {
-        make();
-    } catch (const InputError& error) {
-        section.paragraphs.push_back(fmt::format("{}: {}.", what, error.what()));
-    }
-}
-
 /// The structure at the start of the motion, at the moment that is described, and at the end.
 Section pictures_of(const RunRecord& record, const fs::path& folder)
 {
@@ -57,7 +26,7 @@ Section pictures_of(const RunRecord& record, const fs::path& folder)
     SnapshotOptions options;
     options.width = 1280;
     options.height = 720;
-    options.deformation_scale = magnification(record);
+    options.deformation_scale = visible_magnification(record);
     options.times = {record.course.times.front(), record.mechanism.time, record.course.times.back()};
     attempt(section, "There are no pictures", [&] {
         for (const fs::path& picture : render::render_snapshots(record.file, folder, options)) {
@@ -97,7 +66,7 @@ Section film_of(const RunRecord& record, const fs::path& folder, const std::func
     options.width = 960;
     options.height = 540;
     options.slow_down = std::clamp(std::round(6 / duration), 1.0, 1e4);
-    options.deformation_scale = magnification(record);
+    options.deformation_scale = visible_magnification(record);
     attempt(section, "There is no film", [&] {
         render::request_film(record.file, folder / "film.mp4", options, told);
         section.pictures.push_back({folder / "film.mp4",
@@ -109,22 +78,24 @@ Section film_of(const RunRecord& record, const fs::path& folder, const std::func
     return section;
 }
 
-void add_diagrams(const RunRecord& record, const fs::path& folder, std::vector<Section>& sections)
+/// The view, or why there is none.
+Section view_of(const RunRecord& record, InteractiveView& view)
 {
-    const std::vector<NamedFigure> figures = diagrams_of(record);
-    std::vector<plots::Figure> drawn;
-    for (const NamedFigure& figure : figures) drawn.push_back(figure.figure);
-    if (drawn.empty()) return;
-    try {
-        plots::draw_figures(drawn, folder);
-    } catch (const InputError& error) {
-        sections.front().paragraphs.push_back(std::string("There are no diagrams: ") + error.what() + ".");
-        return;
+    Section section{"Interactive view", {}, {}, {}, {}, {}};
+    view.script = view_script();
+    if (view.script.text.empty()) {
+        section.paragraphs.emplace_back(
+            "There is none: this program was built without npm, which brings the library that draws it.");
+        return section;
     }
-    for (const NamedFigure& figure : figures)
-        for (Section& section : sections)
-            if (section.title == figure.section)
-                section.pictures.push_back({folder / (figure.figure.name + ".png"), figure.caption});
+    view.data = view_data(record, visible_magnification(record));
+    section.has_view = !view.data.empty();
+    section.paragraphs.emplace_back(
+        section.has_view
+            ? "The page report.html shows the stones as they moved relative to the ground, to be turned "
+              "and played. Joints open by more than 0.1 mm are red, those that slid are orange."
+            : "There is none: this structure has too many stones for one page.");
+    return section;
 }
 
 Document document_of(const RunRecord& record, const fs::path& folder, bool film,
@@ -139,6 +110,7 @@ Document document_of(const RunRecord& record, const fs::path& folder, bool film,
     document.mechanism_line = words_of(record.mechanism, record.results.model, record.course).headline;
     document.sections.push_back(key_results(record));
     document.sections.push_back(mechanism_section(record));
+    document.sections.push_back(view_of(record, document.view));
     document.sections.push_back(pictures_of(record, folder));
     if (film) document.sections.push_back(film_of(record, folder, told));
     document.sections.push_back({"Histories", {}, {}, {}, {}, {}});
@@ -148,11 +120,8 @@ Document document_of(const RunRecord& record, const fs::path& folder, bool film,
     document.sections.push_back(how_well_computed(record));
     document.sections.push_back(assumptions(record));
     document.sections.push_back(how_to_reproduce(record));
-    add_diagrams(record, folder, document.sections);
-    std::erase_if(document.sections, [](const Section& section) {
-        return section.paragraphs.empty() && section.points.empty() && section.tables.empty() &&
-               section.pictures.empty() && section.verbatim.empty();
-    });
+    add_diagrams(diagrams_of(record), folder, document.sections);
+    drop_empty_sections(document);
     return document;
 }
 
@@ -162,17 +131,8 @@ std::vector<fs::path> make_report(const fs::path& results_file, const fs::path& 
                                   const std::function<void(int done, int all)>& told)
 {
     const RunRecord record(fs::absolute(results_file));
-    const fs::path companions = fs::absolute(folder) / "report";
-    results::make_own_folder(companions);
-    const Document document = document_of(record, companions, film, told);
-    for (const Section& section : document.sections)
-        for (const Table& table : section.tables)
-            results::write_atomically(companions / (table.name + ".csv"), to_csv(table));
-    const std::vector<fs::path> files = {folder / "report.html", folder / "report.md", folder / "report.json"};
-    results::write_atomically(files[1], to_markdown(document, fs::absolute(folder)));
-    results::write_atomically(files[2], to_json(document));
-    results::write_atomically(files[0], to_html(document));
-    return {files[0], files[1], files[2], folder / "report"};
+    const fs::path companions = companions_folder(folder, "report");
+    return write_document(document_of(record, companions, film, told), folder, "report");
 }
 
 }  // namespace voussoir::app::report

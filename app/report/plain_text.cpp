@@ -27,14 +27,15 @@ std::string row(const std::vector<std::string>& cells)
     return text + "\n";
 }
 
-std::string table(const Table& of)
+std::string table(const Table& of, const std::string& folder)
 {
     std::string text = "**" + plain(of.title) + "**\n\n" + row(of.columns) + "|";
     for (std::size_t i = 0; i < of.columns.size(); ++i) text += "---|";
     text += "\n";
     for (std::size_t i = 0; i < of.rows.size() && i < of.shown; ++i) text += row(of.rows[i]);
     if (of.rows.size() > of.shown)
-        text += "\n" + std::to_string(of.rows.size() - of.shown) + " more rows in report/" + of.name + ".csv.\n";
+        text += "\n" + std::to_string(of.rows.size() - of.shown) + " more rows in " + folder + "/" + of.name +
+                ".csv.\n";
     return text + "\n";
 }
 
@@ -60,7 +61,7 @@ std::string to_markdown(const Document& document, const std::filesystem::path& f
         for (const Picture& picture : section.pictures)
             text += std::string(picture.is_film ? "" : "!") + "[" + plain(picture.caption) + "](<" +
                     picture.file.lexically_relative(folder).generic_string() + ">)\n\n";
-        for (const Table& one : section.tables) text += table(one);
+        for (const Table& one : section.tables) text += table(one, document.companions);
         if (!section.verbatim.empty()) text += code(section.verbatim);
     }
     return text;

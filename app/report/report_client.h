@@ -16,4 +16,10 @@ std::vector<std::filesystem::path> request_report(const std::filesystem::path& r
                                                   const std::filesystem::path& folder, bool film,
                                                   const std::function<void(int done, int all)>& told = {});
 
+/// The comparison of two runs: comparison.html and its companions, by the same helper.
+std::vector<std::filesystem::path> request_comparison(const std::filesystem::path& a,
+                                                      const std::filesystem::path& b,
+                                                      const std::filesystem::path& folder, bool film,
+                                                      const std::function<void(int done, int all)>& told = {});
+
 }  // namespace voussoir::app::report

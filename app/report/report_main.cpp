@@ -1,11 +1,13 @@
-// voussoir-report: the report of a run. Reads from its standard input, one to a line, the results file, the folder
-// to write into, and "film" or "no film"; writes the files that it made.
+// voussoir-report: the report of a run, or the comparison of two. Reads from its standard input, one to a line,
+// the results file, the folder to write into, "film" or "no film", and the other results file, if two are
+// compared; writes the names of the files that it made.
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/report/comparison.h"
 #include "app/report/make_report.h"
 #include "importers/process/own_limits.h"
 #include "importers/process/program_start.h"
@@ -16,17 +18,19 @@ namespace
 
 void report()
 {
-    std::string results, folder, film;
+    std::string results, folder, film, other;
     std::getline(std::cin, results);
     std::getline(std::cin, folder);
     std::getline(std::cin, film);
+    std::getline(std::cin, other);
     const auto told = [](int done, int all) {
         fmt::print("frame {} of {}\n", done, all);
         std::fflush(stdout);
     };
-    for (const std::filesystem::path& file :
-         voussoir::app::report::make_report(results, folder, film == "film", told))
-        fmt::print("made {}\n", file.string());
+    namespace report = voussoir::app::report;
+    const auto made = other.empty() ? report::make_report(results, folder, film == "film", told)
+                                    : report::make_comparison(results, other, folder, film == "film", told);
+    for (const std::filesystem::path& file : made) fmt::print("made {}\n", file.string());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/results/hdf5_detail.h"
+#include "app/results/units.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::results
@@ -118,9 +119,16 @@ void Hdf5File::write_dataset(const std::string& name, std::int64_t type, const H
     Hdf5Id dataset(
         check(H5Dcreate2(file_.get(), name.c_str(), type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
               name));
+    write_unit(name);
     if (H5Sget_simple_extent_npoints(space.get()) != 0)
         check(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
     check(dataset.close(), name);  // a small one is written only here
+}
+
+void Hdf5File::write_unit(const std::string& dataset)
+{
+    if (const std::string_view unit = unit_of(dataset); !unit.empty())
+        attribute(dataset, "unit", std::string(unit));
 }
 
 void Hdf5File::write_values(const std::string& name, ElementType type, const void* values, const Extents& extents)
@@ -196,6 +204,7 @@ Hdf5Series Hdf5File::make_series(const std::string& name, ElementType type, cons
     series.dataset = Hdf5Id(check(
         H5Dcreate2(file_.get(), name.c_str(), native(type), space.get(), H5P_DEFAULT, create.get(), access.get()),
         name));
+    write_unit(name);
     return series;
 }
 

@@ -142,6 +142,7 @@ class Hdf5File
     }
 
  private:
+    void write_unit(const std::string& dataset);
     void write_dataset(const std::string& name, std::int64_t type, const Hdf5Id& space, const void* values);
     void write_attribute(const std::string& object, const std::string& name, std::int64_t type,
                          const Hdf5Id& space, const void* value);

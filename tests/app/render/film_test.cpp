@@ -2,6 +2,7 @@
 // fails.
 #include "app/render/film.h"
 
+#include <cairo.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -226,6 +227,36 @@ TEST_F(FilmFile, ARunMakesTheOneItsCaseAsksFor)
     EXPECT_EQ(probed(folder_.path() / "results/video.mp4"), "h264,240,200,yuv420p,25/1,11") << "0.4 s of film";
     EXPECT_NE(output_.find("results/video.mp4"), std::string::npos) << output_;
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "results/video.gif"));
+}
+
+TEST(Beside, BothRunsHaveTheirHalfOnOneScale)
+{
+    const TemporaryFolder one, other;
+    const std::filesystem::path a = run_of(one.path(), 2, Outcome::completed),
+                                b = run_of(other.path(), 1, Outcome::collapsed);
+    SnapshotOptions options;
+    options.width = 800;
+    options.height = 300;
+    options.times = {0.5, 2};
+    const auto halves = [&](const std::filesystem::path& left, const std::filesystem::path& right) {
+        std::vector<bool> alike;
+        for (const auto& picture :
+             render_beside({{left, "A: one"}, {right, "A: one"}}, one.path() / "both", options, {}, 1e-4)) {
+            cairo_surface_t* surface = cairo_image_surface_create_from_png(picture.c_str());
+            EXPECT_EQ(cairo_image_surface_get_width(surface), 800);
+            const unsigned char* bytes = cairo_image_surface_get_data(surface);
+            const int stride = cairo_image_surface_get_stride(surface);
+            bool same = true;
+            for (int y = 0; y < 300; ++y)
+                same =
+                    same && std::equal(bytes + y * stride, bytes + y * stride + 1600, bytes + y * stride + 1600);
+            alike.push_back(same);
+            cairo_surface_destroy(surface);
+        }
+        return alike;
+    };
+    EXPECT_EQ(halves(a, a), (std::vector<bool>{true, true}));
+    EXPECT_EQ(halves(a, b), (std::vector<bool>{true, false})) << "b ends at 1 s and says so";
 }
 
 TEST_F(FilmFile, WithoutFfmpegACaseThatWantsAFilmIsRefusedBeforeItRuns)
