@@ -1,5 +1,4 @@
 #include "records/record.h"
-#include "app/commands/say.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +7,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
 #include "app/commands/record_set.h"
+#include "app/commands/say.h"
 #include "app/reader/motion_text.h"
 #include "app/reader/processing.h"
 #include "libdda/errors.h"
@@ -30,7 +30,7 @@ void announce(const std::filesystem::path& file)
     constexpr double long_file = 64e6;  // bytes
     std::error_code error;
     const auto size = static_cast<double>(std::filesystem::file_size(file, error));
-    if (!error && size > long_file) fmt::print(stderr, "{}: reading {:.0f} MB\n", file.string(), size / 1e6);
+    if (!error && size > long_file) complain(fmt::format("{}: reading {:.0f} MB", file.string(), size / 1e6));
 }
 
 /// The name of a file without what says how it is packed and written.

@@ -36,7 +36,7 @@ class Telling
         const auto now = std::chrono::steady_clock::now();
         if (share >= 1 || now - told_ < std::chrono::seconds(1)) return;
         told_ = now;
-        fmt::print(stderr, "{}: measuring, {:.0f} %\n", what_, 100 * share);
+        complain(fmt::format("{}: measuring, {:.0f} %", what_, 100 * share));
     }
 
     std::string what_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 
 #include "app/render/snapshots.h"
 #include "app/report/diagrams.h"
