@@ -24,7 +24,6 @@
 #include "app/results/results_writer.h"
 #include "app/results/run_lock.h"
 #include "app/words/diagnosis_words.h"
-#include "libdda/analysis/energies.h"
 #include "libdda/analysis/joint_openings.h"
 #include "libdda/errors.h"
 
@@ -202,7 +201,7 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
         if (!quiet) say(fmt::format("continues from {}", place_of(the_case, *restart)));
     } else {
         start.state = initial_state(the_case.model);
-        start.position.report.energy = open_ledger(the_case.model, start.state);
+        start.position = start_position(the_case.model, the_case.stages, start.state);
     }
     std::unique_ptr<results::ResultsWriter> writer =
         restart ? std::make_unique<results::ResultsWriter>(the_case, folder, *restart)

@@ -12,6 +12,7 @@
 #include "app/report/mechanism_words.h"
 #include "app/report/pages.h"
 #include "app/report/sections.h"
+#include "app/results/own_folder.h"
 
 namespace voussoir::app::report
 {

@@ -132,11 +132,17 @@ void add_last_warnings(RunReport& report)
 
 }  // namespace
 
-RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer)
+RunPosition start_position(const Model& model, const std::vector<Stage>& stages, State& state)
 {
     hold_back_motion(model, stages, state);
     RunPosition position;
     position.report.energy = open_ledger(model, state);
+    return position;
+}
+
+RunReport run(const Model& model, const std::vector<Stage>& stages, State& state, const RunObserver& observer)
+{
+    RunPosition position = start_position(model, stages, state);
     position.multiples = driver::multiples_until(state.stage_time, observer.every);
     return run(model, stages, state, observer, std::move(position));
 }
