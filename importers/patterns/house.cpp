@@ -80,7 +80,7 @@ std::vector<MasonryBlock> house(const House& house)
     add_base(house.name, house.base, {house.length, house.width}, false, cells);
     for (const Facade& facade : facades) lay(facade, beds, block, house.lintel, cells, faults);
     if (faults.empty() && cells.size() <= (house.base.height > 0 ? 1U : 0U))
-        faults.push_back({"openings", "no wall remainss", "leave some wall beside or above the openings"});
+        faults.push_back({"openings", "no wall remains", "leave some wall beside or above the openings"});
     if (!faults.empty()) throw InputError(faults);
     return blocks_in(cells, house.imperfection, false, house.placement);
 }

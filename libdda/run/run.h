@@ -45,8 +45,8 @@ struct RunObserver {
     std::function<bool()> stop;
 };
 
-/// Where a run that has not begun stands: the energies of `state`. Initial motions wait for the first dynamic stage,
-/// so `state` loses them if a static one comes first.
+/// Where a run that has not begun stands: the energies of `state`. Initial motions wait for the first dynamic
+/// stage, so `state` loses them if a static one comes first.
 RunPosition start_position(const Model& model, const std::vector<Stage>& stages, State& state);
 
 /// Runs the stages from `state` (which names the stage and time to go on from) to the end. Never throws for

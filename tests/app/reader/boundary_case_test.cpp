@@ -223,7 +223,6 @@ TEST(SoilCase, SaysWhatIsWrongWithPeriodicSides)
     says(soil("") + "periodic_sides: {blocks: soil, sides: [left]}\n", "not opposite");
     says(soil("") + "periodic_sides: {blocks: soil, sides: [left, far]}\n", "expected bottom, top, left");
     says(soil("") + "periodic_sides: {blocks: sol, sides: [left, right]}\n", "soil");
-    says(soil("") + "periodic_sides: {blocks: soil, sides: [bottom, top]}\n", "cut both sides");
     says(ground("periodic_sides: {blocks: soil, sides: [left, right]}\n", ""), "use tied_sides");
 }
 
