@@ -180,7 +180,8 @@ TEST_F(Report, AKilledRunSaysSoFirst)
                   planar_case("A tower", drums,
                               "stages: [{name: long, type: dynamic, duration: 1000 s, time_step: 1 ms, "
                               "motion: {x: {sine: {acceleration: 0.1 g, frequency: 2 Hz}}}}]\n"));
-    const std::string run = "'" VOUSSOIR_PROGRAM "' run case.yaml -o results -q & sleep 2; kill -9 $!";
+    const std::string run =
+        "'" VOUSSOIR_PROGRAM "' run case.yaml -o results -q --set 'output.every=10 ms' & sleep 6; kill -9 $!";
     ASSERT_EQ(std::system(("cd '" + folder_.path().string() + "' && " + run).c_str()), 0);
     const Json report = report_of_results();
     EXPECT_EQ(report.at("outcome"), "unfinished");
