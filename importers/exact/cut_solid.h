@@ -9,11 +9,14 @@
 namespace voussoir::importers::exact
 {
 
+/// Where to cut.
 struct CutPlane {
     Eigen::Vector3d anchor, normal;  // m; unit
+    /// How far a point lies before the plane [m].
     double distance(const Eigen::Vector3d& x) const { return normal.dot(x - anchor); }
 };
 
+/// What a cut leaves on the two sides of its plane.
 struct Halves {
     std::vector<TriangleSurface> behind, before;  // each connected piece for itself, with its cavities
 };

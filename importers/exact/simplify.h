@@ -12,7 +12,7 @@ namespace voussoir::importers::exact
 
 /// How simple, and how near.
 struct SimplifyOptions {
-    int max_parts = 64;
+    int max_parts = 64;       // convex ones
     double volume_error = 0;  // share of the volume by which the parts may exceed the stone; 0: any
     double planarity = 1e-5;  // share of the diagonal by which a face of a part may bulge
 };

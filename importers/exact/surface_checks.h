@@ -15,10 +15,11 @@ namespace voussoir::importers::exact
 /// the surface is then untouched
 bool orient_consistently(mesh::PolygonSurface& surface);
 
+/// What an examination found.
 struct SurfaceExamination {
-    std::vector<Eigen::Vector3i> triangles;  // of all faces, in the faces' direction
-    std::vector<int> face_of_triangle;
-    std::vector<int> faces_without_area;
+    std::vector<Eigen::Vector3i> triangles;           // of all faces, in the faces' direction
+    std::vector<int> face_of_triangle;                // by triangle
+    std::vector<int> faces_without_area;              // which have no triangles
     std::vector<std::pair<int, int>> crossing_faces;  // pairs that cut or overlap each other, each once
 };
 

@@ -17,7 +17,7 @@ struct Misfit {
 
 /// Largest misfits of a model's joints as drawn.
 struct DrawnMisfit {
-    Misfit overlap, gap;
+    Misfit overlap, gap;  // the deepest and the widest
 
     /// Tolerance within which all stones fit [m]: the larger of the two, rounded up to two digits. 0: they do fit.
     double tolerance() const;
@@ -31,7 +31,7 @@ DrawnMisfit drawn_misfit(const Model& model);
 
 /// A stone that sinks too deep into what it stands on.
 struct SoftStone {
-    int block = 0;
+    int block = 0;      // which it is
     double depth = 0;   // m, on the mean over its joints
     double share = 0;   // -, of the least width of the thinner of the two stones
     double factor = 0;  // by which its joints must be stiffer to be accepted

@@ -4,6 +4,7 @@
 namespace voussoir
 {
 
+/// What an integrator does to one mode.
 struct IntegratorAccuracy {
     double damping = 0;       // -, share of critical
     double period_error = 0;  // -, > 0: the computed period is too long

@@ -35,13 +35,15 @@ enum class ModesOutcome {
     failed,          // no convergence, or a stiffness that is not positive
 };
 
+/// The modes found, and what became of the search.
 struct NaturalModes {
-    ModesOutcome outcome = ModesOutcome::nothing_closed;
-    std::vector<NaturalMode> modes;  // rising frequencies, none of them 0
-    int loose = 0;                   // modes of frequency 0 that were met: stones that nothing holds
-    bool rigid = false;              // the stones are: joints stand for their elasticity
+    ModesOutcome outcome = ModesOutcome::nothing_closed;  // of the search
+    std::vector<NaturalMode> modes;                       // rising frequencies, none of them 0
+    int loose = 0;       // modes of frequency 0 that were met: stones that nothing holds
+    bool rigid = false;  // the stones are: joints stand for their elasticity
 };
 
+/// How many modes are wanted, and what they may cost.
 struct ModesSearch {
     int count = 6;                                          // modes wanted
     double most_work = std::numeric_limits<double>::max();  // floating-point operations

@@ -26,8 +26,8 @@ constexpr double least_mass_share = 0.05;          // of a mode that matters, al
 /// What was noted when the motion began, or would begin.
 struct TrustStart {
     bool at_rest = false;  // after a static stage; else in the state the run began with
-    NaturalModes modes;
-    EnergyLedger energy;
+    NaturalModes modes;    // of the structure as it stood
+    EnergyLedger energy;   // what had been booked by then
 };
 
 /// What is done to a vibration, as shares of critical damping.
@@ -54,6 +54,7 @@ struct EnergyShares {
 
 /// A limit that is exceeded.
 struct TrustFinding {
+    /// What is beyond its limit.
     enum class Kind {
         algorithmic_damping,  // of a vibration
         dashpots,             // the same
@@ -62,21 +63,22 @@ struct TrustFinding {
         stiff_stones,         // that do not bend
         integrator_energy,    // taken
     };
-    Kind kind = Kind::algorithmic_damping;
+    Kind kind = Kind::algorithmic_damping;  // of limit
     double frequency = 0;  // Hz, of the slowest vibration that is beyond the limit, if it is about vibrations
     double value = 0;      // what is too much of that one
     double limit = 0;      // of it
     double worst = 1;      // value / limit of the worst one
 };
 
+/// How much to trust a run.
 struct Trust {
-    TrustStart start;
-    int stage = -1;  // the dynamic stage that damps most; -1 in a case without
+    TrustStart start;  // when the motion began
+    int stage = -1;    // the dynamic stage that damps most; -1 in a case without
     std::vector<DampingAt>
         damping;            // of every mode; at 1, 5 and 10 Hz where no mode matters; empty without a stage
     bool of_modes = false;  // the damping is that of the modes
     EnergyShares shares;    // of what has been run so far
-    std::vector<TrustFinding> findings;
+    std::vector<TrustFinding> findings;  // what is beyond its limit; empty: nothing is
 };
 
 /// Judges a run. @param now its ledger; that of `start` if it has not run yet

@@ -28,11 +28,11 @@ struct VibratingPoint {
 /// What vibrates: the blocks with unknowns that a closed joint holds.
 template <class K>
 struct Vibration {
-    solve::BlockMatrix stiffness;
-    std::vector<double> mass;              // (rows x unknowns x unknowns)
-    std::vector<double> translating_mass;  // (rows x dimension) kg; 0 where it is held
-    std::vector<int> block_of_row;
-    std::vector<VibratingPoint<K>> points;
+    solve::BlockMatrix stiffness;           // N/m and the like, by row
+    std::vector<double> mass;               // (rows x unknowns x unknowns)
+    std::vector<double> translating_mass;   // (rows x dimension) kg; 0 where it is held
+    std::vector<int> block_of_row;          // the blocks with unknowns
+    std::vector<VibratingPoint<K>> points;  // of closed joints
 };
 
 /// @param state at rest; its velocities do not count

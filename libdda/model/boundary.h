@@ -28,9 +28,9 @@ enum class RestSupport {
 /// Faces with dashpots of the impedance of their own block: rho c_p along the normal, rho c_s across it.
 /// Source: [LysmerKuhlemeyer1969].
 struct ViscousBoundary {
-    std::string name;              // as in the case file
-    std::vector<BlockFace> faces;  // of deformable blocks that are not held
-    RestSupport at_rest = RestSupport::full;
+    std::string name;                         // as in the case file
+    std::vector<BlockFace> faces;             // of deformable blocks that are not held
+    RestSupport at_rest = RestSupport::full;  // what carries the faces until the motion begins
     // One per face, of Model::tied_sides: ground that moves as it would without the model. Dashpots are between
     // the two, and its stress presses on the face; it feels nothing of that. Empty: dashpots against ground at
     // rest
