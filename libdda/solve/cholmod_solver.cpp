@@ -23,6 +23,13 @@ class CholmodSolver : public LinearSolver
         return report;
     }
 
+    bool prepare(const BlockMatrix& matrix) override { return factor_.factorise(matrix); }
+    void precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) override
+    {
+        factor_.solve(r, columns_);
+        z = columns_.col(0);
+    }
+
  private:
     CholmodFactor factor_;
     Eigen::MatrixXd columns_;  // scratch

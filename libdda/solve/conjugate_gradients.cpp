@@ -123,13 +123,46 @@ class ConjugateGradientSolver : public LinearSolver
         }
     }
 
+    bool prepare(const BlockMatrix& matrix) override
+    {
+        switch (matrix.block_size) {
+            case 12:
+                return factorise<Kernels<12>>(matrix);
+            case 6:
+                return factorise<Kernels<6>>(matrix);
+            case 3:
+                return factorise<Kernels<3>>(matrix);
+            default:
+                return false;
+        }
+    }
+
+    void precondition(const VectorXd& r, VectorXd& z) override
+    {
+        switch (factor_.block_size) {
+            case 12:
+                return Kernels<12>::precondition(factor_, r, z);
+            case 6:
+                return Kernels<6>::precondition(factor_, r, z);
+            default:
+                return Kernels<3>::precondition(factor_, r, z);
+        }
+    }
+
  private:
     template <class K>
-    LinearReport iterate(const BlockMatrix& a, const VectorXd& b, VectorXd& x)
+    bool factorise(const BlockMatrix& a)
     {
         if (factor_.columns != a.columns || factor_.row_start != a.row_start) factor_ = a;
         factor_.block_size = a.block_size;
         K::factorise(a, factor_);
+        return true;
+    }
+
+    template <class K>
+    LinearReport iterate(const BlockMatrix& a, const VectorXd& b, VectorXd& x)
+    {
+        factorise<K>(a);
         LinearReport report{false, 1, 0, static_cast<std::int64_t>(factor_.values.size())};
 
         x.setZero(b.size());
@@ -164,6 +197,19 @@ class ConjugateGradientSolver : public LinearSolver
 };
 
 }  // namespace
+
+void multiply(const BlockMatrix& matrix, const VectorXd& x, VectorXd& y)
+{
+    y.resize(x.size());
+    switch (matrix.block_size) {
+        case 12:
+            return Kernels<12>::multiply(matrix, x, y);
+        case 6:
+            return Kernels<6>::multiply(matrix, x, y);
+        default:
+            return Kernels<3>::multiply(matrix, x, y);
+    }
+}
 
 std::unique_ptr<LinearSolver> make_conjugate_gradient_solver(double tolerance, int max_iterations)
 {

@@ -28,6 +28,9 @@ class FallbackSolver : public LinearSolver
         return report;
     }
 
+    bool prepare(const BlockMatrix& matrix) override { return iterative_->prepare(matrix); }
+    void precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) override { iterative_->precondition(r, z); }
+
  private:
     std::unique_ptr<LinearSolver> iterative_, direct_;
 };

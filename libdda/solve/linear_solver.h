@@ -26,6 +26,10 @@ class LinearSolver
     /// @param matrix SPD; @param right_hand_side, solution (rows x block_size)
     virtual LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
                                Eigen::VectorXd& solution) = 0;
+    /// Gets ready to precondition systems that are near this one. @returns false if that is not possible
+    virtual bool prepare(const BlockMatrix& matrix) = 0;
+    /// z = K^-1 r, or nearly, with the matrix last prepared or solved with.
+    virtual void precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) = 0;
 };
 
 /// The member asked for. `automatic` is conjugate gradients, with CHOLMOD when they do not converge.

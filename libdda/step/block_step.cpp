@@ -202,12 +202,6 @@ void predict(const State& state, int block, double h, const Jump<K>* jump, Block
         step.velocity.template tail<K::spins>() = step.predicted_spin;
 }
 
-/// Whether a stage seeks motion in time, in which blocks are damped, and not rest.
-bool is_motion(const Stage& stage)
-{
-    return stage.type == StageType::dynamic && !stage.boundaries_carry;
-}
-
 /// The b of the block's Rayleigh damping [s]; static stages have none.
 double stiffness_damping(const Model& model, const Stage& stage, int block)
 {
@@ -299,6 +293,11 @@ void take_elasticity_at_end(BlockStep<K>& step)
         step.base = step.inertia;
         add_elastic_stiffness<K::dimension>(step.elasticity, step.predicted.map, blend, step.base);
     }
+}
+
+bool is_motion(const Stage& stage)
+{
+    return stage.type == StageType::dynamic && !stage.boundaries_carry;
 }
 
 double end_share(const Stage& stage)

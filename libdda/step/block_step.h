@@ -87,6 +87,10 @@ struct InternalForce {
     bool admissible = true;                            // false when the block would turn inside out
 };
 
+/// Whether a stage seeks motion in time, in which blocks are damped, and not rest: stones that are let go on the
+/// way to rest do not.
+bool is_motion(const Stage& stage);
+
 /// Share of the forces of the end of the step that is taken beyond the mean: theta of the integrator. Newmark,
 /// static stages and the published springs know the end of the step only.
 double end_share(const Stage& stage);

@@ -88,12 +88,15 @@ void shear_force(double friction, FrictionBound rule, const PatchStep<K>& patch,
         return;
     }
     if (rule == FrictionBound::exact) p.bound = friction * p.normal;
-    if (p.speed > 0 && p.normal > 0 && p.heading.dot(move) < half_way(p, patch.h)) {
+    const bool slides = p.speed > 0 && p.normal > 0;
+    if (slides && p.heading.dot(move) < half_way(p, patch.h)) {
         turn_round(move, patch, p);
         return;
     }
     const double length = p.trial.norm();
-    if (length <= p.bound) {
+    // A joint that slides all through the step has all its friction, even where its spring would not give as much
+    // yet: what presses it may have grown.
+    if (length <= p.bound && !slides) {
         p.status = p.normal > 0 ? ContactStatus::locked : ContactStatus::open;
         p.shear = p.trial;
     } else {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "libdda/step/line_search.h"
 #include "libdda/step/strength.h"
 
 namespace voussoir::step
@@ -15,14 +16,16 @@ namespace
 {
 
 constexpr int patience = 3;  // iterations that stall, or that overshoot, before the line search changes its ways
+constexpr double sound_gain = 0.5;  // of the residual: more is left by a step along a tangent that does not hold
+constexpr int rest_after_none = 2;  // iterations after such a step
 
 // Many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
-constexpr double softness = 1.0 / 128;     // of the stiffness; a power of two, which rounds nothing
-constexpr double softest = 1.0 / 65536;    // the same in a static step, in which hardly any inertia helps
-constexpr double hardening = 4;            // from there, each time by this
-constexpr double soft_tolerance = 1e-2;    // unbalanced force / load: only the states of the contacts are wanted
-constexpr double many_changes = 0.05;      // of the points
-constexpr std::ptrdiff_t few_changes = 8;  // points
+constexpr double softness = 1.0 / 128;   // of the stiffness; a power of two, which rounds nothing
+constexpr double softest = 1.0 / 65536;  // the same in a static step, in which hardly any inertia helps
+constexpr double hardening = 4;          // from there, each time by this
+constexpr double soft_tolerance = 1e-2;  // unbalanced force / load: only the states of the contacts are wanted
+constexpr double many_changes = 0.05;    // of the points
+constexpr std::size_t few_changes = 8;   // points
 
 struct Unbalance {
     double worst = 0;  // largest residual / tolerance of a block
@@ -69,49 +72,6 @@ double tension_energy(const ContactStep<K>& contacts, int patch)
     return energy;
 }
 
-/// Unbalanced force along the direction at d + s direction: with the bound frozen, the derivative of the
-/// potential.
-template <class K>
-double slope_at(double s, FrictionBound bound, int threads, StepSystem<K>& system)
-{
-    system.trial = system.d + s * system.direction;
-    evaluate_contacts(system.trial, bound, threads, system.contacts);
-    if (!evaluate_residual(system.trial, system)) return std::numeric_limits<double>::infinity();
-    return system.residual.dot(system.direction);
-}
-
-/// How far to go along a direction.
-struct Reach {
-    double s = 1;
-    bool at_hand = true;  // it was the last to be evaluated
-};
-
-/// Finds s in (0, 1] with slope(s) <= 0.5 |slope(0)|: regula falsi with bisection where it stalls, at most twelve
-/// evaluations, then the end where the potential still falls.
-template <class K>
-Reach line_search(double slope_0, FrictionBound bound, bool strict, int threads, StepSystem<K>& system)
-{
-    const double enough = strict ? 0 : 0.5 * std::abs(slope_0);
-    double high = 1, slope_high = slope_at(high, bound, threads, system);
-    if (slope_high <= enough) return {high, true};
-    double low = 0, slope_low = slope_0;
-    for (int evaluation = 1; evaluation < 12; ++evaluation) {
-        double s =
-            std::isfinite(slope_high) ? low - slope_low * (high - low) / (slope_high - slope_low) : 0.5 * high;
-        if (s - low < 0.1 * (high - low) || high - s < 0.1 * (high - low)) s = 0.5 * (low + high);
-        const double slope = slope_at(s, bound, threads, system);
-        if (slope <= enough && slope >= -std::abs(0.5 * slope_0)) return {s, true};
-        if (slope > 0) {
-            high = s;
-            slope_high = slope;
-        } else {
-            low = s;
-            slope_low = slope;
-        }
-    }
-    return {low > 0 ? low : high, false};
-}
-
 bool fail(Trouble trouble, StepReport& report)
 {
     report.trouble = trouble;
@@ -130,7 +90,7 @@ bool fail_inverted(const StepSystem<K>& system, StepReport& report)
 template <int D>
 bool is_loose(const std::vector<ContactStatus>& before, const std::vector<PointStep<D>>& points)
 {
-    std::ptrdiff_t changes = 0;
+    std::size_t changes = 0;
     for (std::size_t i = 0; i < points.size(); ++i) changes += points[i].status != before[i];
     return changes > few_changes &&
            static_cast<double>(changes) > many_changes * static_cast<double>(points.size());
@@ -193,13 +153,51 @@ bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report
     return true;
 }
 
+/// Notes the states of the contact points. @returns how many differ from those noted before
+template <class K>
+std::size_t note_changes(StepSystem<K>& system)
+{
+    const auto& points = system.contacts.points;
+    const auto state_of = [](const auto& p) { return 2 * static_cast<int>(p.status) + (p.turns_round ? 1 : 0); };
+    std::size_t changes = 0;
+    if (system.states.size() != points.size()) system.states.assign(points.size(), -1);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const int state = state_of(points[i]);
+        changes += system.states[i] != state;
+        system.states[i] = state;
+    }
+    return changes;
+}
+
+/// Where hardly a state changes any more, what is left is how the bound follows the forces: a whole step along the
+/// whole tangent, kept if it does what one expects of Newton's method.
+/// @returns whether it was kept; contacts and residual are then exact at system.d
+template <class K>
+bool follow_whole_tangent(const StepControl& control, double tolerance, double worst, StepSystem<K>& system,
+                          StepReport& report)
+{
+    ++report.open_close_iterations;
+    if (system.coupling.solve_direction(control, system, report)) {
+        system.trial = system.d + system.direction;
+        evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
+        if (evaluate_residual(system.trial, system) && unbalance(system, tolerance).worst < sound_gain * worst) {
+            system.d = system.trial;
+            return true;
+        }
+    }
+    evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
+    evaluate_residual(system.d, system);
+    return false;
+}
+
 /// Newton iteration from system.d until every block is in equilibrium within the tolerance.
 template <class K>
-bool descend(const StepControl& control, double tolerance, Known known, StepSystem<K>& system, StepReport& report)
+bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& system, StepReport& report)
 {
+    const StepControl& control = stage.control;
     double last = std::numeric_limits<double>::infinity();
     double last_slope = -std::numeric_limits<double>::infinity();
-    int stalled = 0, rises = 0;
+    int stalled = 0, rises = 0, rest = 1;
     for (int iteration = 0;; ++iteration) {
         if (!evaluate_exactly(known, control.threads, system)) return fail_inverted(system, report);
         if (!system.residual.allFinite()) return fail(Trouble::inaccurate_solution, report);
@@ -211,6 +209,16 @@ bool descend(const StepControl& control, double tolerance, Known known, StepSyst
         stalled = now.worst > 0.7 * last ? stalled + 1 : 0;
         last = now.worst;
 
+        // On the way to rest the steps are long, and may have other solutions than the one that the potential
+        // leads to.
+        if (note_changes(system) <= few_changes && rest <= 0 && is_motion(stage)) {
+            if (follow_whole_tangent(control, tolerance, now.worst, system, report)) {
+                known = Known::exact;
+                continue;
+            }
+            rest = rest_after_none;
+        }
+        --rest;
         if (!solve_direction(control, false, system, report)) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;
         const double slope = system.residual.dot(system.direction);
@@ -237,7 +245,7 @@ bool find_states_softened(const Stage& stage, StepSystem<K>& system, StepReport&
     for (double share = is_static ? softest : softness; share < 1;) {
         const double next = is_static ? hardening * share : 1;
         scale_stiffness(share, system.contacts);
-        descend(control, soft_tolerance, Known::nothing, system, report);
+        descend(stage, soft_tolerance, Known::nothing, system, report);
         scale_stiffness(next / share, system.contacts);
         report.trouble = Trouble::none;
         if (!system.residual.allFinite()) system.d.setZero();
@@ -264,7 +272,7 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
         if (!find_states_softened(stage, system, report)) return false;
         found.known = Known::nothing;
     }
-    while (descend(control, control.force_tolerance, found.known, system, report)) {
+    while (descend(stage, control.force_tolerance, found.known, system, report)) {
         const int broken = break_weakest_patch(model, contacts, system.contacts);
         if (broken < 0) return true;
         // Another structure, which has not been iterated on yet: any number of joints may break in a step.

@@ -197,6 +197,8 @@ void hold_components(StepSystem<K>& system)
     }
 }
 
+}  // namespace
+
 template <class K>
 void assemble_matrix(bool published, int threads, StepSystem<K>& system)
 {
@@ -227,8 +229,6 @@ void assemble_matrix(bool published, int threads, StepSystem<K>& system)
     if (any_held) hold_components(system);
 }
 
-}  // namespace
-
 template <class K>
 bool solve_direction(const StepControl& control, bool published, StepSystem<K>& system, StepReport& report)
 {
@@ -248,6 +248,7 @@ bool solve_direction(const StepControl& control, bool published, StepSystem<K>& 
 #define VOUSSOIR_INSTANTIATE(K)                                                                                \
     template void assemble_blocks(const Model&, const Stage&, const State&, const ContactSetIn<K::dimension>&, \
                                   double, const std::vector<Jump<K>>&, StepSystem<K>&);                        \
+    template void assemble_matrix(bool, int, StepSystem<K>&);                                                  \
     template bool evaluate_residual(const VectorXd&, StepSystem<K>&);                                          \
     template bool solve_direction(const StepControl&, bool, StepSystem<K>&, StepReport&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);

@@ -10,6 +10,7 @@
 #include "libdda/step/applied_forces.h"
 #include "libdda/step/block_step.h"
 #include "libdda/step/contact_step.h"
+#include "libdda/step/friction_coupling.h"
 
 namespace voussoir::step
 {
@@ -32,6 +33,8 @@ struct StepSystem {
     std::vector<std::pair<int, int>> pairs;  // scratch of the pattern
     Eigen::VectorXd direction, trial;        // scratch
     std::vector<ContactStatus> statuses;     // scratch, per contact point
+    std::vector<int> states;                 // the same, as the iteration left them
+    FrictionCoupling<K> coupling;
     std::unique_ptr<solve::LinearSolver> solver;
     LinearSolverKind solver_kind = LinearSolverKind::automatic;
     double solver_tolerance = 0;
@@ -42,6 +45,10 @@ template <class K>
 void assemble_blocks(const Model& model, const Stage& stage, const State& state,
                      const ContactSetIn<K::dimension>& contacts, double h, const std::vector<Jump<K>>& jumps,
                      StepSystem<K>& system);
+
+/// The stiffness at the last evaluation, with the bound frozen: system.matrix.
+template <class K>
+void assemble_matrix(bool published, int threads, StepSystem<K>& system);
 
 /// Residual and loads at the iterate `d` from the contact forces last evaluated. @returns false if a block inverts
 template <class K>

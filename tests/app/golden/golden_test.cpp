@@ -152,7 +152,8 @@ TEST(GoldenScenes, AreSolvedByBothSolvers)
 {
     EXPECT_EQ(for_scenes("column by cholmod",
                          [](const Course& course) {
-                             EXPECT_LT(course.report.linear_iterations, course.report.factorisations / 2);
+                             // Only the whole tangent, which is not symmetric, is iterated for.
+                             EXPECT_LT(course.report.linear_iterations, course.report.factorisations);
                          }),
               2);
     EXPECT_EQ(for_scenes("column by conjugate gradients",

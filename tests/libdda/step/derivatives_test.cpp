@@ -5,6 +5,7 @@
 
 #include "libdda/step/block_step.h"
 #include "libdda/step/contact_stiffness.h"
+#include "libdda/step/step_system.h"
 #include "tests/libdda/poses.h"
 #include "tests/libdda/scenes.h"
 
@@ -199,6 +200,28 @@ TYPED_TEST(Derivatives, SlidingContactHasItUpToTheNormalCoupling)
         expect_left_out(exact);
         expect_left_out(frozen);
     }
+}
+
+TYPED_TEST(Derivatives, WholeTangentHasTheNormalCoupling)
+{
+    ContactScene<TypeParam> scene(0.01, 0, Integrator::newmark, 0);
+    constexpr int size = 2 * TypeParam::unknowns;
+    const VectorXd d = VectorXd::Zero(size);
+    const MatrixXd k = scene.stiffness(d), coupling = scene.normal_coupling(d);
+    step::StepSystem<TypeParam> system;
+    system.blocks = scene.blocks;
+    system.block_of_row = {0, 1};
+    system.contacts = scene.contacts;
+    step::FrictionCoupling<TypeParam> whole;
+    whole.gather(system);
+    MatrixXd found = MatrixXd::Zero(size, size);
+    for (int i = 0; i < size; ++i) {
+        VectorXd column = VectorXd::Zero(size);
+        whole.add_product(system, VectorXd::Unit(size, i), column);
+        found.col(i) = column;
+    }
+    EXPECT_LT(relative(found, coupling), 1e-12);
+    EXPECT_LT(relative(scene.differences(d, step::FrictionBound::exact), k + found), 1e-6);
 }
 
 TYPED_TEST(Derivatives, ContactForcesAreInBalance)

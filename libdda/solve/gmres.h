@@ -1,0 +1,32 @@
+// Generalised minimal residuals for systems that are not symmetric (Saad and Schultz 1986), preconditioned from
+// the right.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "libdda/solve/linear_solver.h"
+
+namespace voussoir::solve
+{
+
+/// Solves A x = b by building one Krylov space, without restarts. Memory is kept from call to call.
+class Gmres
+{
+ public:
+    using Operator = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& y)>;  // y = A x
+
+    /// @param tolerance |b - A x| / |b|
+    /// @returns not solved after max_iterations; x is then the best of the space
+    LinearReport solve(const Operator& multiply, const Operator& precondition, const Eigen::VectorXd& b,
+                       double tolerance, int max_iterations, Eigen::VectorXd& x);
+
+ private:
+    std::vector<Eigen::VectorXd> basis_;
+    Eigen::MatrixXd upper_;  // of the Hessenberg matrix, as the rotations leave it
+    Eigen::VectorXd rest_, cosine_, sine_;
+    Eigen::VectorXd z_, w_;
+};
+
+}  // namespace voussoir::solve

@@ -1,0 +1,112 @@
+#include "libdda/step/friction_coupling.h"
+
+#include "libdda/solve/conjugate_gradients.h"
+#include "libdda/step/part_timer.h"
+#include "libdda/step/step_system.h"
+#include "libdda/step/turning.h"
+
+namespace voussoir::step
+{
+
+namespace
+{
+
+constexpr int max_vectors = 40;  // of the Krylov space
+
+/// Tangent of the shear force, less what the symmetric matrix has of it.
+template <class K>
+typename K::Matrix left_out(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
+{
+    using Matrix = typename K::Matrix;
+    using Vector = typename K::Vector;
+    const Vector& n = patch.normal;
+    // mu N falls by mu (-dN/dg) as the gap opens.
+    const double bound_by_gap = -p.bound / p.normal * p.normal_tangent;
+    if (!p.turns_round) return bound_by_gap / p.bound * p.shear * n.transpose();
+    const TurningChange<K> change(patch, p);
+    const Matrix ahead = p.heading * p.heading.transpose();
+    const Matrix along = Matrix::Identity() - n * n.transpose();
+    return bound_by_gap * change.by_bound * n.transpose() + change.by_move - p.tangent_along * ahead -
+           p.tangent_across * (along - ahead);
+}
+
+/// Displacement of a point of a block by its unknowns.
+template <class K>
+typename K::Vector moved(const typename K::Unknowns& d, const typename K::Vector& lever)
+{
+    return d.template head<K::dimension>() + K::gradient(d) * lever;
+}
+
+template <class K>
+void add_to_free(const StepSystem<K>& system, int row, const typename K::Vector& lever,
+                 const typename K::Vector& f, Eigen::VectorXd& y)
+{
+    constexpr int n = K::unknowns;
+    typename K::Unknowns force = K::Unknowns::Zero();
+    K::add_force(force, lever, f);
+    const auto& held = system.blocks[system.block_of_row[row]].held;
+    for (int k = 0; k < n; ++k)
+        if (!held[k]) y[n * row + k] += force[k];
+}
+
+}  // namespace
+
+template <class K>
+void FrictionCoupling<K>::gather(const StepSystem<K>& system)
+{
+    points_.clear();
+    for (const PatchStep<K>& patch : system.contacts.patches) {
+        if (patch.row_a < 0 && patch.row_b < 0) continue;
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            const PointStep<K::dimension>& p = system.contacts.points[i];
+            if (!(p.bound > 0) || (p.status != ContactStatus::sliding && !p.turns_round)) continue;
+            points_.push_back({patch.row_a, patch.row_b, p.lever_a, p.lever_b, left_out(patch, p)});
+        }
+    }
+}
+
+template <class K>
+void FrictionCoupling<K>::add_product(const StepSystem<K>& system, const Eigen::VectorXd& x,
+                                      Eigen::VectorXd& y) const
+{
+    using Vector = typename K::Vector;
+    constexpr int n = K::unknowns;
+    for (const Point& p : points_) {
+        Vector apart = Vector::Zero();
+        if (p.row_a >= 0) apart += moved<K>(x.segment<n>(n * p.row_a), p.lever_a);
+        if (p.row_b >= 0) apart -= moved<K>(x.segment<n>(n * p.row_b), p.lever_b);
+        const Vector shear = p.tangent * apart;
+        if (p.row_a >= 0) add_to_free<K>(system, p.row_a, p.lever_a, shear, y);
+        if (p.row_b >= 0) add_to_free<K>(system, p.row_b, p.lever_b, Vector(-shear), y);
+    }
+}
+
+template <class K>
+bool FrictionCoupling<K>::solve_direction(const StepControl& control, StepSystem<K>& system, StepReport& report)
+{
+    using Eigen::VectorXd;
+    {
+        const PartTimer timer(report.seconds, Part::assembly);
+        assemble_matrix(false, control.threads, system);
+        gather(system);
+    }
+    const PartTimer timer(report.seconds, Part::linear_solve);
+    if (!system.solver->prepare(system.matrix)) return false;
+    ++report.factorisations;
+    const auto multiply = [&](const VectorXd& x, VectorXd& y) {
+        solve::multiply(system.matrix, x, y);
+        add_product(system, x, y);
+    };
+    const auto precondition = [&](const VectorXd& r, VectorXd& z) { system.solver->precondition(r, z); };
+    const solve::LinearReport linear = gmres_.solve(multiply, precondition, system.residual,
+                                                    control.linear_tolerance, max_vectors, system.direction);
+    system.direction = -system.direction;
+    report.linear_iterations += linear.iterations;
+    return linear.solved && system.direction.allFinite();
+}
+
+#define VOUSSOIR_INSTANTIATE(K) template class FrictionCoupling<K>
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir::step

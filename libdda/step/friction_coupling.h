@@ -1,0 +1,43 @@
+// What the friction bound adds to the tangent of a step: it follows the normal force, and the matrix is not
+// symmetric.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "libdda/model/report.h"
+#include "libdda/model/step_control.h"
+#include "libdda/solve/gmres.h"
+
+namespace voussoir::step
+{
+
+template <class K>
+struct StepSystem;
+
+/// The part of the tangent that is left out while the bound is frozen: what shear forces gain with mu N, and how
+/// those of points that turn round bend. Source: docs/numerics.md 3.
+template <class K>
+class FrictionCoupling
+{
+ public:
+    /// From the contacts as they were last evaluated, with the exact bound.
+    void gather(const StepSystem<K>& system);
+    /// y += C x, (rows x unknowns) each.
+    void add_product(const StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+    /// Solves (K + C) direction = -residual at the last evaluation, K the stiffness with the bound frozen.
+    /// @returns false if there is no solution to the tolerance of the linear solver
+    bool solve_direction(const StepControl& control, StepSystem<K>& system, StepReport& report);
+
+ private:
+    /// The tangent of a shear force, less what K has of it.
+    struct Point {
+        int row_a, row_b;                     // -1: no unknowns
+        typename K::Vector lever_a, lever_b;  // m
+        typename K::Matrix tangent;           // N/m
+    };
+    std::vector<Point> points_;
+    solve::Gmres gmres_;
+};
+
+}  // namespace voussoir::step

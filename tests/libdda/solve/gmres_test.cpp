@@ -1,0 +1,89 @@
+#include "libdda/solve/gmres.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "tests/libdda/poses.h"
+
+namespace voussoir::testing
+{
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace
+{
+
+/// Of no symmetry, its eigenvalues right of the origin.
+MatrixXd unsymmetric(int size)
+{
+    Random random(11);
+    VectorXd entries(size * size);
+    random.fill(entries, 1);
+    return MatrixXd(Eigen::Map<MatrixXd>(entries.data(), size, size)) +
+           2 * std::sqrt(size) * MatrixXd::Identity(size, size);
+}
+
+VectorXd numbers(int size)
+{
+    Random random(12);
+    VectorXd b(size);
+    random.fill(b, 1);
+    return b;
+}
+
+void copy(const VectorXd& r, VectorXd& z)
+{
+    z = r;
+}
+
+}  // namespace
+
+TEST(Gmres, SolvesSystemsThatAreNotSymmetricToTheTolerance)
+{
+    const MatrixXd a = unsymmetric(60);
+    const VectorXd b = numbers(60);
+    solve::Gmres gmres;
+    VectorXd x;
+    for (const double tolerance : {1e-2, 1e-6, 1e-10}) {
+        const solve::LinearReport report =
+            gmres.solve([&](const VectorXd& v, VectorXd& y) { y = a * v; }, copy, b, tolerance, 60, x);
+        EXPECT_TRUE(report.solved);
+        EXPECT_LE((b - a * x).norm(), 1.01 * tolerance * b.norm());
+    }
+}
+
+TEST(Gmres, NeedsOneIterationWithTheInverse)
+{
+    const MatrixXd a = unsymmetric(30), inverse = a.inverse();
+    const VectorXd b = numbers(30);
+    solve::Gmres gmres;
+    VectorXd x;
+    const solve::LinearReport report =
+        gmres.solve([&](const VectorXd& v, VectorXd& y) { y = a * v; },
+                    [&](const VectorXd& r, VectorXd& z) { z = inverse * r; }, b, 1e-10, 5, x);
+    EXPECT_TRUE(report.solved);
+    EXPECT_EQ(report.iterations, 1);
+    EXPECT_LT((x - inverse * b).norm(), 1e-10 * x.norm());
+}
+
+TEST(Gmres, SaysThatItHasNotSolved)
+{
+    const MatrixXd a = unsymmetric(60);
+    const VectorXd b = numbers(60);
+    solve::Gmres gmres;
+    VectorXd x;
+    EXPECT_FALSE(gmres.solve([&](const VectorXd& v, VectorXd& y) { y = a * v; }, copy, b, 1e-12, 3, x).solved);
+    EXPECT_LT((b - a * x).norm(), b.norm());  // the best of what it has
+}
+
+TEST(Gmres, OfNothingIsNothing)
+{
+    solve::Gmres gmres;
+    VectorXd x = numbers(4);
+    EXPECT_TRUE(gmres.solve(copy, copy, VectorXd::Zero(4), 1e-3, 5, x).solved);
+    EXPECT_EQ(x.norm(), 0);
+}
+
+}  // namespace voussoir::testing
