@@ -1,5 +1,5 @@
-// Generalised minimal residuals for systems that are not symmetric (Saad and Schultz 1986), preconditioned from
-// the right.
+// Generalised minimal residuals for systems that are not symmetric, preconditioned from the right.
+// Source: [SaadSchultz1986].
 #pragma once
 
 #include <Eigen/Core>
