@@ -75,6 +75,22 @@ double friction_of(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
            friction_coefficient(*patch.friction_law, tangential(p.displacement, patch.normal).norm() / patch.h);
 }
 
+/// A point that nothing presses, and that has no frozen bound either.
+template <int D>
+bool is_free(bool intact, FrictionBound rule, const PointStep<D>& p)
+{
+    return p.normal == 0 && !intact && (rule == FrictionBound::exact || p.bound == 0);
+}
+
+template <int D>
+void release(PointStep<D>& p)
+{
+    p.bound = 0;
+    p.shear.setZero();
+    p.status = ContactStatus::open;
+    p.turns_round = false;
+}
+
 template <class K>
 void shear_force(double friction, FrictionBound rule, const PatchStep<K>& patch, PointStep<K::dimension>& p)
 {
@@ -131,6 +147,13 @@ struct PatchMove {
     }
 };
 
+/// Displacement as the forces measure it.
+template <class K>
+typename K::Vector linear_displacement(const PatchMove<K>& move, const PointStep<K::dimension>& p)
+{
+    return p.predicted + move.u_a - move.u_b + move.l_a * p.lever_a - move.l_b * p.lever_b;
+}
+
 /// Displacement and gap of a point, second order in the turning of both blocks. The forces' own measure of the
 /// displacement leaves out terms that are small in the turning of a step, but not beside the yielding of a stiff
 /// joint, whose gap would otherwise jump whenever contacts are found anew. In static steps they are left out:
@@ -139,15 +162,14 @@ template <class K>
 void move_point(const PatchMove<K>& move, const PatchStep<K>& patch, PointStep<K::dimension>& p)
 {
     using Vector = typename K::Vector;
+    if (!patch.follows_turning) {
+        p.displacement = linear_displacement(move, p);
+        p.gap = p.gap_start + patch.normal.dot(p.displacement);
+        return;
+    }
     Vector of_a = move.l_a * p.end_lever_a;
     if constexpr (!K::deformable) of_a += 0.5 * move.l_a * of_a;  // the rotation is done exactly
     const Vector apart = move.u_a + of_a - move.u_b;
-    p.linear = p.predicted + move.u_a - move.u_b + move.l_a * p.lever_a - move.l_b * p.lever_b;
-    if (!patch.follows_turning) {
-        p.displacement = p.linear;
-        p.gap = p.gap_start + patch.normal.dot(p.linear);
-        return;
-    }
     p.displacement = p.predicted + apart - move.l_b * (p.lever_b + 0.5 * apart) - 0.5 * patch.chord_b * apart;
     p.gap = p.gap_start + move.normal.dot(p.displacement);
 }
@@ -192,6 +214,11 @@ void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, Cont
                 PointStep<K::dimension>& p = step.points[i];
                 move_point(move, patch, p);
                 normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
+                if (is_free(patch.intact, bound, p)) {
+                    release(p);
+                    continue;
+                }
+                p.linear = linear_displacement(move, p);
                 shear_force(friction_of(patch, p), bound, patch, p);
             }
             sum_forces(step.points, patch);
@@ -205,8 +232,13 @@ void follow_bounds(int threads, ContactStep<K>& step)
     in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t k = first; k < end; ++k) {
             PatchStep<K>& patch = step.patches[k];
-            for (int i = patch.first; i < patch.first + patch.count; ++i)
-                shear_force(friction_of(patch, step.points[i]), FrictionBound::exact, patch, step.points[i]);
+            for (int i = patch.first; i < patch.first + patch.count; ++i) {
+                PointStep<K::dimension>& p = step.points[i];
+                if (is_free(patch.intact, FrictionBound::exact, p))
+                    release(p);
+                else
+                    shear_force(friction_of(patch, p), FrictionBound::exact, patch, p);
+            }
             sum_forces(step.points, patch);
         }
     });
@@ -221,6 +253,7 @@ void evaluate_published(const VectorXd& d, ContactStep<K>& step)
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             PointStep<K::dimension>& p = step.points[i];
             move_point(move, patch, p);
+            p.linear = linear_displacement(move, p);
             const bool closed = p.status != ContactStatus::open;
             // Blends other than one belong to the first guess of a Newton iteration.
             const double gap = 0.5 * (1 - p.normal_blend) * p.gap_start + 0.5 * (1 + p.normal_blend) * p.gap;

@@ -29,9 +29,9 @@ struct PointStep {
     double gap = 0, normal = 0, elastic_normal = 0, normal_tangent = 0;  // m, N, N, N/m
     double bound = 0;                                                    // N, friction bound
     VectorIn<D> displacement;                                            // m, relative, of the step
-    VectorIn<D> linear;                                                  // m, the same as the forces measure it
-    VectorIn<D> trial;                                                   // N, shear force if it all stuck
-    VectorIn<D> shear;                                                   // N, resisting
+    VectorIn<D> linear;                            // m, the same as the forces measure it, if there are any
+    VectorIn<D> trial;                             // N, shear force if it all stuck
+    VectorIn<D> shear;                             // N, resisting
     bool turns_round = false;                      // the sliding of the start ends within the step
     double tangent_along = 0, tangent_across = 0;  // N/m, of the shear force then
 };

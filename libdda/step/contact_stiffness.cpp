@@ -102,12 +102,39 @@ void add_points(const std::vector<PointStep<D>>& points, bool published, PatchSt
     shear.expand(MatrixIn<D>::Identity() - across, patch);
 }
 
-template <int D>
-void add_points(const std::vector<PointStep<D>>& points, bool published, PatchStep<RigidIn<D>>& patch)
+/// The levers of all points of a patch from one block differ from those from the other by the same vector t: with
+/// T(y + t) = T(y) G the stiffness of one block gives the others, G = [1, -t x; 0, 1].
+void spread_from_a(const Eigen::Vector3d& t, PatchStep<SpatialRigid>& patch)
+{
+    using Matrix = Eigen::Matrix3d;
+    const Matrix turn = skew(t);
+    SpatialRigid::Square across = patch.aa;  // aa G
+    across.topRightCorner<3, 3>() -= patch.aa.topLeftCorner<3, 3>() * turn;
+    across.bottomRightCorner<3, 3>() -= patch.aa.bottomLeftCorner<3, 3>() * turn;
+    patch.ab = -across;
+    patch.bb = across;  // G^T aa G
+    patch.bb.bottomRows<3>() += turn * across.topRows<3>();
+}
+
+void add_points(const std::vector<PointStep<3>>& points, bool published, PatchStep<SpatialRigid>& patch)
+{
+    const PointStep<3>* any = nullptr;
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const PointStep<3>& p = points[i];
+        if (!has_stiffness(p, published)) continue;
+        any = &p;
+        const Eigen::Vector3d& lever = patch.row_a >= 0 ? p.lever_a : p.lever_b;
+        SpatialRigid::add_stiffness(patch.row_a >= 0 ? patch.aa : patch.bb, lever, lever,
+                                    point_stiffness<3>(p, patch.normal, published));
+    }
+    if (any && patch.row_a >= 0 && patch.row_b >= 0) spread_from_a(any->lever_b - any->lever_a, patch);
+}
+
+void add_points(const std::vector<PointStep<2>>& points, bool published, PatchStep<PlanarRigid>& patch)
 {
     for (int i = patch.first; i < patch.first + patch.count; ++i)
         if (has_stiffness(points[i], published))
-            add_point(points[i], point_stiffness<D>(points[i], patch.normal, published), patch);
+            add_point(points[i], point_stiffness<2>(points[i], patch.normal, published), patch);
 }
 
 }  // namespace

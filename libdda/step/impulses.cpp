@@ -79,7 +79,8 @@ Meeting<K> Impulses<K>::meeting(const ContactPatchIn<D>& patch, const ContactPoi
     const Vector velocity = relative_velocity(bodies_[m.a], bodies_[m.b], point.position);
     m.target = patch.normal.dot(velocity);
     m.target_slip.setZero();
-    m.mobility = bodies_[m.a].mobility(m.lever_a, patch.normal) + bodies_[m.b].mobility(m.lever_b, patch.normal);
+    m.yielding = a.mobility(m.lever_a) + b.mobility(m.lever_b);
+    m.mobility = patch.normal.dot(m.yielding * patch.normal);
     return m;
 }
 
@@ -148,30 +149,27 @@ template <class K>
 double Impulses<K>::act(Meeting<K>& m)
 {
     Body<K>&a = bodies_[m.a], &b = bodies_[m.b];
-    const auto push = [&](const Vector& impulse) {
-        a.push(m.lever_a, impulse);
-        b.push(m.lever_b, -impulse);
-    };
-    const auto velocity = [&] { return Vector(a.velocity_at(m.lever_a) - b.velocity_at(m.lever_b)); };
-    double press = (m.target - m.normal.dot(velocity())) / m.mobility;
+    const Vector velocity = a.velocity_at(m.lever_a) - b.velocity_at(m.lever_b);
+    double press = (m.target - m.normal.dot(velocity)) / m.mobility;
     if (!m.bonded) press = std::max(press, -m.pressed);
     m.pressed += press;
-    push(press * m.normal);
-    Vector slip = velocity() - m.target_slip;
+    Vector slip = velocity + press * (m.yielding * m.normal) - m.target_slip;
     slip -= m.normal.dot(slip) * m.normal;
-    const double speed = slip.norm();
+    const double square = slip.squaredNorm();
+    Vector rub = Vector::Zero();
     double rubbed = 0;
-    if (speed > 0) {
-        const Vector along = slip / speed;
-        const double mobility = a.mobility(m.lever_a, along) + b.mobility(m.lever_b, along);
+    if (square > 0) {
+        const double mobility = slip.dot(m.yielding * slip) / square;
         const Vector before = m.rubbed;
         if (mobility > 0) m.rubbed -= slip / mobility;
         const double bound = m.friction * m.pressed, size = m.rubbed.norm();
         if (!m.bonded && size > bound) m.rubbed *= bound / size;
-        const Vector rub = m.rubbed - before;
-        push(rub);
+        rub = m.rubbed - before;
         rubbed = rub.norm() * mobility;
     }
+    const Vector impulse = press * m.normal + rub;
+    a.push(m.lever_a, impulse);
+    b.push(m.lever_b, -impulse);
     m.seen_a = a.moved;
     m.seen_b = b.moved;
     return std::max(std::abs(press) * m.mobility, rubbed);

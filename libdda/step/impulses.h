@@ -38,6 +38,16 @@ struct Body {
         const Spin moment = moment_about(lever, u);
         return u.dot(inverse_mass.cwiseProduct(u)) + moment.dot(inverse_inertia * moment);
     }
+    /// Velocities that unit impulses along the axes give their own point, as columns [1/kg].
+    typename K::Matrix mobility(const Vector& lever) const
+    {
+        typename K::Matrix result = inverse_mass.asDiagonal();
+        for (int k = 0; k < K::dimension; ++k) {
+            const Spin turning = inverse_inertia * moment_about(lever, Vector(Vector::Unit(k)));
+            result.col(k) += skew(turning) * lever;
+        }
+        return result;
+    }
 };
 
 /// A contact point that takes part.
@@ -53,7 +63,8 @@ struct Meeting {
     bool bonded = false;
     bool lands = false;
     double fraction = 0;              // of the step, if it lands
-    double mobility = 0;              // 1/kg, along the normal
+    typename K::Matrix yielding;      // 1/kg, how fast a unit impulse there makes them part
+    double mobility = 0;              // 1/kg, of that along the normal
     double seen_a = -1, seen_b = -1;  // m/s, what the bodies had moved when it last acted
     double pressed = 0;               // Ns, so far
     Vector rubbed = Vector::Zero();   // Ns, so far
