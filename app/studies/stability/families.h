@@ -32,6 +32,8 @@ StabilityScene impact_scene();
 StabilityScene uplift_scene();   // a pulse lifts a block off soft springs
 StabilityScene landing_scene();  // a rocking block comes down
 
+StabilityScene ground_scene();  // waves through boundaries, damped ground
+
 StabilityScene many_scene();  // 1,000 blocks stand
 StabilityScene heap_scene();  // hundreds fall
 

@@ -59,7 +59,7 @@ Model ground_model(const scenes::SceneSetting& setting, const GroundColumn& colu
 {
     const auto material = [&](const GroundLayer& layer) {
         const double young = 2 * (1 + column.poisson) * column.density * layer.speed * layer.speed;
-        return BlockMaterial{"ground", column.density, young, column.poisson, 0, layer.damping};
+        return BlockMaterial{"ground", column.density, young, column.poisson, 0, layer.damping, layer.branches};
     };
     Model model = make_model(setting.kinematics, material(column.layers[0]),
                              bond(column.joints * setting.stiffness_factor.value_or(1)));
@@ -299,6 +299,7 @@ std::vector<Benchmark> ground_benchmarks()
     row.run = run_oblique;
     rows.push_back(row);
     for (Benchmark& response : ground_response_rows()) rows.push_back(std::move(response));
+    for (Benchmark& decay : ground_decay_rows()) rows.push_back(std::move(decay));
     return rows;
 }
 

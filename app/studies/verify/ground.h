@@ -14,6 +14,7 @@ struct GroundLayer {
     double speed = 0;      // m/s, of S waves
     int blocks = 1;
     RayleighDamping damping = {};
+    std::vector<MaxwellBranch> branches = {};  // `speed` is then that at rest
 };
 
 /// Layers from below, all of one density and Poisson's ratio, bonded.
@@ -37,7 +38,13 @@ struct SurfaceMotion {
 SurfaceMotion surface_motion(const scenes::SceneSetting& setting, const Model& model, int component,
                              const GroundMotion& motion, double duration, VerifyResult& result);
 
-/// Layers on rock, and the decay of a column that is damped.
+/// Rayleigh's damping with the same ratio at two frequencies [Hz].
+RayleighDamping rayleigh(double ratio, double low, double high);
+
+/// Layers on rock.
 std::vector<Benchmark> ground_response_rows();
+
+/// The decay of a column that is damped.
+std::vector<Benchmark> ground_decay_rows();
 
 }  // namespace voussoir::app::studies::verify

@@ -1,4 +1,4 @@
-// What soil makes of a wave from the rock below, and how fast a damped column comes to rest.
+// What soil makes of a wave from the rock below.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,10 +9,8 @@
 #include "app/studies/verify/ground.h"
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/references/layered_site.h"
-#include "app/studies/verify/references/vibration.h"
 #include "app/studies/verify/references/viscous_face.h"
 #include "app/studies/verify/settings.h"
-#include "app/studies/verify/vibration.h"
 
 namespace voussoir::app::studies::verify
 {
@@ -22,13 +20,6 @@ using std::numbers::pi;
 
 namespace
 {
-
-/// Rayleigh's damping with the same ratio at two frequencies [Hz].
-RayleighDamping rayleigh(double ratio, double low, double high)
-{
-    const double first = 2 * pi * low, second = 2 * pi * high;
-    return {2 * ratio * first * second / (first + second), 2 * ratio / (first + second)};
-}
 
 constexpr double layer_height = 20, layer_frequency = 2.5;  // m, Hz: a speed of 200 m/s
 constexpr int layer_blocks = 20;
@@ -182,69 +173,6 @@ VerifyResult run_stack(const scenes::SceneSetting& setting)
     return result;
 }
 
-constexpr int decay_blocks = 8, decay_cycles = 24, window = 6;
-
-/// Damping ratio of the lowest shear mode of a column on a held base, from how fast it loses its amplitude.
-double decay_of(const scenes::SceneSetting& setting, double frequency, const RayleighDamping& damping,
-                VerifyResult& result)
-{
-    const double speed = 4 * layer_height * frequency, depth = layer_height / decay_blocks;
-    Model model = ground_model(setting, {{{depth, speed, 1}, {layer_height, speed, decay_blocks, damping}}});
-    model.boundaries.clear();
-    model.tied_sides.erase(model.tied_sides.begin());
-    scenes::hold(model, 0);
-    scenes::StagedScene scene{model, {scenes::dynamic_stage(setting, decay_cycles / frequency, Vector3d::Zero())}};
-    std::vector<double> times{0}, tops{0};
-    RunObserver observer;
-    observer.step = [&](const State& now, const StepReport&, const RunReport&) {
-        times.push_back(now.stage_time);
-        tops.push_back(pose_of(model.kinematics, now, decay_blocks).centroid.x());
-    };
-    const auto push = [&](State& state) {
-        const int dimension = dimension_of(model.kinematics);
-        const auto node = [&](int j) { return peak * std::sin(j * pi / (2 * decay_blocks)); };
-        for (int i = 1; i <= decay_blocks; ++i) {
-            double* velocity = state.velocities.data() + i * unknowns_per_block(model.kinematics);
-            velocity[0] = 0.5 * (node(i - 1) + node(i));
-            velocity[dimension * dimension] = (node(i) - node(i - 1)) / depth;  // dx/dZ
-        }
-    };
-    run_moving(scene, push, observer, result);
-    // Two windows of as many cycles, as far apart as the others.
-    const double own = frequency_of(times, tops);
-    const auto part = [&](double from) {
-        std::vector<double> t, x;
-        for (std::size_t i = 0; i < times.size(); ++i)
-            if (times[i] >= from / own && times[i] < (from + window) / own) {
-                t.push_back(times[i]);
-                x.push_back(tops[i]);
-            }
-        return amplitude_of(t, x, own);
-    };
-    const double apart = decay_cycles - window - 2;
-    if (result.picture.curves.empty())
-        result.picture = linear_diagram("time [s]", "top [m]", {curve_of("engine", times, tops)});
-    return std::log(part(1) / part(1 + apart)) / (2 * pi * apart);
-}
-
-VerifyResult run_rayleigh_decay(const scenes::SceneSetting& setting)
-{
-    VerifyResult result;
-    result.note = "damping ratio / that asked for:";
-    for (const double ratio : {0.02, 0.05})
-        for (const double frequency : {1.0, 2.5, 5.0}) {
-            const RayleighDamping damping = rayleigh(ratio, 1, 5);
-            const double omega = 2 * pi * frequency;
-            const double asked = 0.5 * damping.of_mass / omega + 0.5 * damping.of_stiffness * omega;
-            const double measured = decay_of(setting, frequency, damping, result) / asked;
-            result.error = std::max(result.error, std::abs(measured - 1));
-            result.answer.push_back(measured);
-            result.note += fmt::format(" {:.4f} ({:g} Hz, {:.2f} %),", measured, frequency, 100 * asked);
-        }
-    result.note.pop_back();
-    return result;
-}
-
 }  // namespace
 
 std::vector<Benchmark> ground_response_rows()
@@ -281,18 +209,6 @@ std::vector<Benchmark> ground_response_rows()
     row.setting.time_step = 5e-4;
     row.tolerance = 0.03;
     row.run = run_stack;
-    rows.push_back(row);
-    row.setting.time_step = 1e-3;
-
-    row.name = "rayleigh-decay";
-    row.title = "Free vibration with Rayleigh's damping of 2 and 5 %";
-    row.source = "docs/method.md (Damping of blocks): closed form of an oscillator; not from a paper";
-    row.quantity = "largest |damping ratio / that asked for - 1|";
-    row.choices =
-        "Lowest shear mode of 20 m in 8 bonded blocks without sides on a held base, 1, 2.5 and 5 Hz, from the "
-        "amplitudes of two windows of six cycles, 16 cycles apart.";
-    row.tolerance = 0.01;
-    row.run = run_rayleigh_decay;
     rows.push_back(row);
     return with_planar(std::move(rows));
 }
