@@ -223,22 +223,28 @@ void add_film(CLI::App& command, app::commands::RenderArguments& arguments)
 }
 
 /// What is seen of the structure, and from where.
-void add_look(CLI::App& command, app::commands::RenderArguments& arguments)
+void add_look(CLI::App& command, app::LookOptions& look)
 {
     const auto add = [&](const char* name, std::vector<std::string>& values, const char* type, const char* help) {
         command.add_option(name, values, help)->type_name(type)->allow_extra_args(false);
     };
-    add("--hide", arguments.hidden, "PATTERN",
+    add("--hide", look.hidden, "PATTERN",
         "Leave out stones or groups of this name; * and ? stand for others. Repeatable");
-    add("--cut", arguments.cuts, "PLACE", "Leave out stones there, by their centroid in m: x>1.5. Repeatable");
-    add("--label", arguments.labels, "PATTERN", "Write the names of these stones beside them. Repeatable");
+    add("--cut", look.cuts, "PLACE", "Leave out stones there, by their centroid in m: x>1.5. Repeatable");
+    add("--label", look.labels, "PATTERN", "Write the names of these stones beside them. Repeatable");
     command
-        .add_option("--view", arguments.view,
+        .add_option("--view", look.view,
                     "front, right, back, left, top, or AZIMUTH,ELEVATION in degrees: 30,20 (from aside)")
         ->type_name("VIEW");
-    command.add_flag("--orthographic", arguments.orthographic, "Without perspective, as drawings are");
-    command.add_flag("--forces", arguments.forces, "Draw the contact forces and the line of thrust");
-    command.add_option("--orbit", arguments.orbit, "Degrees by which the viewer turns in the course of a film")
+    command
+        .add_option("--follow", look.follow,
+                    "The camera goes with these stones, or with the \"structure\" without its foundations")
+        ->type_name("PATTERN");
+    command.add_flag("--orthographic", look.orthographic, "Without perspective, as drawings are");
+    command.add_flag("--forces", look.forces, "Draw the contact forces and the line of thrust");
+    command.add_flag("--ground", look.ground,
+                     "Draw the acceleration of the ground as an arrow at the foundations");
+    command.add_option("--orbit", look.orbit, "Degrees by which the viewer turns in the course of a film")
         ->check(CLI::Number)
         ->type_name("DEGREES");
 }
@@ -254,7 +260,8 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
         ->add_option("-o,--output", arguments->folder, "Folder for the pictures (snapshots/ beside the results)")
         ->type_name("DIR");
     command->add_option("--color", arguments->color, "What the colours show")
-        ->check(CLI::IsMember({"displacement", "principal_stress", "velocity", "opening", "slip", "group"}))
+        ->check(CLI::IsMember({"displacement", "principal_stress", "velocity", "opening", "slip", "friction",
+                               "principal_strain", "group"}))
         ->capture_default_str();
     command->add_option("--times", arguments->times, "Times to draw, in s")->check(CLI::NonNegativeNumber);
     command->add_option("--count", arguments->count, "Number of pictures, if no times are given")
@@ -265,7 +272,10 @@ void add_render(CLI::App& app, std::function<int()>& chosen)
         ->check(CLI::Range(200, 8000));
     command->add_option("--deformation-scale", arguments->deformation_scale, "Magnification of displacements")
         ->check(CLI::PositiveNumber);
-    add_look(*command, *arguments);
+    command->add_option("--jobs", arguments->jobs, "Pictures drawn at once; 0: as many as there are cores")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    add_look(*command, arguments->look);
     add_film(*command, *arguments);
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return app::commands::render_command(*arguments); }; });

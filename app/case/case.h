@@ -21,15 +21,40 @@ struct HistoryPoint {
 };
 
 /// What the colours of a picture show: of each vertex its displacement relative to the ground; of each stone its
-/// largest compressive principal stress, its speed, or the largest opening or slip of its joints.
-enum class SnapshotColor { displacement, principal_stress, velocity, opening, slip };
+/// largest compressive principal stress or strain, its speed, the largest opening or slip of its joints, the
+/// largest share of friction that one of them uses, or its group.
+enum class SnapshotColor {
+    displacement,
+    principal_stress,
+    velocity,
+    opening,
+    slip,
+    friction,
+    principal_strain,
+    group
+};
+
+/// What a picture shows beside the stones, and from where; words as on the command line.
+struct LookOptions {
+    std::vector<std::string> hidden;  // patterns of names of stones, or of groups; * and ? stand for others
+    std::vector<std::string> cuts;    // "x>1.5": stones whose centroid is there before the run are left out [m]
+    std::vector<std::string> labels;  // patterns of names of stones that are written on them
+    std::string view;    // "front", "right", "back", "left", "top", "AZIMUTH,ELEVATION" [deg]; empty: as usual
+    std::string follow;  // a pattern of names, or "structure": the camera goes with it; empty: it stands still
+    double orbit = 0;    // deg by which the viewer turns in the course of a film
+    bool orthographic = false;
+    bool forces = false;  // of the contacts, and the line of thrust
+    bool ground = false;  // the acceleration of the ground as an arrow
+};
 
 struct SnapshotOptions {
     SnapshotColor color = SnapshotColor::displacement;
+    LookOptions look;
     std::vector<double> times;  // s of run time; empty: `count` snapshots spread over the run
     int count = 4;
     int width = 1600, height = 900;
     std::optional<double> deformation_scale;  // displacements drawn times this; 1 if absent
+    int jobs = 0;                             // pictures drawn at once; 0: as many as there are cores
 };
 
 /// Whether a run seeks the structure's natural modes to say how much it is to be trusted.
@@ -43,11 +68,13 @@ enum class FilmFormat { mp4, gif, webp };
 
 struct FilmOptions {
     SnapshotColor color = SnapshotColor::displacement;
+    LookOptions look;
     FilmFormat format = FilmFormat::mp4;
     int width = 1280, height = 720;           // even
     double frames_per_second = 25;            // of the film
     double slow_down = 1;                     // seconds of film for a second of the run
     std::optional<double> deformation_scale;  // displacements drawn times this; 1 if absent
+    int jobs = 0;                             // frames drawn at once; 0: as many as there are cores
 };
 
 struct OutputOptions {

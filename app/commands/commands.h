@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/case/case.h"
+
 namespace voussoir::app::commands
 {
 
@@ -98,9 +100,8 @@ struct RenderArguments {
     std::optional<double> deformation_scale;
     std::optional<std::filesystem::path> film;  // a film instead of pictures; empty: video.mp4 beside the results
     double frames_per_second = 25, slow_down = 1;
-    std::vector<std::string> hidden, cuts, labels;  // names and places of stones, as the helper reads them
-    std::string view, orbit;                        // empty: as usual
-    bool orthographic = false, forces = false;
+    LookOptions look;
+    int jobs = 0;  // pictures drawn at once; 0: as many as there are cores
 };
 
 /// Pictures or a film from a results file, without a run.

@@ -11,29 +11,6 @@ namespace voussoir::app::commands
 namespace
 {
 
-/// The look as options of the helper.
-std::vector<std::string> look_of(const RenderArguments& arguments)
-{
-    std::vector<std::string> words;
-    const auto add = [&](const char* option, const std::vector<std::string>& values) {
-        for (const std::string& value : values) words.push_back(std::string(option) + "=" + value);
-    };
-    add("--hide", arguments.hidden);
-    add("--cut", arguments.cuts);
-    add("--label", arguments.labels);
-    if (!arguments.view.empty()) add("--view", {arguments.view});
-    if (!arguments.orbit.empty()) add("--orbit", {arguments.orbit});
-    if (arguments.orthographic) words.emplace_back("--orthographic");
-    if (arguments.forces) words.emplace_back("--forces");
-    if (arguments.color == "group") words.emplace_back("--groups");
-    return words;
-}
-
-SnapshotColor color_of(const RenderArguments& arguments)
-{
-    return arguments.color == "group" ? SnapshotColor::displacement : render::color_named(arguments.color);
-}
-
 /// The film asked for, under the name asked for, or video.mp4 beside the results.
 std::filesystem::path make_film(const RenderArguments& arguments)
 {
@@ -42,7 +19,7 @@ std::filesystem::path make_film(const RenderArguments& arguments)
     if (film.empty()) film = arguments.results.parent_path() / render::film_name(options.format);
     const std::string ending = film.extension().string();
     options.format = render::film_format_named(ending.empty() ? "(a file without ending)" : ending.substr(1));
-    options.color = color_of(arguments);
+    options.color = render::color_named(arguments.color);
     if (!arguments.size.empty()) {
         options.width = arguments.size.at(0);
         options.height = arguments.size.at(1);
@@ -50,10 +27,10 @@ std::filesystem::path make_film(const RenderArguments& arguments)
     options.frames_per_second = arguments.frames_per_second;
     options.slow_down = arguments.slow_down;
     options.deformation_scale = arguments.deformation_scale;
+    options.look = arguments.look;
+    options.jobs = arguments.jobs;
     FilmProgress progress(false);
-    render::request_film(
-        arguments.results, film, options, [&](int done, int all) { progress.frame(done, all); }, nullptr,
-        look_of(arguments));
+    render::request_film(arguments.results, film, options, [&](int done, int all) { progress.frame(done, all); });
     return film;
 }
 
@@ -70,7 +47,7 @@ int render_command(const RenderArguments& arguments)
         return exit_done;
     }
     SnapshotOptions options;
-    options.color = color_of(arguments);
+    options.color = render::color_named(arguments.color);
     options.times = arguments.times;
     options.count = arguments.count;
     if (!arguments.size.empty()) {
@@ -78,11 +55,12 @@ int render_command(const RenderArguments& arguments)
         options.height = arguments.size.at(1);
     }
     options.deformation_scale = arguments.deformation_scale;
+    options.look = arguments.look;
+    options.jobs = arguments.jobs;
     const std::filesystem::path folder =
         arguments.folder.empty() ? arguments.results.parent_path() / "snapshots" : arguments.folder;
     if (arguments.folder.empty()) results::make_own_folder(folder);
-    for (const std::filesystem::path& picture :
-         render::render_snapshots(arguments.results, folder, options, nullptr, look_of(arguments)))
+    for (const std::filesystem::path& picture : render::render_snapshots(arguments.results, folder, options))
         say(picture.string());
     return exit_done;
 }

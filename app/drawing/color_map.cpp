@@ -46,7 +46,7 @@ ColorScale make_scale(double lowest, double highest, const std::string& quantity
         if (largest >= candidate.size) unit = candidate;
     }
     if (scale.highest - scale.lowest <= 1e-12 * largest || largest == 0) scale.highest = scale.lowest + unit.size;
-    scale.caption = fmt::format("{} [{}]", quantity, unit.name);
+    scale.caption = std::string(unit.name).empty() ? quantity : fmt::format("{} [{}]", quantity, unit.name);
     const double step = round_step((scale.highest - scale.lowest) / unit.size, 6);
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step * 1.001))));
     const double slack = 1e-9 * step;

@@ -33,6 +33,8 @@ struct Unit {
 
 inline const std::vector<Unit> length_units = {{1e-6, "µm"}, {1e-3, "mm"}, {1, "m"}};
 inline const std::vector<Unit> speed_units = {{1e-6, "µm/s"}, {1e-3, "mm/s"}, {1, "m/s"}};
+inline const std::vector<Unit> share_units = {{1, ""}};
+inline const std::vector<Unit> strain_units = {{1e-6, "µm/m"}, {1e-3, "mm/m"}, {1, "1"}};
 inline const std::vector<Unit> stress_units = {{1, "Pa"}, {1e3, "kPa"}, {1e6, "MPa"}};
 
 /// @param units in ascending order; the largest one is taken in which the highest number is at least 1

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/reader/look.h"
 #include "app/reader/plane.h"
 #include "app/words/nearest_word.h"
 
@@ -46,10 +47,15 @@ SnapshotColor read_color(YamlCursor& map, const Model& model)
                                                      {"principal_stress", SnapshotColor::principal_stress},
                                                      {"velocity", SnapshotColor::velocity},
                                                      {"opening", SnapshotColor::opening},
-                                                     {"slip", SnapshotColor::slip}},
+                                                     {"slip", SnapshotColor::slip},
+                                                     {"friction", SnapshotColor::friction},
+                                                     {"principal_strain", SnapshotColor::principal_strain},
+                                                     {"group", SnapshotColor::group}},
                                                     SnapshotColor::displacement);
     if (color == SnapshotColor::principal_stress && !is_deformable(model.kinematics))
         map.find("color")->fault("principal_stress in a rigid scene, which has no stress", "use displacement");
+    if (color == SnapshotColor::principal_strain && !is_deformable(model.kinematics))
+        map.find("color")->fault("principal_strain in a rigid scene, which has no strain", "use displacement");
     return color;
 }
 
@@ -101,6 +107,7 @@ SnapshotOptions read_snapshots(YamlCursor& map, const Model& model, const std::v
     SnapshotOptions snapshots;
     if (!map.expect_map("snapshots {color: displacement}")) return snapshots;
     snapshots.color = read_color(map, model);
+    snapshots.look = read_look(map, model, stages, false);
     read_times(map, stages, snapshots);
     read_size(map, snapshots);
     snapshots.deformation_scale =
@@ -110,10 +117,11 @@ SnapshotOptions read_snapshots(YamlCursor& map, const Model& model, const std::v
     return snapshots;
 }
 
-FilmOptions read_film(YamlCursor& map, const Model& model)
+FilmOptions read_film(YamlCursor& map, const Model& model, const std::vector<Stage>& stages)
 {
     FilmOptions film;
     film.color = read_color(map, model);
+    film.look = read_look(map, model, stages, true);
     film.format = map.choice_or<FilmFormat>(
         "format", {{"mp4", FilmFormat::mp4}, {"gif", FilmFormat::gif}, {"webp", FilmFormat::webp}}, film.format);
     read_size(map, film);
@@ -136,7 +144,7 @@ void read_video(YamlCursor& output, const Model& model, const std::vector<Stage>
     std::optional<YamlCursor> video = output.find("video");
     if (!video) return;
     if (video->is_map())
-        options.film = read_film(*video, model);
+        options.film = read_film(*video, model, stages);
     else if (output.boolean_or("video", false))
         options.film = FilmOptions{};
     if (!options.film || stages.empty()) return;

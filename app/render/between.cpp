@@ -87,6 +87,9 @@ void mix(const JointNow& other, double share, JointNow& joint)
     joint.motion.mean_opening = mixed(joint.motion.mean_opening, other.motion.mean_opening, share);
     joint.motion.slip = mixed(joint.motion.slip, other.motion.slip, share);
     joint.motion.largest_slip = mixed(joint.motion.largest_slip, other.motion.largest_slip, share);
+    joint.normal_force = mixed(joint.normal_force, other.normal_force, share);
+    joint.shear_force = mixed(joint.shear_force, other.shear_force, share);
+    joint.area_in_use = mixed(joint.area_in_use, other.area_in_use, share);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <GL/osmesa.h>
 
 #include <array>
+#include <mutex>
 #include <string>
 
 #include "libdda/errors.h"
@@ -12,6 +13,13 @@ namespace voussoir::app::render
 
 namespace
 {
+
+/// The library keeps lists of its contexts that it does not lock.
+std::mutex& lists_of_the_library()
+{
+    static std::mutex mutex;
+    return mutex;
+}
 
 /// Averages each square of samples; colours come out premultiplied by the share that was covered.
 Image averaged(const std::vector<std::uint32_t>& samples, int width, int height)
@@ -46,6 +54,7 @@ struct Canvas::Context {
 
 Canvas::Canvas(int width, int height) : context_(std::make_unique<Context>())
 {
+    const std::lock_guard<std::mutex> lock(lists_of_the_library());
     const std::array<int, 7> wishes = {
         OSMESA_FORMAT, OSMESA_BGRA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
     context_->context = OSMesaCreateContextAttribs(wishes.data(), nullptr);
@@ -63,6 +72,7 @@ Canvas::Canvas(int width, int height) : context_(std::make_unique<Context>())
 
 Canvas::~Canvas()
 {
+    const std::lock_guard<std::mutex> lock(lists_of_the_library());
     if (context_->context != nullptr) OSMesaDestroyContext(context_->context);
 }
 

@@ -10,7 +10,8 @@ namespace voussoir::app::render
 namespace
 {
 
-constexpr std::array<const char*, 5> colors = {"displacement", "principal_stress", "velocity", "opening", "slip"};
+constexpr std::array<const char*, 8> colors = {"displacement", "principal_stress", "velocity",         "opening",
+                                               "slip",         "friction",         "principal_strain", "group"};
 constexpr std::array<const char*, 3> formats = {"mp4", "gif", "webp"};
 
 template <std::size_t N>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace voussoir::app::render
 {
@@ -39,12 +40,27 @@ void load_color_map()
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 }
 
-void draw_triangles(const Scene& scene, bool foundations, const Lights& lights, const drawing::ColorScale& scale)
+/// What the colour of a face says.
+enum class Paint { foundation, blank, value };
+
+Paint paint_of(const Triangle& triangle)
 {
-    const drawing::Rgb base = foundations ? foundation_color() : drawing::Rgb::Ones();
+    if (triangle.foundation) return Paint::foundation;
+    return std::isnan(triangle.values[0]) ? Paint::blank : Paint::value;
+}
+
+drawing::Rgb base_of(Paint paint)
+{
+    if (paint == Paint::value) return drawing::Rgb::Ones();
+    return paint == Paint::foundation ? foundation_color() : blank_color();
+}
+
+void draw_triangles(const Scene& scene, Paint paint, const Lights& lights, const drawing::ColorScale& scale)
+{
+    const drawing::Rgb base = base_of(paint);
     glBegin(GL_TRIANGLES);
     for (const Triangle& triangle : scene.triangles) {
-        if (triangle.foundation != foundations) continue;
+        if (paint_of(triangle) != paint) continue;
         const drawing::Rgb color = base * brightness(triangle.normal, lights);
         glColor3fv(color.data());
         for (int corner = 0; corner < 3; ++corner) {
@@ -84,6 +100,11 @@ drawing::Rgb force_color()
     return {0.08F, 0.35F, 0.95F};
 }
 
+drawing::Rgb blank_color()
+{
+    return {0.90F, 0.89F, 0.86F};
+}
+
 drawing::Rgb foundation_color()
 {
     return {0.76F, 0.76F, 0.77F};
@@ -102,9 +123,10 @@ Image Drawing::draw(const Scene& scene, const Camera& camera, const drawing::Col
 
     glEnable(GL_POLYGON_OFFSET_FILL);  // faces step back a little, so that lines on them are seen
     glPolygonOffset(1.5F, 2);
-    draw_triangles(scene, true, lights, scale);
+    draw_triangles(scene, Paint::foundation, lights, scale);
+    if (scene.has_blank) draw_triangles(scene, Paint::blank, lights, scale);
     glEnable(GL_TEXTURE_1D);
-    draw_triangles(scene, false, lights, scale);
+    draw_triangles(scene, Paint::value, lights, scale);
     glDisable(GL_TEXTURE_1D);
     glDisable(GL_POLYGON_OFFSET_FILL);
 
@@ -117,6 +139,8 @@ Image Drawing::draw(const Scene& scene, const Camera& camera, const drawing::Col
     glDisable(GL_DEPTH_TEST);  // forces are seen through the stones
     draw_lines(scene.thrust, force_color(), 1.5 * stroke);
     draw_lines(scene.forces, force_color(), 3 * stroke);
+    draw_lines(scene.ground_arrows, {1, 1, 1}, 9 * stroke);  // a light rim, to be seen on dark stones
+    draw_lines(scene.ground_arrows, {0, 0, 0}, 5 * stroke);
     glEnable(GL_DEPTH_TEST);
     glDepthRange(0, 1);
     return canvas_.image();

@@ -32,5 +32,6 @@ drawing::Rgb opened_color();
 drawing::Rgb slid_color();
 drawing::Rgb foundation_color();
 drawing::Rgb force_color();
+drawing::Rgb blank_color();  // of stones without a value
 
 }  // namespace voussoir::app::render

@@ -9,6 +9,7 @@
 
 #include "app/render/encoder.h"
 #include "app/render/filmed_run.h"
+#include "app/render/picture_queue.h"
 #include "app/render/sheet.h"
 #include "libdda/errors.h"
 
@@ -29,11 +30,7 @@ class Stage
  public:
     Stage(const std::vector<FilmedFile>& files, const SceneOptions& options, const Look& look, int width,
           int height)
-        : width_(width / static_cast<int>(files.size())),
-          height_(height),
-          look_(look),
-          framing_(options.color),
-          drawing_(width_, height)
+        : width_(width / static_cast<int>(files.size())), height_(height), look_(look), framing_(options.color)
     {
         runs_.reserve(files.size());
         for (const FilmedFile& file : files) runs_.emplace_back(file.results, options, look, file.title);
@@ -57,25 +54,39 @@ class Stage
             camera_ = framing_.camera(width_, height_, runs_.front().planar(), true, look_, share * look_.orbit);
     }
 
+    /// Of one run's part of a picture.
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    /// Reads the moment, and has another thread draw it. Times may only go on.
+    void ask(double time, const std::string& note, PictureQueue& queue)
+    {
+        std::vector<results::RecordedFrame> frames;
+        for (FilmedRun& run : runs_) frames.push_back(run.frame(time));
+        queue.ask([this, frames = std::move(frames), time, camera = camera_, note](Drawing& drawing) {
+            return picture(frames, time, camera, drawing, note);
+        });
+    }
+
+ private:
     /// Rows of all runs, one beside the other.
-    std::vector<std::uint32_t> picture(double time, const std::string& note)
+    Pixels picture(const std::vector<results::RecordedFrame>& frames, double time, const Camera& camera,
+                   Drawing& drawing, const std::string& note) const
     {
         const std::size_t across = static_cast<std::size_t>(width_), rows = static_cast<std::size_t>(height_);
-        if (runs_.size() == 1) return runs_.front().picture(time, camera_, scale_, drawing_, note);
-        std::vector<std::uint32_t> whole(runs_.size() * across * rows);
+        if (runs_.size() == 1) return runs_.front().picture(frames[0], time, camera, scale_, drawing, note);
+        Pixels whole(runs_.size() * across * rows);
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            const std::vector<std::uint32_t> part = runs_[i].picture(time, camera_, scale_, drawing_, note);
+            const Pixels part = runs_[i].picture(frames[i], time, camera, scale_, drawing, note);
             for (std::size_t y = 0; y < rows; ++y)
                 std::copy_n(part.data() + y * across, across, whole.data() + (y * runs_.size() + i) * across);
         }
         return whole;
     }
 
- private:
     int width_, height_;
     Look look_;
     Framing framing_;
-    Drawing drawing_;
     std::vector<FilmedRun> runs_;
     drawing::ColorScale scale_;
     Camera camera_;
@@ -86,6 +97,19 @@ class Stage
 SceneOptions scene_options_of(const FilmOptions& options, double joint_threshold)
 {
     return {options.color, options.deformation_scale.value_or(1), joint_threshold};
+}
+
+/// All moments in their order, on as many threads as `jobs` says; no more are waiting than the threads need.
+void draw_all(Stage& stage, const std::vector<double>& times, const std::string& note, int jobs,
+              const std::function<void(const Pixels&)>& take)
+{
+    PictureQueue queue(jobs_for(jobs, stage.width(), stage.height()), stage.width(), stage.height());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        stage.orbit(static_cast<double>(i) / static_cast<double>(times.size()));
+        stage.ask(times[i], note, queue);
+        if (queue.is_full()) take(queue.next());
+    }
+    while (!queue.is_empty()) take(queue.next());
 }
 
 std::vector<double> times_between(double from, double to, const FilmOptions& options, bool ended_early)
@@ -121,12 +145,12 @@ void render_film(const std::vector<FilmedFile>& files, const fs::path& film, con
     const std::string note =
         options.slow_down != 1 ? fmt::format("   ·   slowed down {:g} times", options.slow_down) : "";
     Encoder encoder(film, options.format, options.width, options.height, options.frames_per_second);
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        stage.orbit(static_cast<double>(i) / static_cast<double>(times.size()));
-        encoder.add(stage.picture(times[i], note));
-        if (!told(i + 1, times.size()))
+    std::size_t done = 0;
+    draw_all(stage, times, note, options.jobs, [&](const Pixels& pixels) {
+        encoder.add(pixels);
+        if (!told(++done, times.size()))
             throw InputError(film.string(), "the film was interrupted", "ask for it again");
-    }
+    });
     encoder.finish();
 }
 
@@ -142,14 +166,15 @@ std::vector<fs::path> render_beside(const std::vector<FilmedFile>& files, const 
     for (int i = 1; options.times.empty() && i <= options.count; ++i)
         times.push_back(stage.start() + (stage.end() - stage.start()) * i / options.count);
     std::sort(times.begin(), times.end());
+    for (double& time : times) time = std::clamp(time, stage.start(), stage.end());
     std::vector<fs::path> pictures;
-    for (const double asked : times) {
-        const double time = std::clamp(asked, stage.start(), stage.end());
-        Image image{options.width, options.height, stage.picture(time, "")};
+    draw_all(stage, times, "", options.jobs, [&](const Pixels& pixels) {
+        Image image{options.width, options.height, pixels};
         for (std::uint32_t& pixel : image.pixels) pixel |= 0xFF000000U;  // opaque
+        const double time = times[pictures.size()];
         pictures.push_back(folder / fmt::format("snapshot_{:04}_t={:.3f}s.png", pictures.size() + 1, time));
         Sheet(image, 1).write(pictures.back());
-    }
+    });
     return pictures;
 }
 

@@ -55,6 +55,7 @@ FilmedRun::FilmedRun(const fs::path& results_file, const SceneOptions& options, 
     if (!title.empty()) model_.title = title;
     strip_ = strip_of(results_file, end);
     at_ = first_filmed(results_);
+    followed_at_start_ = make_scene(model_, results_.frame(at_), options_).followed;
 }
 
 double FilmedRun::start() const
@@ -78,7 +79,8 @@ void FilmedRun::frame_with(Framing& framing) const
     const std::size_t every = std::max<std::size_t>(1, count / 50);
     for (std::size_t i = first; i < results_.times.size(); ++i)
         framing.add(make_scene(model_, results_.frame(i), options_),
-                    (i - first) % every == 0 || i + 1 == results_.times.size());
+                    i == first || (options_.look.followed.empty() &&
+                                   ((i - first) % every == 0 || i + 1 == results_.times.size())));
 }
 
 /// Reads each stored frame once as the time goes on, and mixes the two about it.
@@ -95,17 +97,20 @@ results::RecordedFrame FilmedRun::frame(double time)
     return between(results_.model.kinematics, *before_, *after_, time);
 }
 
-std::vector<std::uint32_t> FilmedRun::picture(double time, const Camera& camera, const drawing::ColorScale& scale,
-                                              Drawing& drawing, const std::string& note)
+std::vector<std::uint32_t> FilmedRun::picture(const results::RecordedFrame& frame, double time,
+                                              const Camera& camera, const drawing::ColorScale& scale,
+                                              Drawing& drawing, const std::string& note) const
 {
-    const Scene scene = make_scene(model_, frame(time), options_);
+    const Scene scene = make_scene(model_, frame, options_);
+    const Camera moved = moved_with(camera, scene, followed_at_start_);
     PageText text = words_of(scene, model_, options_);
     text.subtitle += note;
     if (time >= end()) text.alarm = early_;
-    text.labels = placed_labels(scene, camera);
-    strip_.now = scene.time;
-    const Image image = drawing.draw(scene, camera, scale, logical_pixel(drawing.width(), drawing.height()));
-    return page_pixels(image, scale, text, &strip_);
+    text.labels = placed_labels(scene, moved);
+    MotionStrip strip = strip_;
+    strip.now = scene.time;
+    const Image image = drawing.draw(scene, moved, scale, logical_pixel(drawing.width(), drawing.height()));
+    return page_pixels(image, scale, text, &strip);
 }
 
 }  // namespace voussoir::app::render

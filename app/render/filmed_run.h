@@ -29,22 +29,28 @@ class FilmedRun
     const LookOfRun& look() const { return options_.look; }
     bool ended_early() const { return !early_.empty(); }
 
-    /// Adds what is filmed, all stored frames for the colours and some fifty for the camera.
+    /// Adds what is filmed, all stored frames for the colours and some fifty for the camera; of a camera that
+    /// follows something the first alone.
     void frame_with(Framing& framing) const;
 
     /// The run at a time, between two stored frames as in between.h. Times may only go on; before the first frame
-    /// and after the last they are those. @param note that stands behind the time
+    /// and after the last they are those.
+    results::RecordedFrame frame(double time);
+
+    /// A moment as a finished picture; several threads may draw at once. @param time that was asked of `frame`
+    /// @param note that stands behind the time
     /// @returns pixels of the canvas of `drawing`, 0xXXRRGGBB, rows from the top
-    std::vector<std::uint32_t> picture(double time, const Camera& camera, const drawing::ColorScale& scale,
-                                       Drawing& drawing, const std::string& note);
+    std::vector<std::uint32_t> picture(const results::RecordedFrame& frame, double time, const Camera& camera,
+                                       const drawing::ColorScale& scale, Drawing& drawing,
+                                       const std::string& note) const;
 
  private:
-    results::RecordedFrame frame(double time);
     results::ResultsReader results_;
     results::RecordedModel model_;
     SceneOptions options_;
     MotionStrip strip_;
-    std::string early_;  // how the run ended before its time
+    std::optional<Eigen::Vector3d> followed_at_start_;  // m
+    std::string early_;                                 // how the run ended before its time
     std::size_t at_ = 0;
     std::optional<results::RecordedFrame> before_, after_;
 };

@@ -61,7 +61,12 @@ std::pair<const char*, const std::vector<drawing::Unit>&> quantity(SnapshotColor
             return {"largest opening of a stone's joints", drawing::length_units};
         case SnapshotColor::slip:
             return {"largest slip of a stone's joints", drawing::length_units};
+        case SnapshotColor::friction:
+            return {"largest use of friction of a stone's joints", drawing::share_units};
+        case SnapshotColor::principal_strain:
+            return {"largest compressive principal strain", drawing::strain_units};
         case SnapshotColor::displacement:
+        case SnapshotColor::group:
             break;
     }
     return {"displacement relative to the ground", drawing::length_units};
@@ -79,7 +84,7 @@ void Framing::add(const Scene& scene, bool in_sight)
             if (in_sight)
                 points_.emplace_back(
                     triangle.corners[k].cwiseMax(built_.min() - reach).cwiseMin(built_.max() + reach));
-            if (triangle.foundation) continue;
+            if (triangle.foundation || std::isnan(triangle.values[k])) continue;
             lowest_ = std::min(lowest_, triangle.values[k]);
             highest_ = std::max(highest_, triangle.values[k]);
         }
@@ -96,7 +101,8 @@ drawing::ColorScale Framing::scale() const
 {
     double lowest = lowest_, highest = highest_;
     if (lowest > highest) lowest = highest = 0;  // foundations only
-    if (color_ != SnapshotColor::principal_stress) lowest = 0;
+    if (color_ != SnapshotColor::principal_stress && color_ != SnapshotColor::principal_strain) lowest = 0;
+    if (color_ == SnapshotColor::friction) highest = 1;  // where a joint slides, whatever happens in the run
     const auto& [name, units] = quantity(color_);
     return drawing::make_scale(lowest, highest, name, units);
 }
@@ -112,6 +118,16 @@ drawing::ColorScale scale_of(const Framing& framing, const LookOfRun& look)
         scale.labels.push_back(look.group_names[i]);
     }
     return scale;
+}
+
+Camera moved_with(const Camera& camera, const Scene& scene, const std::optional<Vector3d>& followed_at_start)
+{
+    if (!scene.followed || !followed_at_start) return camera;
+    Camera moved = camera;
+    Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
+    shift.topRightCorner<3, 1>() = *followed_at_start - *scene.followed;
+    moved.view_projection = camera.view_projection * shift;
+    return moved;
 }
 
 std::vector<PlacedWord> placed_labels(const Scene& scene, const Camera& camera)
@@ -135,12 +151,16 @@ PageText words_of(const Scene& scene, const results::RecordedModel& model, const
     text.opened = fmt::format("joint open by more than {} ({})", threshold, scene.opened_joints);
     text.slid = fmt::format("joint slid by more than {} ({})", threshold, scene.slid_joints);
     text.foundations = !model.foundations.empty();
+    if (scene.has_blank) text.blank = "no joint that presses";
     if (const std::string ground = ground_in_words(scene.ground); !ground.empty()) text.notes.push_back(ground);
     if (is_planar(model.kinematics))
         text.notes.push_back(fmt::format("planar scene, drawn {:g} m thick", model.thickness));
     if (options.look.largest_force > 0)
         text.notes.push_back(
             fmt::format("blue: contact forces, up to {:.3g} kN, and thrust", options.look.largest_force / 1e3));
+    if (!options.look.shaking.empty())
+        text.notes.push_back(fmt::format("arrow: acceleration of the ground, {:.2f} m/s², at most {:.3g} m/s²",
+                                         scene.ground_acceleration, options.look.shaking.front().largest));
     if (options.deformation_scale != 1) {
         text.notes.push_back(fmt::format("displacements magnified {:g} times", options.deformation_scale));
     }
@@ -154,6 +174,9 @@ void expect_drawable(const results::ResultsReader& results, const std::filesyste
     }
     if (color == SnapshotColor::principal_stress && !is_deformable(results.model.kinematics)) {
         throw InputError("color", "principal_stress of rigid blocks, which have none", "colour by displacement");
+    }
+    if (color == SnapshotColor::principal_strain && !is_deformable(results.model.kinematics)) {
+        throw InputError("color", "principal_strain of rigid blocks, which have none", "colour by displacement");
     }
     if (results.model.mesh.face_block.empty())
         throw InputError(file.string(), "no block", "give a model with blocks");

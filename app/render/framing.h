@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "app/drawing/color_map.h"
@@ -40,6 +41,11 @@ class Framing
 
 /// The scale of the framing, or the names of the groups with their colours.
 drawing::ColorScale scale_of(const Framing& framing, const LookOfRun& look);
+
+/// The camera at a later moment: it has gone as far as what it follows, so that this stays where it is in the
+/// picture. The same camera where it follows nothing. @param followed_at_start [m] in the scene it was made for
+Camera moved_with(const Camera& camera, const Scene& scene,
+                  const std::optional<Eigen::Vector3d>& followed_at_start);
 
 /// Where in the picture the labels are.
 std::vector<PlacedWord> placed_labels(const Scene& scene, const Camera& camera);

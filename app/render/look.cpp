@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <tuple>
 
+#include "app/words/look_words.h"
 #include "importers/helper/stone_choice.h"
 #include "libdda/errors.h"
 
@@ -44,18 +42,33 @@ void mark(const std::vector<std::string>& patterns, const char* key, const std::
     }
 }
 
-void cut(const std::string& words, const std::vector<Vector3d>& centroids, std::vector<bool>& hidden)
+void cut(const std::string& text, const std::vector<Vector3d>& centroids, std::vector<bool>& hidden)
 {
-    char axis = 0, side = 0, rest = 0;
-    double place = 0;
-    const int read = std::sscanf(words.c_str(), " %c %c %lf%c", &axis, &side, &place, &rest);
-    if (read != 3 || axis < 'x' || axis > 'z' || (side != '<' && side != '>'))
-        throw InputError("--cut", "\"" + words + "\"", "give an axis, < or >, and a place in m: x>1.5");
+    const std::optional<words::Cut> cut = words::cut_named(text);
+    if (!cut) throw InputError("--cut", "\"" + text + "\"", words::cut_expected);
     hidden.resize(centroids.size());
-    for (std::size_t b = 0; b < centroids.size(); ++b) {
-        const double at = centroids[b][axis - 'x'];
-        if (side == '>' ? at > place : at < place) hidden[b] = true;
-    }
+    for (std::size_t b = 0; b < centroids.size(); ++b)
+        if (cut->takes(centroids[b])) hidden[b] = true;
+}
+
+/// By mass, of the stones that the camera goes with. @param mass (blocks) kg
+std::vector<double> followed_stones(const std::string& pattern, const results::RecordedModel& model,
+                                    const std::vector<std::string>& groups, const std::vector<double>& mass)
+{
+    std::vector<bool> marks;
+    if (pattern != words::whole_structure)
+        mark({pattern}, "--follow", model.block_names, groups, marks);
+    else
+        marks.assign(model.block_names.size(), true);
+    if (pattern == words::whole_structure)
+        for (const std::int32_t block : model.foundations) marks[static_cast<std::size_t>(block)] = false;
+    std::vector<double> weights(marks.size());
+    double all = 0;
+    for (std::size_t b = 0; b < marks.size(); ++b)
+        if (marks[b]) all += weights[b] = b < mass.size() && mass[b] > 0 ? mass[b] : 1;
+    if (!(all > 0)) throw InputError("--follow", "there are foundations alone", "follow nothing");
+    for (double& weight : weights) weight /= all;
+    return weights;
 }
 
 double largest_force(const results::ResultsReader& results)
@@ -111,20 +124,12 @@ std::vector<Vector3d> drum_about(const std::vector<Vector3d>& points)
 
 }  // namespace
 
-void set_view(const std::string& words, Look& look)
+void set_view(const std::string& text, Look& look)
 {
-    const std::map<std::string, std::pair<double, double>> named = {
-        {"front", {0, 0}}, {"right", {90, 0}}, {"back", {180, 0}}, {"left", {-90, 0}}, {"top", {0, 90}}};
-    double azimuth = 0, elevation = 0;
-    char rest = 0;
-    if (const auto view = named.find(words); view != named.end())
-        std::tie(azimuth, elevation) = view->second;
-    else if (std::sscanf(words.c_str(), "%lf,%lf%c", &azimuth, &elevation, &rest) != 2 ||
-             !(std::abs(azimuth) <= 360) || !(std::abs(elevation) <= 90))
-        throw InputError("--view", "\"" + words + "\"",
-                         "give front, right, back, left or top, or AZIMUTH,ELEVATION in degrees: 30,20");
-    look.azimuth = azimuth * degree;
-    look.elevation = elevation * degree;
+    const std::optional<words::ViewAngles> view = words::view_named(text);
+    if (!view) throw InputError("--view", "\"" + text + "\"", words::view_expected);
+    look.azimuth = view->azimuth;
+    look.elevation = view->elevation;
 }
 
 LookOfRun look_of(const Look& look, const std::filesystem::path& file, const results::ResultsReader& results)
@@ -143,12 +148,16 @@ LookOfRun look_of(const Look& look, const std::filesystem::path& file, const res
     }
     mark(look.hidden, "--hide", names, group_of_block, of_run.hidden);
     mark(look.labels, "--label", names, {}, of_run.labelled);
-    for (const std::string& words : look.cuts) cut(words, results.model.centroids, of_run.hidden);
+    for (const std::string& text : look.cuts) cut(text, results.model.centroids, of_run.hidden);
     if (std::find(of_run.hidden.begin(), of_run.hidden.end(), false) == of_run.hidden.end() &&
         !of_run.hidden.empty())
         throw InputError("--hide, --cut", "no stone is left", "hide fewer");
     if (look.groups) colour_by_groups(groups, group, results.model, of_run);
     if (look.forces) of_run.largest_force = largest_force(results);
+    if (!look.follow.empty())
+        of_run.followed =
+            followed_stones(look.follow, results.model, group_of_block, open.read<double>("/model/mass"));
+    if (look.ground) of_run.shaking = shaking_of(file, results.model);
     return of_run;
 }
 

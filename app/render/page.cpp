@@ -72,7 +72,8 @@ void write_foot(const Sheet& sheet, const PageText& text, double bottom)
     const double y = bottom - 34;
     if (!text.opened.empty()) x = legend_entry(sheet.pen, text.opened, opened_color(), false, x, y);
     if (!text.slid.empty()) x = legend_entry(sheet.pen, text.slid, slid_color(), false, x, y);
-    if (text.foundations) legend_entry(sheet.pen, "foundation", foundation_color(), true, x, y);
+    if (text.foundations) x = legend_entry(sheet.pen, "foundation", foundation_color(), true, x, y);
+    if (!text.blank.empty()) x = legend_entry(sheet.pen, text.blank, blank_color(), true, x, y);
     if (!text.alarm.empty()) {
         drawing::use(sheet.pen, opened_color());
         drawing::font(sheet.pen, 17, true);
@@ -81,6 +82,9 @@ void write_foot(const Sheet& sheet, const PageText& text, double bottom)
     }
     drawing::use(sheet.pen, faint_ink);
     double line = y - 22.0 * (static_cast<double>(text.notes.size()) - 1);
+    // A legend that reaches as far as the last note has the line for itself.
+    if (!text.notes.empty() && x > sheet.width - margin - drawing::width_of(sheet.pen, text.notes.back()))
+        line -= 24;
     for (const std::string& note : text.notes) {
         drawing::write(sheet.pen, note, sheet.width - margin - drawing::width_of(sheet.pen, note), line);
         line += 22;

@@ -30,6 +30,7 @@ struct PageText {
     std::vector<std::string> notes;  // lines at the lower right
     std::string opened, slid;        // legend of the marks
     bool foundations = false;        // grey blocks are explained
+    std::string blank;               // what is explained of stones without a value
     std::vector<PlacedWord> labels;
     std::string alarm;  // in red above the legend: that the run ended early
 };

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <numbers>
 
 #include "app/render/color_names.h"
 #include "app/render/film.h"
+#include "app/render/picture_queue.h"
 #include "app/render/render_run.h"
 #include "app/render/time_pictures.h"
 #include "importers/process/own_limits.h"
@@ -40,6 +42,14 @@ struct Arguments {
     double orbit_degrees = 0;
     int timed = 0;
 };
+
+/// Where several pictures are drawn at once each has a core for itself: the rasteriser of each starts no threads
+/// of its own. Before anything draws, as the library reads it when it begins.
+void share_cores(SnapshotOptions& options)
+{
+    options.jobs = render::jobs_for(options.jobs, options.width, options.height);
+    if (options.jobs > 1) setenv("LP_NUM_THREADS", "0", 0);
+}
 
 void read_size(const std::string& text, SnapshotOptions& options)
 {
@@ -78,7 +88,11 @@ void describe(CLI::App& app, Arguments& arguments)
     app.add_option("--orbit", arguments.orbit_degrees, "Turn of the viewer in the course of a film [deg]");
     app.add_flag("--orthographic", arguments.look.orthographic, "Without perspective");
     app.add_flag("--forces", arguments.look.forces, "Contact forces and the line of thrust");
-    app.add_flag("--groups", arguments.look.groups, "Colours show the groups");
+    app.add_flag("--ground", arguments.look.ground, "The acceleration of the ground, as an arrow");
+    app.add_option("--follow", arguments.look.follow, "The camera goes with the stones of this name");
+    app.add_option("--jobs", arguments.options.jobs, "Pictures drawn at once; 0: as many as there are cores")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
     app.add_option("--timed", arguments.timed, "Draw the last frame so often and tell the CPU time of each");
     app.add_option("--beside", arguments.beside, "Results of another run, to be shown on the right");
     app.add_option("--title", arguments.titles, "Title over a run, in the order of the runs")
@@ -132,6 +146,7 @@ void make_film(const Arguments& arguments)
     film.frames_per_second = arguments.frames_per_second;
     film.slow_down = arguments.slow_down;
     film.deformation_scale = arguments.deformation_scale;
+    film.jobs = arguments.options.jobs;
     render::render_film(runs_of(arguments), arguments.film, film, arguments.look,
                         arguments.joint_threshold_mm * 1e-3, [](std::size_t done, std::size_t all) {
                             fmt::print("frame {} of {}\n", done, all);
@@ -158,9 +173,11 @@ void render(Arguments& arguments)
     read_size(arguments.size, arguments.options);
     arguments.options.color = render::color_named(arguments.color);
     arguments.options.deformation_scale = arguments.deformation_scale;
+    arguments.look.groups = arguments.options.color == voussoir::app::SnapshotColor::group;
     if (!arguments.view.empty()) render::set_view(arguments.view, arguments.look);
     arguments.look.orbit = arguments.orbit_degrees * std::numbers::pi / 180;
     if (arguments.timed > 0) return tell_times(arguments);
+    share_cores(arguments.options);
     if (!arguments.film.empty()) return make_film(arguments);
     const double threshold = arguments.joint_threshold_mm * 1e-3;
     const std::vector<std::filesystem::path> pictures =

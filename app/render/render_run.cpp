@@ -9,6 +9,7 @@
 #include "app/render/extrusion.h"
 #include "app/render/framing.h"
 #include "app/render/page.h"
+#include "app/render/picture_queue.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::render
@@ -65,19 +66,24 @@ std::vector<fs::path> render_run(const fs::path& results_file, const fs::path& f
     Framing framing(options.color);
     for (const std::size_t frame : choose_frames(results, options)) {
         scenes.push_back(make_scene(model, results.frame(frame), scene_options));
-        framing.add(scenes.back());
+        framing.add(scenes.back(), scenes.size() == 1 || scene_options.look.followed.empty());
     }
     const drawing::ColorScale scale = scale_of(framing, scene_options.look);
     const Camera camera = framing.camera(options.width, options.height, is_planar(model.kinematics), false, look);
-    Drawing drawing(options.width, options.height);
+    PictureQueue queue(jobs_for(options.jobs, options.width, options.height), options.width, options.height);
     std::vector<fs::path> pictures;
     for (const Scene& scene : scenes) {
-        const Image image = drawing.draw(scene, camera, scale, logical_pixel(options.width, options.height));
         pictures.push_back(folder / fmt::format("snapshot_{:04}_t={:.3f}s.png", pictures.size() + 1, scene.time));
-        PageText text = words_of(scene, model, scene_options);
-        text.labels = placed_labels(scene, camera);
-        write_page(image, scale, text, pictures.back());
+        queue.ask([&, path = pictures.back()](Drawing& drawing) {
+            const Camera moved = moved_with(camera, scene, scenes.front().followed);
+            const Image image = drawing.draw(scene, moved, scale, logical_pixel(options.width, options.height));
+            PageText text = words_of(scene, model, scene_options);
+            text.labels = placed_labels(scene, moved);
+            write_page(image, scale, text, path);
+            return Pixels();
+        });
     }
+    while (!queue.is_empty()) queue.next();
     return pictures;
 }
 

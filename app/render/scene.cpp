@@ -1,10 +1,11 @@
 #include "app/render/scene.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "app/render/joint_faces.h"
+#include "app/render/stone_values.h"
 
 namespace voussoir::app::render
 {
@@ -20,30 +21,6 @@ struct Vertices {
     std::vector<double> values;   // SI
 };
 
-/// The coloured quantity of each block, where all of its vertices have one value. @returns (blocks) SI
-std::vector<double> block_values(const results::RecordedModel& model, const results::RecordedFrame& frame,
-                                 SnapshotColor color, const LookOfRun& look)
-{
-    std::vector<double> values(model.block_names.size(), 0.0);
-    if (!look.group_names.empty()) return {look.group.begin(), look.group.end()};
-    const auto unknowns = static_cast<std::size_t>(unknowns_per_block(model.kinematics));
-    const int dimension = is_planar(model.kinematics) ? 2 : 3;
-    for (std::size_t b = 0; b < values.size(); ++b) {
-        if (color == SnapshotColor::principal_stress) values[b] = largest_compression(frame.stresses[b]);
-        if (color == SnapshotColor::velocity)
-            values[b] =
-                Eigen::Map<const Eigen::VectorXd>(frame.state.velocities.data() + b * unknowns, dimension).norm();
-    }
-    if (color != SnapshotColor::opening && color != SnapshotColor::slip) return values;
-    for (std::size_t i = 0; i < model.joints.size(); ++i) {
-        const JointMotion& motion = frame.joints[i].motion;
-        for (const int block : {model.joints[i].block_a, model.joints[i].block_b})
-            values[block] =
-                std::max(values[block], color == SnapshotColor::opening ? motion.opening : motion.largest_slip);
-    }
-    return values;
-}
-
 bool is_hidden(const LookOfRun& look, int block)
 {
     return !look.hidden.empty() && look.hidden[static_cast<std::size_t>(block)];
@@ -57,7 +34,7 @@ Vertices place_vertices(const results::RecordedModel& model, const results::Reco
     const std::vector<double> positions = results::positions_of(mesh, model.kinematics, frame.state);
     std::vector<double> values;
     if (options.color != SnapshotColor::displacement || !options.look.group_names.empty())
-        values = block_values(model, frame, options.color, options.look);
+        values = stone_values(model, frame, options.color, options.look);
     for (std::size_t v = 0; v < mesh.vertex_block.size(); ++v) {
         const int block = mesh.vertex_block[v];
         const Vector3d actual(positions.data() + 3 * v);
@@ -171,12 +148,55 @@ void add_forces(const results::RecordedModel& model, const results::RecordedFram
         if (two.size() == 2) scene.thrust.push_back({two[0], two[1]});
 }
 
-}  // namespace
-
-double largest_compression(const Eigen::Matrix3d& stress)
+/// A line with four barbs at its end.
+void add_arrow(const Vector3d& from, const Vector3d& along, std::vector<Segment>& lines)
 {
-    return -Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    const Vector3d to = from + along;
+    lines.push_back({from, to});
+    if (!(along.norm() > 0)) return;
+    const Vector3d across = along.unitOrthogonal();
+    for (const Vector3d& side : {across, Vector3d(along.normalized().cross(across))})
+        for (const double sign : {-1.0, 1.0})
+            lines.push_back({to, to - 0.2 * along + 0.1 * sign * along.norm() * side});
 }
+
+/// At each support what the ground does, the largest of the run as long as a sixth of the structure.
+void add_ground_arrows(const results::RecordedModel& model, double time, const LookOfRun& look, Scene& scene)
+{
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& centroid : model.centroids) box.extend(centroid);
+    for (const GroundShaking& shaking : look.shaking) {
+        if (!(shaking.largest > 0)) continue;
+        const Vector3d acceleration = shaking.acceleration(time);
+        scene.ground_acceleration = std::max(scene.ground_acceleration, acceleration.norm());
+        add_arrow(shaking.place, box.diagonal().norm() / 6 / shaking.largest * acceleration, scene.ground_arrows);
+    }
+}
+
+/// The middle of the stones that the camera goes with, as they are drawn: by their weights, of each the mean of
+/// its corners.
+std::optional<Vector3d> followed_place(const results::SurfaceMesh& mesh, const Vertices& vertices,
+                                       const std::vector<double>& weights)
+{
+    if (weights.empty()) return std::nullopt;
+    Vector3d place = Vector3d::Zero();
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+        const std::int32_t first = mesh.block_first_vertex[b], end = mesh.block_first_vertex[b + 1];
+        for (std::int32_t v = first; v < end; ++v)
+            place += weights[b] / (end - first) * vertices.drawn[static_cast<std::size_t>(v)];
+    }
+    return place;
+}
+
+/// Stones without a value are grey, the foundations apart.
+bool any_blank(const Scene& scene)
+{
+    return std::any_of(scene.triangles.begin(), scene.triangles.end(), [](const Triangle& triangle) {
+        return !triangle.foundation && std::isnan(triangle.values[0]);
+    });
+}
+
+}  // namespace
 
 Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& frame,
                  const SceneOptions& options)
@@ -194,7 +214,10 @@ Scene make_scene(const results::RecordedModel& model, const results::RecordedFra
     }
     add_labels(model, vertices, options.look, scene);
     if (options.look.largest_force > 0) add_forces(model, frame, options.look, scene);
+    add_ground_arrows(model, frame.time, options.look, scene);
     mark_joints(model, frame, vertices, options, scene);
+    scene.followed = followed_place(model.mesh, vertices, options.look.followed);
+    scene.has_blank = any_blank(scene);
     return scene;
 }
 

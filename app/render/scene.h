@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "app/case/case.h"
@@ -21,7 +22,7 @@ struct SceneOptions {
 struct Triangle {
     std::array<Eigen::Vector3d, 3> corners;  // m
     Eigen::Vector3d normal;                  // unit, outward
-    std::array<double, 3> values;            // of the coloured quantity, SI
+    std::array<double, 3> values;            // of the coloured quantity, SI; NaN: it has none, and is grey
     bool foundation = false;                 // grey, not coloured
 };
 
@@ -41,6 +42,10 @@ struct Scene {
     std::vector<Triangle> triangles;
     std::vector<Segment> edges, opened, slid;  // outlines of faces, and of the faces of marked joints
     std::vector<Segment> forces, thrust;  // contact forces, a sixth of the structure for the largest of the run
+    std::vector<Segment> ground_arrows;   // acceleration of the ground, the largest of the run as long
+    double ground_acceleration = 0;       // m/s2, the largest that they show
+    std::optional<Eigen::Vector3d> followed;  // m, where what the camera goes with is drawn
+    bool has_blank = false;                   // stones that have no value are grey
     std::vector<Label> labels;
     int opened_joints = 0, slid_joints = 0;
 };
@@ -48,8 +53,5 @@ struct Scene {
 /// @param model with a mesh in space
 Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& frame,
                  const SceneOptions& options);
-
-/// Largest compressive principal stress [Pa], > 0 in compression.
-double largest_compression(const Eigen::Matrix3d& stress);
 
 }  // namespace voussoir::app::render

@@ -32,6 +32,7 @@ std::string request(const fs::path& results_file, const fs::path& folder, const 
     text += fmt::format("--count\n{}\n--size\n{}x{}\n", options.count, options.width, options.height);
     if (!options.times.empty()) text += fmt::format("--times\n{}\n", fmt::join(options.times, ","));
     if (options.deformation_scale) text += fmt::format("--deformation-scale\n{}\n", *options.deformation_scale);
+    text += fmt::format("--jobs\n{}\n", options.jobs);
     return text;
 }
 
@@ -47,14 +48,23 @@ std::string beside_request(const Beside* beside)
     return text;
 }
 
-/// Options of the helper, as they are. @throws InputError for a text of two lines
-std::string look_request(const std::vector<std::string>& look)
+/// The look as options of the helper. @throws InputError for a text of two lines
+std::string look_request(const LookOptions& look)
 {
     std::string text;
-    for (const std::string& word : look) {
-        if (word.find('\n') != std::string::npos) throw InputError("render", word, "a text of one line");
-        text += word + "\n";
-    }
+    const auto add = [&](const char* option, const std::string& value) {
+        if (value.find('\n') != std::string::npos) throw InputError(option, value, "a text of one line");
+        if (!value.empty()) text += std::string(option) + "=" + value + "\n";
+    };
+    for (const std::string& pattern : look.hidden) add("--hide", pattern);
+    for (const std::string& cut : look.cuts) add("--cut", cut);
+    for (const std::string& pattern : look.labels) add("--label", pattern);
+    add("--view", look.view);
+    add("--follow", look.follow);
+    if (look.orbit != 0) add("--orbit", fmt::format("{}", look.orbit));
+    if (look.orthographic) text += "--orthographic\n";
+    if (look.forces) text += "--forces\n";
+    if (look.ground) text += "--ground\n";
     return text;
 }
 
@@ -104,14 +114,13 @@ bool has_ffmpeg()
 }
 
 std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::path& asked_folder,
-                                       const SnapshotOptions& options, const Beside* beside,
-                                       const std::vector<std::string>& look)
+                                       const SnapshotOptions& options, const Beside* beside)
 {
     // A name that begins with a dash would be taken for an option.
     const fs::path folder = asked_folder.string().starts_with('-') ? "." / asked_folder : asked_folder;
     const fs::path helper = helper_for({results_file, folder});
     const importers::process::ChildAnswer answer = importers::process::ask_child(
-        helper, request(results_file, folder, options) + beside_request(beside) + look_request(look),
+        helper, request(results_file, folder, options) + beside_request(beside) + look_request(options.look),
         seconds_allowed, max_output);
     if (!answer.failure.empty()) {
         throw InputError(results_file.string(), "voussoir-render drew no pictures: " + answer.failure,
@@ -130,17 +139,17 @@ std::string film_name(FilmFormat format)
 }
 
 void request_film(const fs::path& results_file, const fs::path& asked_film, const FilmOptions& options,
-                  const std::function<void(int done, int all)>& told, const Beside* beside,
-                  const std::vector<std::string>& look)
+                  const std::function<void(int done, int all)>& told, const Beside* beside)
 {
     constexpr double hours_allowed = 24;
     const fs::path film = fs::absolute(asked_film), helper = helper_for({results_file, film});
     std::string text = fmt::format("{}\n--video\n{}\n--format\n{}\n--color\n{}\n--size\n{}x{}\n",
                                    fs::absolute(results_file).string(), film.string(), name_of(options.format),
                                    name_of(options.color), options.width, options.height);
-    text += fmt::format("--fps\n{}\n--slow-down\n{}\n", options.frames_per_second, options.slow_down);
+    text += fmt::format("--fps\n{}\n--slow-down\n{}\n--jobs\n{}\n", options.frames_per_second, options.slow_down,
+                        options.jobs);
     if (options.deformation_scale) text += fmt::format("--deformation-scale\n{}\n", *options.deformation_scale);
-    text += beside_request(beside) + look_request(look);
+    text += beside_request(beside) + look_request(options.look);
     const auto on_line = [&](const std::string& line) {
         int done = 0, all = 0;
         if (told && std::sscanf(line.c_str(), "frame %d of %d", &done, &all) == 2) told(done, all);

@@ -25,18 +25,18 @@ struct Beside {
 };
 
 /// Starts `voussoir-render` (beside the running program) on a results file and returns the pictures it made.
-/// @param beside where two runs are to be seen; @param look options of the helper: what is hidden, named, the view
+/// @param beside where two runs are to be seen
 /// @throws InputError when the helper is missing, fails, or the results cannot be read
 std::vector<std::filesystem::path> render_snapshots(const std::filesystem::path& results_file,
                                                     const std::filesystem::path& folder,
-                                                    const SnapshotOptions& options, const Beside* beside = nullptr,
-                                                    const std::vector<std::string>& look = {});
+                                                    const SnapshotOptions& options,
+                                                    const Beside* beside = nullptr);
 
 /// Has the helper make a film, which has ffmpeg write it. @param told how many of how many frames are done
 /// @throws InputError when the helper or ffmpeg is missing or fails, with the reason; no file is left then
 void request_film(const std::filesystem::path& results_file, const std::filesystem::path& film,
                   const FilmOptions& options, const std::function<void(int done, int all)>& told,
-                  const Beside* beside = nullptr, const std::vector<std::string>& look = {});
+                  const Beside* beside = nullptr);
 
 /// video.mp4, video.gif or video.webp.
 std::string film_name(FilmFormat format);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "app/report/sections.h"
 #include "records/measures/measures.h"
@@ -63,31 +64,56 @@ std::string checksum(const std::string& text)
     return fmt::format("{:016x}", hash);
 }
 
-/// The figures of an object of the summary, by the name of each.
-Table object_table(const Json& summary, const char* key, Table table)
+/// "damping_kinetic_J" as "damping kinetic"; what is no energy is said elsewhere.
+Table energy_table(const Json& summary)
 {
-    if (!summary.contains(key)) return table;
-    for (const auto& [name, value] : summary.at(key).items())
-        if (value.is_primitive()) table.rows.push_back({name, text_of(value)});
+    Table table{"energy", "Energy balance", {"term", "energy [kJ]"}, {}};
+    if (!summary.contains("energy")) return table;
+    for (const auto& [name, value] : summary.at("energy").items()) {
+        if (!name.ends_with("_J") || !value.is_number()) continue;
+        std::string words = name.substr(0, name.size() - 2);
+        std::replace(words.begin(), words.end(), '_', ' ');
+        table.rows.push_back({words, figure(value.get<double>() / 1e3)});
+    }
     return table;
 }
 
 Table costs_table(const Json& summary)
 {
     Table table{"computation", "The computation", {"quantity", "value"}, {}};
-    for (const char* key :
-         {"steps", "step_cuts", "unconverged_steps", "open_close_iterations", "factorisations",
-          "max_penetration_m", "static_unbalanced", "simulated_time_s", "wall_time_s", "cpu_time_s"})
-        if (summary.contains(key)) table.rows.push_back({key, text_of(summary.at(key))});
+    const std::vector<std::pair<const char*, const char*>> figures = {
+        {"steps", "steps"},
+        {"step_cuts", "steps that were cut"},
+        {"unconverged_steps", "steps that did not converge"},
+        {"open_close_iterations", "open-close iterations"},
+        {"factorisations", "factorisations"},
+        {"max_penetration_m", "largest penetration [m]"},
+        {"static_unbalanced", "unbalanced share of forces, static"},
+        {"simulated_time_s", "simulated time [s]"},
+        {"wall_time_s", "wall time [s]"},
+        {"cpu_time_s", "CPU time [s]"},
+    };
+    for (const auto& [key, words] : figures)
+        if (summary.contains(key)) table.rows.push_back({words, text_of(summary.at(key))});
     return table;
+}
+
+/// A share as a percentage of one decimal.
+std::string percent(const Json& share)
+{
+    return share.is_number() ? fmt::format("{:.1f}", 100 * share.get<double>()) : text_of(share);
 }
 
 Table modes_table(const Json& summary)
 {
-    Table table{"modes", "Natural modes found", {"frequency [Hz]", "mass along x, y, z"}, {}};
+    Table table{"modes", "Natural modes found", {"frequency [Hz]"}, {}};
     if (!summary.contains("trust") || !summary.at("trust").contains("modes")) return table;
-    for (const Json& mode : summary.at("trust").at("modes"))
-        table.rows.push_back({text_of(mode.at("frequency_Hz")), mode.at("mass_fraction").dump()});
+    for (const char* axis : {"x", "y", "z"}) table.columns.push_back(fmt::format("mass along {} [%]", axis));
+    for (const Json& mode : summary.at("trust").at("modes")) {
+        table.rows.push_back({text_of(mode.at("frequency_Hz"))});
+        for (const Json& share : mode.at("mass_fraction")) table.rows.back().push_back(percent(share));
+        table.rows.back().resize(table.columns.size());
+    }
     return table;
 }
 
@@ -189,9 +215,8 @@ Section how_well_computed(const RunRecord& record)
             "No error estimate was asked for (output: {error_estimate: true}); how far the figures depend on the "
             "time step "
             "and on the contact stiffness is not known from this run alone.");
-    section.tables = {costs_table(summary),
-                      object_table(summary, "energy", {"energy", "Energy balance [J]", {"term", "value"}, {}}),
-                      modes_table(summary), damping_table(summary), estimate_table(summary)};
+    section.tables = {costs_table(summary), energy_table(summary), modes_table(summary), damping_table(summary),
+                      estimate_table(summary)};
     std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
     for (Table& table : section.tables) table.shown = 40;
     return section;
@@ -201,7 +226,7 @@ Section assumptions(const RunRecord& record)
 {
     Section section{"Assumptions and warnings", {}, {}, {}, {}, {}};
     section.paragraphs.push_back(record.warnings.empty() ? "There are no warnings."
-                                                         : "Warnings and repairs of the geometry:");
+                                                         : "Warnings, and repairs of the geometry:");
     section.points = record.warnings;
     const auto list = [&section](const char* name, const char* title, const std::vector<std::string>& texts) {
         Table table{name, title, {"what"}, {}};

@@ -29,7 +29,9 @@ caption { text-align: left; font-weight: 600; padding: .3rem 0; caption-side: to
 th, td { border-bottom: 1px solid var(--line); padding: .3rem .7rem .3rem 0; text-align: left; vertical-align: top; }
 th { color: var(--faint); font-weight: 600; }
 td.n { white-space: nowrap; }
-td { overflow-wrap: anywhere; min-width: 3rem; }
+td { overflow-wrap: anywhere; min-width: 7.8rem; }
+td.n { min-width: 3rem; }
+#view td { min-width: 3rem; }
 figure { margin: 1rem 0 1.6rem; break-inside: avoid; }
 figure img, figure video { width: 100%; height: auto; border: 1px solid var(--line); display: block; }
 figcaption, .more { color: var(--faint); font-size: .88rem; }

@@ -21,6 +21,14 @@ namespace
 
 namespace fs = std::filesystem;
 
+/// "12.340 s", from the name of a picture, "snapshot_0001_t=12.340s".
+std::string time_in(const std::string& name)
+{
+    const std::size_t at = name.find("t=");
+    if (at == std::string::npos || name.empty()) return "unknown";
+    return name.substr(at + 2, name.size() - at - 3) + " s";
+}
+
 /// The structure at the start of the motion, at the moment that is described, and at the end.
 Section pictures_of(const RunRecord& record, const fs::path& folder)
 {
@@ -33,8 +41,8 @@ Section pictures_of(const RunRecord& record, const fs::path& folder)
     attempt(section, "There are no pictures", [&] {
         for (const fs::path& picture : render::render_snapshots(record.file, folder, options)) {
             const std::string name = picture.stem().string();
-            section.pictures.push_back({picture, "Displacement relative to the ground, " +
-                                                     name.substr(std::min(name.find("t="), name.size())) + "."});
+            section.pictures.push_back(
+                {picture, "Displacement relative to the ground, t = " + time_in(name) + "."});
         }
     });
     if (!is_deformable(record.results.model.kinematics)) return section;

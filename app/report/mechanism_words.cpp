@@ -141,6 +141,12 @@ std::string of_what_fails(const Mechanism& mechanism, const results::RecordedMod
 
 }  // namespace
 
+std::string stress_in_words(double pascals)
+{
+    const bool small = std::abs(pascals) < 1e5;
+    return fmt::format("{:.3g} {}", pascals / (small ? 1e3 : 1e6), small ? "kPa" : "MPa");
+}
+
 std::string length_in_words(double metres)
 {
     const double size = std::abs(metres);
@@ -182,7 +188,8 @@ MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel
     }
     for (const Body& body : mechanism.bodies) {
         if (body.rests || words.bodies.size() == most_told) continue;
-        words.bodies.push_back(fmt::format("{}: moved by {}, turned by {}.",
+        words.bodies.push_back(fmt::format("{}{}: moved by {}, turned by {}.",
+                                           body.blocks.size() > 1 ? "Moves as one: " : "",
                                            names_in_words(body.blocks, model.block_names),
                                            length_in_words(body.displacement), degrees(body.turn)));
     }

@@ -20,6 +20,9 @@ MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel
 /// "12.3 mm", "1.23 m", "45 µm".
 std::string length_in_words(double metres);
 
+/// "1.67 MPa", "52.2 kPa".
+std::string stress_in_words(double pascals);
+
 /// "stands", "hinges", "slides", "overturns", "sheds", "mixed", "loose".
 const char* name_of(MechanismKind kind);
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -72,10 +73,10 @@ void add_stress_rows(const RunRecord& record, std::vector<std::vector<std::strin
     const std::size_t pressed = place_of_largest(blocks, [](const BlockCourse& b) { return b.compression.value; });
     const std::size_t pulled = place_of_largest(blocks, [](const BlockCourse& b) { return b.tension.value; });
     rows.push_back({"largest compressive stress (mean of a stone)",
-                    at(blocks[pressed].compression, figure(blocks[pressed].compression.value / 1e6) + " MPa"),
+                    at(blocks[pressed].compression, stress_in_words(blocks[pressed].compression.value)),
                     model.block_names[pressed]});
     rows.push_back({"largest tensile stress (mean of a stone)",
-                    at(blocks[pulled].tension, figure(blocks[pulled].tension.value / 1e6) + " MPa"),
+                    at(blocks[pulled].tension, stress_in_words(blocks[pulled].tension.value)),
                     model.block_names[pulled]});
 }
 
@@ -210,7 +211,9 @@ void add_unless_empty(Table table, Section& section)
 
 std::string figure(double value)
 {
-    return fmt::format("{:.4g}", value);
+    // Thousands of kN are read as a number; powers of ten are for what is far from 1.
+    const bool large = std::abs(value) >= 1e4 && std::abs(value) < 1e7;
+    return large ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
 std::string first_line_of(const RunRecord& record)
@@ -278,7 +281,7 @@ Section mechanism_section(const RunRecord& record)
             "At t = {:.3g} s, joints that moved by more than 0.1 mm and more than a tenth of what moved most:",
             record.mechanism.time));
     section.points = words.joints;
-    for (const std::string& body : words.bodies) section.points.push_back("Moves as one: " + body);
+    for (const std::string& body : words.bodies) section.points.push_back(body);
     return section;
 }
 

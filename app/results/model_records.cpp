@@ -185,6 +185,10 @@ void write_blocks(const Model& model, Hdf5File& file)
     file.write("/model/mass", mass);
     file.write("/model/centroid", centroid, {count, dimension});
     file.write("/model/second_moments", second, {count, dimension, dimension});
+    std::vector<double> friction_factor;
+    for (const Block& block : model.blocks) friction_factor.push_back(block.friction_factor);
+    if (std::any_of(friction_factor.begin(), friction_factor.end(), [](double factor) { return factor != 1; }))
+        file.write("/model/friction_factor", friction_factor);
 }
 
 void write_foundations(const Model& model, Hdf5File& file)

@@ -1,6 +1,7 @@
 #include "app/results/results_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/results/recorded_checks.h"
@@ -86,6 +87,32 @@ std::vector<WatchedJoint> read_joints(const Hdf5File& file, Kinematics kinematic
     return joints;
 }
 
+/// From the materials of the joints between the groups of blocks, and the factors of single blocks.
+std::vector<JointBound> read_bounds(const Hdf5File& file, const RecordedModel& model, const std::string& place)
+{
+    if (model.joints.empty()) return {};
+    const std::vector<std::int32_t> group = file.read<std::int32_t>("/model/block_group"),
+                                    material = file.read<std::int32_t>("/model/joint_of_groups");
+    const std::vector<double> angle = file.read<double>("/model/joint_materials/friction_angle"),
+                              cohesion = file.read<double>("/model/joint_materials/cohesion");
+    std::vector<double> factor(model.block_names.size(), 1.0);
+    if (file.has("/model/friction_factor"))
+        factor = read_for_each(file, "/model/friction_factor", factor.size(), place);
+    const std::size_t groups = file.read_texts("/model/groups").size();
+    std::vector<JointBound> bounds;
+    for (const WatchedJoint& joint : model.joints) {
+        const auto a = static_cast<std::size_t>(joint.block_a), b = static_cast<std::size_t>(joint.block_b);
+        const bool known = std::max(a, b) < std::min(group.size(), factor.size());
+        const std::size_t pair =
+            known ? static_cast<std::size_t>(group[a]) * groups + static_cast<std::size_t>(group[b]) : 0;
+        const std::size_t of = pair < material.size() ? static_cast<std::size_t>(material[pair]) : angle.size();
+        if (!known || of >= std::min(angle.size(), cohesion.size()))
+            throw InputError(place, "a joint without its material", "the file is damaged: run the case again");
+        bounds.push_back({0.5 * (factor[a] + factor[b]) * std::tan(angle[of]), cohesion[of]});
+    }
+    return bounds;
+}
+
 RecordedModel read_model(const Hdf5File& file, const std::string& place)
 {
     RecordedModel model;
@@ -105,6 +132,7 @@ RecordedModel read_model(const Hdf5File& file, const std::string& place)
     model.mesh.dimension = dimension_of(model.kinematics);
     model.joints = read_joints(file, model.kinematics, place);
     check_recorded(model, place);
+    model.bounds = read_bounds(file, model, place);
     for (std::size_t b = 0; b + 1 < model.mesh.block_first_vertex.size(); ++b)
         model.mesh.vertex_block.resize(model.mesh.block_first_vertex[b + 1], static_cast<std::int32_t>(b));
     return model;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/results/friction_use.h"
 #include "app/results/hdf5_file.h"
 #include "app/results/surface_mesh.h"
 #include "libdda/analysis/joints_now.h"
@@ -24,6 +25,7 @@ struct RecordedModel {
     std::vector<std::int32_t> foundations;   // blocks that follow the ground
     SurfaceMesh mesh;
     std::vector<WatchedJoint> joints;  // of the start, without their patches
+    std::vector<JointBound> bounds;    // (joints)
 };
 
 /// What one frame holds, vectors and tensors in space.

@@ -9,10 +9,11 @@ namespace voussoir::app::results
 
 std::string_view unit_of(std::string_view dataset)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 47> units = {{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 48> units = {{
         {"/model/origin", "m"},
         {"/model/volume", "m3"},
         {"/model/mass", "kg"},
+        {"/model/friction_factor", "1"},
         {"/model/centroid", "m"},
         {"/model/second_moments", "m5"},
         {"/model/materials/density", "kg/m3"},

@@ -217,6 +217,42 @@ TEST(CaseFile, AFilmIsAskedForByTrueOrByItsWishes)
     EXPECT_EQ(slow.output.film->slow_down, 10);
 }
 
+TEST(CaseFile, PicturesAndFilmsHaveTheLooksOfTheCommandLine)
+{
+    const Case the_case = read(
+        two_boxes, {"output.snapshots={color: friction, hide: foundation, cut: [\"z>5\", \"x<-9\"], label: [st*], "
+                    "view: top, orthographic: true, forces: true}",
+                    "output.video={color: group, follow: structure, orbit: 90 deg, view: \"30,20\"}"});
+    ASSERT_TRUE(the_case.output.snapshots && the_case.output.film);
+    EXPECT_EQ(the_case.output.snapshots->color, SnapshotColor::friction);
+    const LookOptions& look = the_case.output.snapshots->look;
+    EXPECT_EQ(look.hidden, std::vector<std::string>{"foundation"});
+    EXPECT_EQ(look.cuts, (std::vector<std::string>{"z>5", "x<-9"}));
+    EXPECT_EQ(look.labels, std::vector<std::string>{"st*"});
+    EXPECT_EQ(look.view, "top");
+    EXPECT_TRUE(look.orthographic && look.forces && !look.ground);
+    EXPECT_EQ(the_case.output.film->color, SnapshotColor::group);
+    EXPECT_EQ(the_case.output.film->look.follow, "structure");
+    EXPECT_NEAR(the_case.output.film->look.orbit, 90, 1e-9);
+}
+
+TEST(CaseFile, ALookThatCannotBeDrawnIsRefusedBeforeTheRun)
+{
+    const auto said = [](const std::string& look) {
+        return faults_of(two_boxes, {"output.snapshots={" + look + "}"});
+    };
+    EXPECT_NE(said("hide: tower_*").find("\"tower_*\" is the name of no stone and of no group"),
+              std::string::npos);
+    EXPECT_NE(said("hide: \"*\"").find("no stone is left"), std::string::npos);
+    EXPECT_NE(said("cut: [\"z>-9\"]").find("no stone is left"), std::string::npos);
+    EXPECT_NE(said("cut: \"w>1\"").find("give an axis, < or >"), std::string::npos);
+    EXPECT_NE(said("label: foundation").find("is the name of no stone"), std::string::npos) << "it is a group";
+    EXPECT_NE(said("view: above").find("give front, right, back"), std::string::npos);
+    EXPECT_NE(said("follow: nobody").find("\"nobody\" is the name of no stone"), std::string::npos);
+    EXPECT_NE(said("ground: true").find("no foundation follows a motion"), std::string::npos);
+    EXPECT_NE(said("orbit: 90 deg").find("orbit"), std::string::npos) << "of films alone";
+}
+
 TEST(CaseFile, AFilmThatCannotBeIsRefused)
 {
     const auto said = [](const std::string& setting) { return faults_of(two_boxes, {setting}); };

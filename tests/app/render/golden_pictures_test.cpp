@@ -147,6 +147,42 @@ TEST(GoldenPictures, OfStressesInAnElevation)
     EXPECT_LE(differing("arch_stress_elevation", picture_of(drawn)), cells_allowed);
 }
 
+/// The stones of the arch use more and more of their friction from the left to the right; those at the crown
+/// touch nothing. The crown is the eighth of fifteen, between two foundations.
+Drawn arch_on_its_friction()
+{
+    Drawn drawn = arch_at_its_worst();
+    drawn.options.color = SnapshotColor::friction;
+    for (std::size_t i = 0; i < drawn.model.joints.size(); ++i) {
+        JointNow& now = drawn.frame.joints[i];
+        drawn.model.bounds[i] = {0.5, 0};
+        now.area_in_use = i == 7 || i == 8 ? 0 : 1;
+        now.normal_force = 1e4;
+        now.shear_force = 5e3 * static_cast<double>(i) / static_cast<double>(drawn.model.joints.size() - 1);
+    }
+    return drawn;
+}
+
+TEST(GoldenPictures, OfTheUseOfFriction)
+{
+    EXPECT_LE(differing("arch_friction", picture_of(arch_on_its_friction())), cells_allowed);
+    Drawn pressing = arch_on_its_friction(), reversed = arch_on_its_friction();
+    pressing.frame.joints[7].area_in_use = 1;
+    EXPECT_GT(cells_that_differ(cells_of(picture_of(pressing)), kept("arch_friction")), 5 * cells_allowed)
+        << "a stone whose joint presses after all";
+    std::reverse(reversed.frame.joints.begin(), reversed.frame.joints.end());
+    EXPECT_GT(cells_that_differ(cells_of(picture_of(reversed)), kept("arch_friction")), 5 * cells_allowed);
+}
+
+TEST(GoldenPictures, OfStrains)
+{
+    Drawn drawn = arch_at_its_worst();
+    drawn.options.color = SnapshotColor::principal_strain;
+    EXPECT_LE(differing("arch_strain", picture_of(drawn)), cells_allowed);
+    drawn.range = 1.25;
+    EXPECT_GT(cells_that_differ(cells_of(picture_of(drawn)), kept("arch_strain")), 5 * cells_allowed);
+}
+
 TEST(GoldenPictures, ToleratesTheNoiseOfRasterisers)
 {
     const Cells arch = cells_of(picture_of(arch_at_its_worst()));

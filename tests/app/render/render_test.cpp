@@ -306,13 +306,5 @@ TEST(Extrusion, APlanarSceneIsMarkedAsTheSpatialOne)
     EXPECT_GT(largest, 1e-3) << "the stones sway apart";
 }
 
-TEST(Scene, LargestCompressionIsMinusTheLeastPrincipalStress)
-{
-    Eigen::Matrix3d pressed = Eigen::Vector3d(-1e6, -3e6, 2e6).asDiagonal(), sheared = Eigen::Matrix3d::Zero();
-    sheared(1, 2) = sheared(2, 1) = 4e5;
-    EXPECT_NEAR(largest_compression(pressed), 3e6, 1e-6);
-    EXPECT_NEAR(largest_compression(sheared), 4e5, 1e-6);
-}
-
 }  // namespace
 }  // namespace voussoir::app::render

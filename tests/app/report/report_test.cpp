@@ -270,9 +270,11 @@ TEST_F(Report, TablesHaveTheFiguresOfTheRun)
     for (std::string line; std::getline(lines, line);)
         if (const std::size_t comma = line.find(','); comma != std::string::npos && line.rfind("term", 0) != 0)
             energy[line.substr(0, comma)] = std::stod(line.substr(comma + 1));
-    for (const char* term : {"contact_J", "strain_J", "gravity_work_J"})
-        EXPECT_NEAR(energy.at(term), summary.at("energy").at(term).get<double>(), 1e-3 * std::abs(energy.at(term)))
-            << term;
+    for (const auto& [key, term] : std::map<std::string, std::string>{
+             {"contact_J", "contact"}, {"strain_J", "strain"}, {"gravity_work_J", "gravity work"}})
+        EXPECT_NEAR(1e3 * energy.at(term), summary.at("energy").at(key).get<double>(),
+                    1e-3 * std::abs(1e3 * energy.at(term)))
+            << term << " [kJ]";
     // the ground carries the stone of 2.4 t
     const std::string reactions = contents("results/report/reactions.csv");
     EXPECT_NEAR(std::stod(reactions.substr(reactions.rfind(',') + 1)), 2.4 * 9.80665, 0.02) << reactions;
