@@ -67,6 +67,48 @@ TEST(ColumnPattern, OverturnsWhereStaticsSays)
     EXPECT_FALSE(stands(0.125 * 1.005));
 }
 
+/// A square shaft of three drums, 1 m wide, whose joints are doweled, under its weight and `push` of it along x.
+bool doweled_shaft_stands(double height, double cohesion, double tension, double push)
+{
+    const std::string shaft =
+        "column: {height: " + std::to_string(height) + " m, diameter: 1 m, drums: 3, sides: 4}";
+    const std::string dowels = "{friction: 35 deg, cohesion: " + std::to_string(cohesion) +
+                               " Pa, tensile_strength: " + std::to_string(tension) + " Pa}";
+    const std::vector<std::string> overrides{
+        "kinematics=spatial_rigid",
+        "stages[1]=null",
+        "joints={dry: {friction: 35 deg}, doweled: " + dowels + "}",
+        "default_joint=dry",
+        "joint_rules=[{between: [drums, drums], joint: doweled}, {between: [foundation, drums], joint: doweled}]",
+        "gravity={direction: [" + std::to_string(push) + ", 0, -1]}"};
+    return run_to_rest(read_pattern(shaft, overrides)).report.outcome == Outcome::completed;
+}
+
+/// Statics: the joint that bears most, on the slab, slides where push N = mu N + V, V = cohesion x 1 m2 the
+/// strength of its dowels; drums further up have as many dowels and less to hold.
+TEST(ColumnPattern, DoweledDrumsSlideAtFrictionAndDowels)
+{
+    constexpr double height = 0.3, limit = 0.9;  // m, -; the resultant stays in the kern: 0.9 * 0.15 m < 1 m / 6
+    const double mu = std::tan(35 * std::numbers::pi / 180),
+                 normal = 2400 * 9.80665 * height / std::hypot(limit, 1.0);
+    const double dowels = (limit - mu) * normal;
+    EXPECT_TRUE(doweled_shaft_stands(height, dowels, 0, limit * 0.995));
+    EXPECT_FALSE(doweled_shaft_stands(height, dowels, 0, limit * 1.005));
+    EXPECT_TRUE(doweled_shaft_stands(height, 0, 0, mu * 0.995));
+    EXPECT_FALSE(doweled_shaft_stands(height, 0, 0, mu * 1.005));
+}
+
+/// Statics: dowels that hold tension carry the shaft beyond push = width / height, to where the linear stress at
+/// the edge is their strength: 6 M / width^3 - N / width^2, M = push N height / 2.
+TEST(ColumnPattern, DowelsThatHoldTensionCarryBeyondOverturning)
+{
+    constexpr double height = 4, limit = 0.35;  // dry it overturns at 0.25
+    const double normal = 2400 * 9.80665 * height / std::hypot(limit, 1.0);
+    const double tension = normal * (3 * limit * height - 1);
+    EXPECT_TRUE(doweled_shaft_stands(height, tension, tension, limit * 0.995));
+    EXPECT_FALSE(doweled_shaft_stands(height, tension, tension, limit * 1.005));
+}
+
 TEST(TempleFrontPattern, HasTheNamesVolumesAndSymmetryOfMasonry)
 {
     const Model model = read_pattern(front).model;

@@ -17,6 +17,12 @@ std::string faults(const std::string& entry)
     return reader::faults_of(pattern_case(entry));
 }
 
+/// Under the weight and `share` of it along x.
+std::vector<std::string> pushed(double share)
+{
+    return {"gravity={direction: [" + std::to_string(share) + ", 0, -1]}"};
+}
+
 std::string obelisk(int stones, const std::string& more = "")
 {
     return "obelisk: {height: 6 m, width: 1 m, top_width: 0.7 m, pyramidion: 0.8 m, stones: " +
@@ -48,9 +54,6 @@ TEST(ObeliskPattern, RestsAndOverturnsWhereStaticsSays)
     expect_rest(read_pattern(obelisk(4, ", pedestal: {height: 0.8 m, width: 1.5 m}")));
     const Model model = read_pattern(obelisk(1)).model;
     const double push = 0.5 / (block_of(model, "shaft_1").moments.centroid + model.origin).z();
-    const auto pushed = [](double share) {
-        return std::vector<std::string>{"gravity={direction: [" + std::to_string(share) + ", 0, -1]}"};
-    };
     EXPECT_TRUE(stands(obelisk(1), pushed(0.995 * push)));
     EXPECT_FALSE(stands(obelisk(1), pushed(1.005 * push)));
 }
@@ -85,6 +88,22 @@ TEST(PinnaclePattern, IsAShaftAndAnOctagonalPyramid)
     EXPECT_NE(faults("pinnacle: {width: 0.6 m, height: 1.2 m}").find("spire"), std::string::npos);
 }
 
+/// All of it about the edge of the lowest course, where push / weight = half the width / the height of its
+/// centroid.
+TEST(PinnaclePattern, OverturnsWhereStaticsSays)
+{
+    const Model model = read_pattern(pinnacle).model;
+    double volume = 0, moment = 0;
+    for (const Block& block : model.blocks) {
+        if (block.name == "slab") continue;
+        volume += block.moments.volume;
+        moment += block.moments.volume * (block.moments.centroid + model.origin).z();
+    }
+    const double push = 0.3 / (moment / volume);
+    EXPECT_TRUE(stands(pinnacle, pushed(0.995 * push)));
+    EXPECT_FALSE(stands(pinnacle, pushed(1.005 * push)));
+}
+
 const std::string steps = "steps: {number: 4, rise: 0.18 m, going: 0.3 m, width: 3 m, landing: 0.9 m}";
 
 TEST(StepsPattern, AreCoursesThatBearOnEachOther)
@@ -107,6 +126,17 @@ TEST(StepsPattern, AreCoursesThatBearOnEachOther)
     EXPECT_NE(faults("steps: {number: 4, width: 3 m, going: 0.3 m, depth: 0.3 m}").find("must be more than going"),
               std::string::npos);
     EXPECT_NE(faults("steps: {width: 3 m}").find("number"), std::string::npos);
+}
+
+/// The beds of two steps slide where push / weight is the coefficient of friction, forward and backward.
+TEST(StepsPattern, SlideWhereStaticsSays)
+{
+    const std::string two = "steps: {number: 2, rise: 0.18 m, going: 0.3 m, width: 1 m, landing: 0.6 m}";
+    const double push = std::tan(40 * pi / 180);
+    for (const double side : {1.0, -1.0}) {
+        EXPECT_TRUE(stands(two, pushed(0.995 * side * push))) << side;
+        EXPECT_FALSE(stands(two, pushed(1.005 * side * push))) << side;
+    }
 }
 
 const std::string buttress =

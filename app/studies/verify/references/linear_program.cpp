@@ -1,9 +1,17 @@
 #include "app/studies/verify/references/linear_program.h"
 
 #include <ClpSimplex.hpp>
+#include <vector>
 
 namespace voussoir::app::studies::verify::references
 {
+
+namespace
+{
+
+constexpr double most_violation = 1e-8;  // of a row or a bound, in what are numbers of the order of 1
+
+}  // namespace
 
 LinearProgram::LinearProgram() : model_(std::make_unique<ClpSimplex>())
 {
@@ -49,14 +57,29 @@ void LinearProgram::fix(int variable, double value)
     model_->setColumnBounds(variable, value, value);
 }
 
+// Near infeasibility CLP may call a solution optimal (secondary status 3) that violates rows by 1e-3, in both
+// methods: what it says is believed only of a solution that keeps the rows.
 bool LinearProgram::maximise()
 {
     model_->dual();
-    if (!model_->isProvenOptimal()) {  // the last basis led nowhere
-        model_->allSlackBasis(true);
-        model_->primal();
+    if (model_->isProvenOptimal() && keeps_rows()) return true;
+    model_->allSlackBasis(true);  // the last basis led nowhere
+    model_->primal();
+    return model_->isProvenOptimal() && keeps_rows();
+}
+
+bool LinearProgram::keeps_rows() const
+{
+    std::vector<double> rows(static_cast<std::size_t>(model_->numberRows()), 0.0);
+    model_->times(1, model_->primalColumnSolution(), rows.data());
+    for (int r = 0; r < model_->numberRows(); ++r) {
+        const double value = rows[static_cast<std::size_t>(r)];
+        if (value < model_->rowLower()[r] - most_violation || value > model_->rowUpper()[r] + most_violation)
+            return false;
     }
-    return model_->isProvenOptimal();
+    for (int c = 0; c < model_->numberColumns(); ++c)
+        if (model_->primalColumnSolution()[c] < -most_violation) return false;
+    return true;
 }
 
 double LinearProgram::greatest() const

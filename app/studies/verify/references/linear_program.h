@@ -31,12 +31,14 @@ class LinearProgram
     void set_objective(int variable, double objective);
     void fix(int variable, double value);
 
-    /// Whether there is a greatest value and it was found.
+    /// Whether there is a greatest value and it was found, at a place that keeps all rows to 1e-8.
     bool maximise();
     double greatest() const;
     double value(int variable) const;
 
  private:
+    bool keeps_rows() const;
+
     std::unique_ptr<ClpSimplex> model_;
 };
 
