@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 #include "libdda/text/fortran_numbers.h"
 #include "libdda/text/numbers.h"
@@ -118,6 +119,7 @@ void generate(const Options& options)
 
 int main(int argc, char** argv)
 {
+    voussoir::importers::process::begin_program();
     try {
         CLI::App program("A synthetic accelerogram in PEER's AT2 format", "voussoir-generate-record");
         Options options;

@@ -30,7 +30,8 @@ FOLDER_RULES = {
     "libdda/analysis/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/", "libdda/step/"),
     "libdda/run/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/", "libdda/analysis/"),
 
-    "records/": READS + ("libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "records/formats/",
+    # importers/process/: how every program begins, for records/generate_main.cpp
+    "records/": READS + ("importers/process/", "libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "records/formats/",
                          "records/measures/", "records/processing/", "records/synthetic/"),
     "records/formats/": READS + ("records/*",),
     "records/measures/": READS + ("records/*",),
@@ -47,7 +48,7 @@ FOLDER_RULES = {
     "importers/assembly/": ENGINE_MODEL + ("libdda/contact/", "importers/mesh/", "importers/helper/"),
 
     "app/version/": ("libdda/compilation.h",),
-    "app/golden/": ENGINE + ("libdda/compilation.h", "app/version/"),
+    "app/golden/": ENGINE + ("libdda/compilation.h", "importers/process/", "app/version/"),
     "app/words/": ENGINE + ("libdda/text/",),
     "app/case/": ENGINE_MODEL,
     "app/reader/": ENGINE + ("libdda/text/", "importers/", "records/", "app/words/", "app/case/"),

@@ -12,6 +12,7 @@
 #include "app/generate/generate_walls.h"
 #include "importers/mesh/write_obj.h"
 #include "importers/patterns/arch_bridge.h"
+#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
 namespace patterns = voussoir::importers::patterns;
@@ -63,6 +64,7 @@ void write(const generate::GeneratedMesh& mesh, const std::filesystem::path& fil
 
 int main(int argc, char** argv)
 {
+    voussoir::importers::process::begin_program();
     try {
         CLI::App program("Meshes of masonry patterns, one named object per stone.", "voussoir-generate");
         program.require_subcommand(1);

@@ -6,6 +6,7 @@
 
 #include "app/golden/hashes.h"
 #include "app/version/version.h"
+#include "importers/process/program_start.h"
 
 namespace
 {
@@ -36,6 +37,7 @@ void print_hashes()
 
 int main(int argument_count, char**)
 {
+    voussoir::importers::process::begin_program();
     if (argument_count > 1) {
         std::fprintf(stderr, "voussoir-golden: takes no arguments\n");
         return 2;

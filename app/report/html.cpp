@@ -5,6 +5,7 @@
 
 #include "app/report/base64.h"
 #include "app/report/document.h"
+#include "app/words/xml_text.h"
 
 namespace voussoir::app::report
 {
@@ -60,26 +61,6 @@ pre { font-size: .78rem; line-height: 1.4; background: #f6f7f9; padding: 1rem; w
   h2 { break-after: avoid; } tr { break-inside: avoid; } figure img { max-height: 22cm; width: auto; max-width: 100%; } }
 )";
 
-std::string escaped(std::string_view text)
-{
-    std::string safe;
-    for (const char c : text) {
-        if (c == '&')
-            safe += "&amp;";
-        else if (c == '<')
-            safe += "&lt;";
-        else if (c == '>')
-            safe += "&gt;";
-        else if (c == '"')
-            safe += "&quot;";
-        else if (c == '\'')
-            safe += "&#39;";
-        else
-            safe += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
-    }
-    return safe;
-}
-
 std::string bytes_of(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
@@ -88,14 +69,14 @@ std::string bytes_of(const std::filesystem::path& file)
 
 std::string picture(const Picture& of)
 {
-    const std::string caption = "<figcaption>" + escaped(of.caption) + "</figcaption></figure>\n";
+    const std::string caption = "<figcaption>" + words::xml_text(of.caption) + "</figcaption></figure>\n";
     std::error_code none;
     if (!of.is_film)
-        return "<figure><img alt=\"" + escaped(of.caption) + "\" src=\"data:image/png;base64," +
+        return "<figure><img alt=\"" + words::xml_text(of.caption) + "\" src=\"data:image/png;base64," +
                base64(bytes_of(of.file)) + "\">" + caption;
     if (std::filesystem::file_size(of.file, none) > largest_film)
         return "<p>The film is too large for this page and lies beside it: " +
-               escaped(of.file.filename().string()) + ".</p>\n";
+               words::xml_text(of.file.filename().string()) + ".</p>\n";
     return "<figure class=\"film\"><video controls muted loop playsinline src=\"data:video/mp4;base64," +
            base64(bytes_of(of.file)) + "\"></video>" + caption;
 }
@@ -107,29 +88,30 @@ bool is_number(const std::string& cell)
 
 std::string table(const Table& of, const std::string& folder)
 {
-    std::string text = "<table><caption>" + escaped(of.title) + "</caption>\n<thead><tr>";
-    for (const std::string& column : of.columns) text += "<th>" + escaped(column) + "</th>";
+    std::string text = "<table><caption>" + words::xml_text(of.title) + "</caption>\n<thead><tr>";
+    for (const std::string& column : of.columns) text += "<th>" + words::xml_text(column) + "</th>";
     text += "</tr></thead>\n<tbody>\n";
     for (std::size_t i = 0; i < of.rows.size() && i < of.shown; ++i) {
         text += "<tr>";
         for (const std::string& cell : of.rows[i])
-            text += (is_number(cell) ? "<td class=\"n\">" : "<td>") + escaped(cell) + "</td>";
+            text += (is_number(cell) ? "<td class=\"n\">" : "<td>") + words::xml_text(cell) + "</td>";
         text += "</tr>\n";
     }
     text += "</tbody></table>\n";
     if (of.rows.size() > of.shown)
         text += "<p class=\"more\">" + std::to_string(of.rows.size() - of.shown) + " more rows in " + folder +
-                "/" + escaped(of.name) + ".csv.</p>\n";
+                "/" + words::xml_text(of.name) + ".csv.</p>\n";
     return text;
 }
 
 std::string section(const Section& of, std::size_t number, const std::string& folder)
 {
-    std::string text = "<section id=\"s" + std::to_string(number) + "\">\n<h2>" + escaped(of.title) + "</h2>\n";
-    for (const std::string& paragraph : of.paragraphs) text += "<p>" + escaped(paragraph) + "</p>\n";
+    std::string text =
+        "<section id=\"s" + std::to_string(number) + "\">\n<h2>" + words::xml_text(of.title) + "</h2>\n";
+    for (const std::string& paragraph : of.paragraphs) text += "<p>" + words::xml_text(paragraph) + "</p>\n";
     if (!of.points.empty()) {
         text += "<ul>\n";
-        for (const std::string& point : of.points) text += "<li>" + escaped(point) + "</li>\n";
+        for (const std::string& point : of.points) text += "<li>" + words::xml_text(point) + "</li>\n";
         text += "</ul>\n";
     }
     if (of.has_view)
@@ -139,7 +121,7 @@ std::string section(const Section& of, std::size_t number, const std::string& fo
             "the same without.</p></div>\n";
     for (const Picture& one : of.pictures) text += picture(one);
     for (const Table& one : of.tables) text += table(one, folder);
-    if (!of.verbatim.empty()) text += "<pre>" + escaped(of.verbatim) + "</pre>\n";
+    if (!of.verbatim.empty()) text += "<pre>" + words::xml_text(of.verbatim) + "</pre>\n";
     return text + "</section>\n";
 }
 
@@ -156,12 +138,13 @@ std::string to_html(const Document& document)
         (has_view ? "; script-src '" + document.view.script.hash + "'" : std::string()) +
         "\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-        escaped(document.title) + "</title>\n<style>" + style + "</style>\n</head>\n";
+        words::xml_text(document.title) + "</title>\n<style>" + style + "</style>\n</head>\n";
     text += document.alarm ? "<body class=\"alarm\">\n" : "<body>\n";
-    text += "<p class=\"outcome\">" + escaped(document.first_line) + "</p>\n<h1>" + escaped(document.title) +
-            "</h1>\n<p class=\"mechanism\">" + escaped(document.mechanism_line) + "</p>\n<nav>";
+    text += "<p class=\"outcome\">" + words::xml_text(document.first_line) + "</p>\n<h1>" +
+            words::xml_text(document.title) + "</h1>\n<p class=\"mechanism\">" +
+            words::xml_text(document.mechanism_line) + "</p>\n<nav>";
     for (std::size_t i = 0; i < document.sections.size(); ++i)
-        text += "<a href=\"#s" + std::to_string(i) + "\">" + escaped(document.sections[i].title) + "</a>";
+        text += "<a href=\"#s" + std::to_string(i) + "\">" + words::xml_text(document.sections[i].title) + "</a>";
     text += "</nav>\n";
     for (std::size_t i = 0; i < document.sections.size(); ++i)
         text += section(document.sections[i], i, document.companions);

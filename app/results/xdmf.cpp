@@ -8,28 +8,13 @@
 
 #include "app/results/atomic_file.h"
 #include "app/results/results_reader.h"
+#include "app/words/xml_text.h"
 
 namespace voussoir::app::results
 {
 
 namespace
 {
-
-std::string escaped(const std::string& text)
-{
-    std::string safe;
-    for (const char c : text) {
-        if (c == '&')
-            safe += "&amp;";
-        else if (c == '<')
-            safe += "&lt;";
-        else if (c == '"')
-            safe += "&quot;";
-        else
-            safe += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    return safe;
-}
 
 /// The file that is described, and its name as XML.
 struct Described {
@@ -195,9 +180,9 @@ void write_xdmf(const std::filesystem::path& results_file, const std::filesystem
 {
     const ResultsReader reader(results_file);
     const Hdf5File file = Hdf5File::open(results_file);
-    const std::string results = escaped(results_file.filename().string());
+    const std::string results = words::xml_text(results_file.filename().string());
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n";
-    text += fmt::format("    <Information Name=\"title\" Value=\"{}\"/>\n", escaped(reader.model.title));
+    text += fmt::format("    <Information Name=\"title\" Value=\"{}\"/>\n", words::xml_text(reader.model.title));
     text += "    <Grid Name=\"voussoir\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
     const Described described{file, results, is_planar(reader.model.kinematics),
                               is_deformable(reader.model.kinematics)};

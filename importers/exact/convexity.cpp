@@ -1,7 +1,9 @@
 #include "importers/exact/convexity.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace voussoir::importers::exact
 {
@@ -37,6 +39,26 @@ Outlier worst_outlier(const mesh::PolygonSurface& surface)
                 worst = {static_cast<int>(v), static_cast<int>(f), distance};
     }
     return worst;
+}
+
+double bulge_of(const mesh::PolygonSurface& surface, const std::vector<Vector3d>& points)
+{
+    std::vector<FacePlane> planes;
+    double bulge = 0;
+    for (const std::vector<int>& face : surface.faces) {
+        FacePlane plane(surface.vertices, face);
+        Vector3d middle = Vector3d::Zero();
+        for (const int v : face) middle += surface.vertices[v] / static_cast<double>(face.size());
+        plane.anchor = middle;
+        for (const int v : face) bulge = std::max(bulge, std::abs(plane.distance(surface.vertices[v])));
+        planes.push_back(plane);
+    }
+    for (const Vector3d& point : points) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const FacePlane& plane : planes) nearest = std::min(nearest, std::abs(plane.distance(point)));
+        if (!planes.empty()) bulge = std::max(bulge, nearest);
+    }
+    return bulge;
 }
 
 std::vector<Outlier> cut_bent_faces(mesh::PolygonSurface& surface, const SurfaceExamination& examination,

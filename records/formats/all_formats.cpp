@@ -29,6 +29,7 @@ const auto formats_in_order = std::to_array<const Format*>({
     &peer_at2,
     &corrected_acc,
     &eqsig,
+    &block_text,
     &text_table,
 });
 

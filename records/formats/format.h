@@ -32,6 +32,7 @@ extern const Format bhrc;
 extern const Format cwb;
 extern const Format dyna;
 extern const Format eqsig;
+extern const Format block_text;
 extern const Format isesd;
 extern const Format knet;
 extern const Format miniseed;

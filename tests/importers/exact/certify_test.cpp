@@ -116,6 +116,38 @@ TEST(Certify, JudgesConvexityByItsStatedTolerance)
     ASSERT_EQ(flattened.repairs.size(), 1U);
     EXPECT_NE(flattened.repairs[0].text.find("volume changed by 3.33e-05 m3"), std::string::npos)
         << flattened.repairs[0].text;
+    // What is told is how far they bulge, not how far they may.
+    EXPECT_NE(flattened.repairs[0].text.find("bulge by up to 0.0001 m"), std::string::npos)
+        << flattened.repairs[0].text;
+}
+
+// A text of twelve digits far from the origin: no corner is off the plane of the others by more than its rounding.
+TEST(Certify, FlatFacesAreFlatWithinTheDigitsOfTheirText)
+{
+    const Eigen::Matrix3d turn =
+        (Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()))
+            .toRotationMatrix();
+    const auto turned = [&](double digits) {
+        mesh::PolygonSurface cube = unit_cube();
+        for (Eigen::Vector3d& vertex : cube.vertices) {
+            vertex = turn * vertex + Eigen::Vector3d(100, 1000, 0);
+            for (double& x : vertex) {
+                const double unit = x == 0 ? 1 : std::pow(10, std::floor(std::log10(std::abs(x))) + 1 - digits);
+                x = std::round(x / unit) * unit;
+            }
+        }
+        return exact::certify(cube);
+    };
+    const exact::Certificate fine = turned(12), coarse = turned(10);
+    EXPECT_NE(fine.volume_error, 0);  // the rounding is seen, and no repair
+    EXPECT_TRUE(fine.repairs.empty());
+    EXPECT_EQ(coarse.reason, "");
+    ASSERT_EQ(coarse.repairs.size(), 1U);
+    const std::size_t at = coarse.repairs[0].text.find("up to ");
+    ASSERT_NE(at, std::string::npos) << coarse.repairs[0].text;
+    const double told = std::stod(coarse.repairs[0].text.substr(at + 6));
+    EXPECT_GT(told, 1e-8);
+    EXPECT_LT(told, 4e-6);
 }
 
 TEST(Certify, RefusesASurfaceThatCrossesItself)
