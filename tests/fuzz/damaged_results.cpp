@@ -93,6 +93,15 @@ void put_joints(DraftResults& draft, bool planar)
         put(draft, std::string("/frames/joints/") + name, app::results::ElementType::float32, {2, 1}, {0.25, 0.5});
 }
 
+void put_materials(DraftResults& draft)
+{
+    put(draft, "/model/block_group", app::results::ElementType::int32, {2}, {1, 1});
+    put(draft, "/model/joint_of_groups", app::results::ElementType::int32, {2, 2}, {0, 0, 0, 0});
+    for (const char* name : {"friction_angle", "cohesion"})
+        put(draft, std::string("/model/joint_materials/") + name, app::results::ElementType::float64, {1}, {0.5});
+    put(draft, "/model/friction_factor", app::results::ElementType::float64, {2}, {0.9, 1.1});
+}
+
 /// Takes bytes from the front; zeros when there are none left.
 class Bytes
 {
@@ -182,6 +191,7 @@ DraftResults two_boxes(bool planar)
         {"kinematics", std::string(name_of(planar ? Kinematics::planar_rigid : Kinematics::spatial_deformable))}};
     draft.texts = {
         {"/model/block_names", {"lower", "upper"}},
+        {"/model/groups", {"stones", "ground"}},
         {"/case/settings", {R"([{"name":"weight","type":"static"},{"name":"quake","type":"dynamic"}])"}}};
     put(draft, "/model/centroid", app::results::ElementType::float64, {2, planar ? 2U : 3U},
         Values(planar ? 4 : 6, 0.5));
@@ -189,6 +199,7 @@ DraftResults two_boxes(bool planar)
     put_mesh(draft, planar);
     put_frames(draft, planar);
     put_joints(draft, planar);
+    put_materials(draft);
     return draft;
 }
 

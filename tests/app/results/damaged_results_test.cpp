@@ -73,6 +73,9 @@ TEST_P(Draft, WhatWouldLeadOutsideTheArraysIsRefused)
         draft.numbers.at(name).values.back() = value;
         return refusal_of(draft);
     };
+    for (const double outside : {-1.0, 2.0, 2147483647.0})
+        EXPECT_NE(refused("/model/joint_of_groups", outside), "");
+    EXPECT_NE(refused("/model/block_group", 9), "");
     EXPECT_NE(refused("/frames/count", -1), "");
     EXPECT_NE(refused("/frames/count", 3), "");
     EXPECT_NE(refused("/frames/count", 9e18), "");

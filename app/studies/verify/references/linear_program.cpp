@@ -57,8 +57,8 @@ void LinearProgram::fix(int variable, double value)
     model_->setColumnBounds(variable, value, value);
 }
 
-// Near infeasibility CLP may call a solution optimal (secondary status 3) that violates rows by 1e-3, in both
-// methods: what it says is believed only of a solution that keeps the rows.
+// Near infeasibility CLP may call a solution optimal (secondary status 3) that violates rows by up to 3e-4, in
+// both methods: what it says is believed only of a solution that keeps the rows.
 bool LinearProgram::maximise()
 {
     model_->dual();
