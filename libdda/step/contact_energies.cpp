@@ -15,10 +15,24 @@ typename K::Vector slip_at_end(const PatchStep<K>& patch, const PointStep<K::dim
     if (p.status == ContactStatus::locked) return p.slip_start + tangential(p.displacement, patch.normal);
     if (p.status == ContactStatus::open) return Vector::Zero();
     // Of a published step this is not p.shear, the load it was solved with, but the load of the pass to come.
-    const Vector shear = p.bound / p.trial.norm() * p.trial;
+    // Where friction is more than the spring gives the rest is rubbed away: the spring is stretched by the way
+    // only.
+    const Vector shear = std::min(1.0, p.bound / p.trial.norm()) * p.trial;
     const double theta = p.shear_blend;
     return (shear / p.shear_stiffness - 0.5 * (1 - theta) * p.slip_start) * (2 / (1 + theta));
 }
+
+namespace
+{
+
+/// Whether a point slides on with more friction than its spring gives.
+template <int D>
+bool rubs_beyond_spring(const PointStep<D>& p)
+{
+    return p.status == ContactStatus::sliding && !p.turns_round && p.speed > 0 && p.trial.norm() < p.bound;
+}
+
+}  // namespace
 
 template <class K>
 ContactEnergies contact_energies(const ContactStep<K>& step)
@@ -40,7 +54,8 @@ ContactEnergies contact_energies(const ContactStep<K>& step)
             sum.dashpot += (p.normal - p.elastic_normal) * closing;
             sum.friction += p.shear.dot(tangential(p.displacement, patch.normal) - elastic);
             sum.loss += p.elastic_normal * closing - (normal_end - normal_start);
-            sum.loss += p.shear.dot(elastic) - (shear_end - shear_start);
+            const double beyond_spring = p.shear.dot(elastic) - (shear_end - shear_start);
+            (rubs_beyond_spring(p) ? sum.friction : sum.loss) += beyond_spring;
         }
     return sum;
 }

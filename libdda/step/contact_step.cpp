@@ -104,7 +104,7 @@ void shear_force(double friction, FrictionBound rule, const PatchStep<K>& patch,
         return;
     }
     if (rule == FrictionBound::exact) p.bound = friction * p.normal;
-    const bool slides = p.speed > 0 && p.normal > 0;
+    const bool slides = p.speed > 0;
     if (slides && p.heading.dot(move) < half_way(p, patch.h)) {
         turn_round(move, patch, p);
         return;

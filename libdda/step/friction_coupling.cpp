@@ -49,10 +49,24 @@ void add_to_free(const StepSystem<K>& system, int row, const typename K::Vector&
         if (!held[k]) y[n * row + k] += force[k];
 }
 
+/// What blocks feel of others that feel nothing of them: the free fields of a boundary. y += C x.
+template <class K>
+void add_one_sided(const StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y)
+{
+    constexpr int n = K::unknowns;
+    for (const Coupling<K>& coupling : system.applied.couplings) {
+        const int row = system.blocks[coupling.block].row, column = system.blocks[coupling.other].row;
+        if (coupling.mutual || row < 0 || column < 0) continue;
+        const typename K::Unknowns force = coupling.matrix * x.segment<n>(n * column);
+        for (int k = 0; k < n; ++k)
+            if (!system.blocks[coupling.block].held[k]) y[n * row + k] -= force[k];
+    }
+}
+
 }  // namespace
 
 template <class K>
-void FrictionCoupling<K>::gather(const StepSystem<K>& system)
+bool FrictionCoupling<K>::gather(const StepSystem<K>& system)
 {
     points_.clear();
     for (const PatchStep<K>& patch : system.contacts.patches) {
@@ -63,6 +77,7 @@ void FrictionCoupling<K>::gather(const StepSystem<K>& system)
             points_.push_back({patch.row_a, patch.row_b, p.lever_a, p.lever_b, left_out(patch, p)});
         }
     }
+    return !points_.empty();
 }
 
 template <class K>
@@ -88,7 +103,6 @@ bool FrictionCoupling<K>::solve_direction(const StepControl& control, StepSystem
     {
         const PartTimer timer(report.seconds, Part::assembly);
         assemble_matrix(false, control.threads, system);
-        gather(system);
     }
     const PartTimer timer(report.seconds, Part::linear_solve);
     if (!system.solver->prepare(system.matrix)) return false;
@@ -96,6 +110,7 @@ bool FrictionCoupling<K>::solve_direction(const StepControl& control, StepSystem
     const auto multiply = [&](const VectorXd& x, VectorXd& y) {
         solve::multiply(system.matrix, x, y);
         add_product(system, x, y);
+        add_one_sided(system, x, y);
     };
     const auto precondition = [&](const VectorXd& r, VectorXd& z) { system.solver->precondition(r, z); };
     const solve::LinearReport linear = gmres_.solve(multiply, precondition, system.residual,

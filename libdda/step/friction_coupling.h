@@ -21,11 +21,12 @@ template <class K>
 class FrictionCoupling
 {
  public:
-    /// From the contacts as they were last evaluated, with the exact bound.
-    void gather(const StepSystem<K>& system);
+    /// From the contacts as they were last evaluated, with the exact bound. @returns whether there is anything
+    bool gather(const StepSystem<K>& system);
     /// y += C x, (rows x unknowns) each.
     void add_product(const StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
-    /// Solves (K + C) direction = -residual at the last evaluation, K the stiffness with the bound frozen.
+    /// Solves, as last gathered, (K + C) direction = -residual at the last evaluation, K the stiffness with the
+    /// bound frozen.
     /// @returns false if there is no solution to the tolerance of the linear solver
     bool solve_direction(const StepControl& control, StepSystem<K>& system, StepReport& report);
 

@@ -177,13 +177,13 @@ bool follow_whole_tangent(const StepControl& control, double tolerance, double w
                           StepReport& report)
 {
     ++report.open_close_iterations;
-    if (system.coupling.solve_direction(control, system, report)) {
-        system.trial = system.d + system.direction;
-        evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
-        if (evaluate_residual(system.trial, system) && unbalance(system, tolerance).worst < sound_gain * worst) {
-            system.d = system.trial;
-            return true;
-        }
+    if (!system.coupling.solve_direction(control, system, report)) return false;
+    system.trial = system.d + system.direction;
+    evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
+    if (evaluate_residual(system.trial, system) && system.residual.allFinite() &&
+        unbalance(system, tolerance).worst < sound_gain * worst) {
+        system.d = system.trial;
+        return true;
     }
     evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
     evaluate_residual(system.d, system);
@@ -211,7 +211,8 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
 
         // On the way to rest the steps are long, and may have other solutions than the one that the potential
         // leads to.
-        if (note_changes(system) <= few_changes && rest <= 0 && is_motion(stage)) {
+        if (note_changes(system) <= few_changes && rest <= 0 && is_motion(stage) &&
+            system.coupling.gather(system)) {
             if (follow_whole_tangent(control, tolerance, now.worst, system, report)) {
                 known = Known::exact;
                 continue;

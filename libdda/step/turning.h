@@ -40,9 +40,8 @@ inline SlidingBack sliding_back(double speed, double end_speed, double braking)
     return {2 * fraction - 1, 2 * fraction * (1 + b / root) / (b + root)};
 }
 
-/// How a point that turns round has come to lie. Its force is bound / length x bent, one continuous function of
-/// its displacement, and that of a joint that slides on where it just comes to rest: no more than its spring
-/// gives.
+/// How a point that turns round has come to lie. Its force, bound / length x bent, is continuous in its
+/// displacement, and where it just comes to rest that of a joint that slides on.
 template <class K>
 struct Turning {
     using Vector = typename K::Vector;
@@ -130,7 +129,11 @@ typename K::Vector slip_after_turning(const PatchStep<K>& patch, const PointStep
         const double fraction = 2 * c / (b + std::sqrt(std::max(b * b - 8 * c, 0.0)));
         held = std::clamp(c / fraction - 1, -1.0, 1.0);
     }
-    return (p.shear + (held - share) * p.bound * p.heading) / p.shear_stiffness;
+    // The spring is stretched no farther than the way there, whatever presses the joint by now.
+    const double stretched = p.heading.dot(p.slip_start) + half_way(p, patch.h);
+    const Vector across = p.shear - share * p.bound * p.heading;
+    return std::min(held * p.bound / p.shear_stiffness, stretched) * p.heading +
+           across / std::max(p.shear_stiffness, p.tangent_across);
 }
 
 }  // namespace voussoir::step

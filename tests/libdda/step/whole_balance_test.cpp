@@ -85,7 +85,7 @@ TEST(WholeBalance, ClosesWithEveryBoundaryAndDamping)
         const double left = std::exp(-stage.damping.rate * stage.control.time_step);
         for (double& velocity : before.velocities) velocity /= left;
         for (int b = 0; b < blocks; ++b)
-            before.velocities[static_cast<std::size_t>(b * 6)] -= ground_speed(now.stage_time) * (1 / left - 1);
+            before.velocities[6 * static_cast<std::size_t>(b)] -= ground_speed(now.stage_time) * (1 / left - 1);
         damped += kinetic_energy(model, before) - kinetic_energy(model, now);
     };
     const RunReport report = run(model, {stage}, state, observer);
