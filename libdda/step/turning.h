@@ -129,11 +129,7 @@ typename K::Vector slip_after_turning(const PatchStep<K>& patch, const PointStep
         const double fraction = 2 * c / (b + std::sqrt(std::max(b * b - 8 * c, 0.0)));
         held = std::clamp(c / fraction - 1, -1.0, 1.0);
     }
-    // The spring is stretched no farther than the way there, whatever presses the joint by now.
-    const double stretched = p.heading.dot(p.slip_start) + half_way(p, patch.h);
-    const Vector across = p.shear - share * p.bound * p.heading;
-    return std::min(held * p.bound / p.shear_stiffness, stretched) * p.heading +
-           across / std::max(p.shear_stiffness, p.tangent_across);
+    return (p.shear + (held - share) * p.bound * p.heading) / p.shear_stiffness;
 }
 
 }  // namespace voussoir::step
