@@ -61,6 +61,7 @@ class PicturesAtOnce : public CommandTest
         for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / folder))
             files.push_back(entry.path().filename());
         std::sort(files.begin(), files.end());
+        all.reserve(files.size());
         for (const std::filesystem::path& file : files) all.push_back(file.string() + contents(folder / file));
         return all;
     }
