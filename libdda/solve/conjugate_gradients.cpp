@@ -101,6 +101,15 @@ struct Kernels {
     }
 };
 
+/// What `work` gives for the kernels of a block size, one of the four kinematics'.
+template <class Work>
+auto with_kernels(int block_size, const Work& work)
+{
+    if (block_size == 12) return work(Kernels<12>());
+    if (block_size == 6) return work(Kernels<6>());
+    return work(Kernels<3>());
+}
+
 class ConjugateGradientSolver : public LinearSolver
 {
  public:
@@ -111,52 +120,29 @@ class ConjugateGradientSolver : public LinearSolver
 
     LinearReport solve(const BlockMatrix& matrix, const VectorXd& right_hand_side, VectorXd& solution) override
     {
-        switch (matrix.block_size) {
-            case 12:
-                return iterate<Kernels<12>>(matrix, right_hand_side, solution);
-            case 6:
-                return iterate<Kernels<6>>(matrix, right_hand_side, solution);
-            case 3:
-                return iterate<Kernels<3>>(matrix, right_hand_side, solution);
-            default:
-                return {};
-        }
+        return with_kernels(matrix.block_size, [&](auto kernels) {
+            return iterate<decltype(kernels)>(matrix, right_hand_side, solution);
+        });
     }
 
     bool prepare(const BlockMatrix& matrix) override
     {
-        switch (matrix.block_size) {
-            case 12:
-                return factorise<Kernels<12>>(matrix);
-            case 6:
-                return factorise<Kernels<6>>(matrix);
-            case 3:
-                return factorise<Kernels<3>>(matrix);
-            default:
-                return false;
-        }
+        with_kernels(matrix.block_size, [&](auto kernels) { factorise<decltype(kernels)>(matrix); });
+        return true;
     }
 
     void precondition(const VectorXd& r, VectorXd& z) override
     {
-        switch (factor_.block_size) {
-            case 12:
-                return Kernels<12>::precondition(factor_, r, z);
-            case 6:
-                return Kernels<6>::precondition(factor_, r, z);
-            default:
-                return Kernels<3>::precondition(factor_, r, z);
-        }
+        with_kernels(factor_.block_size, [&](auto kernels) { kernels.precondition(factor_, r, z); });
     }
 
  private:
     template <class K>
-    bool factorise(const BlockMatrix& a)
+    void factorise(const BlockMatrix& a)
     {
         if (factor_.columns != a.columns || factor_.row_start != a.row_start) factor_ = a;
         factor_.block_size = a.block_size;
         K::factorise(a, factor_);
-        return true;
     }
 
     template <class K>
@@ -201,14 +187,7 @@ class ConjugateGradientSolver : public LinearSolver
 void multiply(const BlockMatrix& matrix, const VectorXd& x, VectorXd& y)
 {
     y.resize(x.size());
-    switch (matrix.block_size) {
-        case 12:
-            return Kernels<12>::multiply(matrix, x, y);
-        case 6:
-            return Kernels<6>::multiply(matrix, x, y);
-        default:
-            return Kernels<3>::multiply(matrix, x, y);
-    }
+    with_kernels(matrix.block_size, [&](auto kernels) { kernels.multiply(matrix, x, y); });
 }
 
 std::unique_ptr<LinearSolver> make_conjugate_gradient_solver(double tolerance, int max_iterations)
