@@ -1,4 +1,4 @@
-// A step after which to go on would be nonsense is not kept.
+// A step after which to go on would be nonsense is not kept: it is made again, shorter, before a run gives up.
 #include "libdda/run/progress.h"
 
 #include <gtest/gtest.h>
@@ -40,6 +40,15 @@ Model corner_on_corner()
     return model;
 }
 
+/// A long bar that falls on the ground and spins so fast that it sweeps through it in a step.
+Model spinning_bar()
+{
+    Model model = make_model(Kinematics::spatial_rigid, stone(), dry(30));
+    hold(model, add_box(model, "ground", {-5, -5, -1}, {5, 5, 0}));
+    add_box(model, "bar", {-1, -0.05, 0.95}, {1, 0.05, 1.05});
+    return model;
+}
+
 }  // namespace
 
 TEST(Progress, UnsoundStepIsToldAndNotKept)
@@ -53,6 +62,18 @@ TEST(Progress, UnsoundStepIsToldAndNotKept)
     // What it keeps is sound, and what it tells is of the step that it took back.
     EXPECT_LT(report.energy.peak_given / report.energy.scale(), 0.1);
     EXPECT_GT(report.diagnosis->values.back(), 0.1);
+}
+
+TEST(Progress, UnsoundStepIsMadeAgainShorter)
+{
+    const Model model = spinning_bar();
+    for (const double spin : {100.0, 200.0, 400.0})
+        for (const double h : {2e-3, 5e-3, 1e-2}) {
+            State state = initial_state(model);
+            set_velocity(model, state, 1, {0, 0, -5}, {0, spin, 0.1 * spin});
+            const RunReport report = run_quietly(model, {dynamic_stage(0.3, h)}, state);
+            EXPECT_NE(report.outcome, Outcome::gave_up) << spin << " rad/s, " << h << " s";
+        }
 }
 
 }  // namespace voussoir::testing
