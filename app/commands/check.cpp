@@ -132,16 +132,21 @@ void print_contacts(const Model& model)
                     points, area));
 }
 
+/// "1 motion", "2 motions".
+std::string counted(std::size_t count, const std::string& thing)
+{
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
 void print_stages(const std::vector<Stage>& stages)
 {
     for (const Stage& stage : stages) {
         const bool is_dynamic = stage.type == StageType::dynamic;
         say(fmt::format(
-            "stage {}: {}, time step {:g} s{}, {} motions, {} body accelerations{}", stage.name,
-            is_dynamic ? "dynamic" : "static", stage.control.time_step,
-            is_dynamic ? fmt::format(", {:g} s", stage.duration) : "", stage.motions.size(),
-            stage.body_accelerations.size(),
-            stage.incoming_waves.empty() ? "" : fmt::format(", {} incoming waves", stage.incoming_waves.size())));
+            "stage {}: {}, time step {:g} s{}, {}, {}{}", stage.name, is_dynamic ? "dynamic" : "static",
+            stage.control.time_step, is_dynamic ? fmt::format(", {:g} s", stage.duration) : "",
+            counted(stage.motions.size(), "motion"), counted(stage.body_accelerations.size(), "body acceleration"),
+            stage.incoming_waves.empty() ? "" : ", " + counted(stage.incoming_waves.size(), "incoming wave")));
     }
 }
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "app/results/hdf5_file.h"
 #include "app/results/results_writer.h"
 #include "tests/app/results/synthetic.h"
+#include "tests/temporary_folder.h"
 
 namespace voussoir::app::results
 {
@@ -49,6 +51,20 @@ TEST(LeftOut, WhatACaseListsIsNotLeftOut)
     EXPECT_TRUE(left_out(full).empty());
     full.model.foundations.clear();
     EXPECT_TRUE(names(left_out(full), "foundations"));
+}
+
+TEST(LeftOut, FilesHaveNothingOfTheGroundWhereNoneIs)
+{
+    const TemporaryFolder folder;
+    const Case bare = synthetic::tower(Kinematics::spatial_rigid);
+    ResultsWriter writer(bare, folder.path());
+    const State state = initial_state(bare.model);
+    writer.frame(state, {});
+    writer.finish(state, {}, {0, 0});
+    const Hdf5File file = Hdf5File::open(writer.results_file());
+    EXPECT_TRUE(file.has("/model/foundations"));
+    for (const char* group : {"/model/boundaries", "/model/tied_sides", "/model/side_ties"})
+        EXPECT_FALSE(file.has(group)) << group;
 }
 
 }  // namespace
