@@ -69,6 +69,7 @@ FOLDER_RULES = {
     "app/studies/stability/": ENGINE + ("app/version/", "importers/process/", "app/words/", "app/case/", "app/plots/",
                                         "app/studies/scenes/", "app/studies/stability/references/"),
     "app/studies/stability/references/": (),
+    "app/command_line/": ("importers/helper/", "app/commands/"),
     "app/commands/": ENGINE + ("libdda/text/", "importers/", "records/", "app/"),
     "app/": ENGINE + ("importers/", "app/"),
 

@@ -39,6 +39,7 @@ NAMESPACES = {
     "importers/patterns/": "voussoir::importers::patterns",
     "importers/process/": "voussoir::importers::process",
     "app/": "voussoir::app",
+    "app/command_line/": "voussoir::app::command_line",
     "app/commands/": "voussoir::app::commands",
     "app/drawing/": "voussoir::app::drawing",
     "app/generate/": "voussoir::app::generate",
