@@ -1,7 +1,9 @@
 #include "libdda/solve/conjugate_gradients.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
+
+#include "libdda/solve/block_kernels.h"
+#include "libdda/solve/coarse_space.h"
 
 namespace voussoir::solve
 {
@@ -10,96 +12,6 @@ using Eigen::VectorXd;
 
 namespace
 {
-
-/// The kernels of the iteration for one block size, so that the compiler unrolls them.
-template <int N>
-struct Kernels {
-    using Square = Eigen::Matrix<double, N, N>;
-    using Segment = Eigen::Matrix<double, N, 1>;
-    using ConstBlock = Eigen::Map<const Square>;
-    using Block = Eigen::Map<Square>;
-
-    static ConstBlock block(const BlockMatrix& m, int position) { return ConstBlock(m.block(position)); }
-
-    // lazyProduct: at these sizes the unrolled product beats the packing of the general one.
-    static void multiply(const BlockMatrix& m, const VectorXd& x, VectorXd& y)
-    {
-        y.setZero();
-        for (int i = 0; i < m.rows(); ++i) {
-            const Segment xi = x.segment<N>(N * i);
-            Segment sum = block(m, m.diagonal(i)).lazyProduct(xi);
-            for (int p = m.row_start[i]; p < m.diagonal(i); ++p) {
-                const int j = m.columns[p];
-                const ConstBlock a = block(m, p);
-                sum += a.lazyProduct(x.segment<N>(N * j));
-                y.segment<N>(N * j) += a.transpose().lazyProduct(xi);
-            }
-            y.segment<N>(N * i) += sum;
-        }
-    }
-
-    /// L with L L^T = A on the pattern of A: L_ij = (A_ij - sum_k L_ik L_jk^T) L_jj^-T. The inverse of each
-    /// diagonal block is stored in its place. A diagonal block that loses definiteness by the dropped fill keeps
-    /// the factor of A_ii alone.
-    static void factorise(const BlockMatrix& a, BlockMatrix& l)
-    {
-        l.values = a.values;
-        for (int i = 0; i < a.rows(); ++i) {
-            Square diagonal = block(l, l.diagonal(i));
-            for (int p = l.row_start[i]; p < l.diagonal(i); ++p) {
-                const int j = l.columns[p];
-                Square sum = block(l, p);
-                subtract_common(l, i, p, j, sum);
-                const Square lij = sum.lazyProduct(block(l, l.diagonal(j)).transpose());
-                Block(l.block(p)) = lij;
-                diagonal -= lij.lazyProduct(lij.transpose());
-            }
-            Eigen::LLT<Square> cholesky(diagonal);
-            if (cholesky.info() != Eigen::Success) cholesky.compute(block(a, a.diagonal(i)));
-            Block(l.block(l.diagonal(i))) = inverse_of_lower(cholesky.matrixLLT());
-        }
-    }
-
-    /// L^-1 row by row, kept as columns of its transpose so that whole columns are combined at a time.
-    static Square inverse_of_lower(const Square& l)
-    {
-        Square transposed = Square::Identity();
-        for (int i = 0; i < N; ++i) {
-            for (int k = 0; k < i; ++k) transposed.col(i) -= l(i, k) * transposed.col(k);
-            transposed.col(i) /= l(i, i);
-        }
-        return transposed.transpose();
-    }
-
-    /// sum -= L_ik L_jk^T over the columns k < j that rows i and j share.
-    static void subtract_common(const BlockMatrix& l, int i, int end_i, int j, Square& sum)
-    {
-        int q = l.row_start[j];
-        for (int p = l.row_start[i]; p < end_i; ++p) {
-            while (q < l.diagonal(j) && l.columns[q] < l.columns[p]) ++q;
-            if (q == l.diagonal(j)) return;
-            if (l.columns[q] == l.columns[p]) sum -= block(l, p).lazyProduct(block(l, q).transpose());
-        }
-    }
-
-    static void precondition(const BlockMatrix& l, const VectorXd& r, VectorXd& z)
-    {
-        z = r;
-        for (int i = 0; i < l.rows(); ++i) {
-            Segment sum = z.segment<N>(N * i);
-            for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
-                sum -= block(l, p).lazyProduct(z.segment<N>(N * l.columns[p]));
-            z.segment<N>(N * i) = block(l, l.diagonal(i)).lazyProduct(sum);
-        }
-        for (int i = l.rows() - 1; i >= 0; --i) {
-            const Segment known = z.segment<N>(N * i);
-            const Segment zi = block(l, l.diagonal(i)).transpose().lazyProduct(known);
-            z.segment<N>(N * i) = zi;
-            for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
-                z.segment<N>(N * l.columns[p]) -= block(l, p).transpose().lazyProduct(zi);
-        }
-    }
-};
 
 /// What `work` gives for the kernels of a block size, one of the four kinematics'.
 template <class Work>
@@ -118,6 +30,8 @@ class ConjugateGradientSolver : public LinearSolver
     {
     }
 
+    void place(const RowPlaces& places) override { coarse_.place(places); }
+
     LinearReport solve(const BlockMatrix& matrix, const VectorXd& right_hand_side, VectorXd& solution) override
     {
         return with_kernels(matrix.block_size, [&](auto kernels) {
@@ -133,7 +47,7 @@ class ConjugateGradientSolver : public LinearSolver
 
     void precondition(const VectorXd& r, VectorXd& z) override
     {
-        with_kernels(factor_.block_size, [&](auto kernels) { kernels.precondition(factor_, r, z); });
+        with_kernels(factor_.block_size, [&](auto kernels) { improve<decltype(kernels)>(r, z); });
     }
 
  private:
@@ -143,6 +57,16 @@ class ConjugateGradientSolver : public LinearSolver
         if (factor_.columns != a.columns || factor_.row_start != a.row_start) factor_ = a;
         factor_.block_size = a.block_size;
         K::factorise(a, factor_);
+        is_coarse_ = coarse_.prepare(a);
+    }
+
+    /// z = K^-1 r, nearly. The coarse correction comes last: it leaves no residual in the coarse space, as the
+    /// iteration, which starts without one, expects of an operator that is not symmetric.
+    template <class K>
+    void improve(const VectorXd& r, VectorXd& z)
+    {
+        K::precondition(factor_, r, z);
+        if (is_coarse_) coarse_.correct(r, z);
     }
 
     template <class K>
@@ -151,10 +75,16 @@ class ConjugateGradientSolver : public LinearSolver
         factorise<K>(a);
         LinearReport report{false, 1, 0, static_cast<std::int64_t>(factor_.values.size())};
 
-        x.setZero(b.size());
-        residual_ = b;
         product_.resize(b.size());
-        K::precondition(factor_, residual_, z_);
+        residual_ = b;
+        if (is_coarse_) {
+            coarse_.start(b, x);
+            K::multiply(a, x, product_);
+            residual_ -= product_;
+        } else {
+            x.setZero(b.size());
+        }
+        improve<K>(residual_, z_);
         direction_ = z_;
         double rz = residual_.dot(z_);
         const double target = tolerance_ * b.norm();
@@ -167,7 +97,7 @@ class ConjugateGradientSolver : public LinearSolver
             const double step = rz / curvature;
             x += step * direction_;
             residual_ -= step * product_;
-            K::precondition(factor_, residual_, z_);
+            improve<K>(residual_, z_);
             const double next = residual_.dot(z_);
             direction_ = z_ + next / rz * direction_;
             rz = next;
@@ -179,6 +109,8 @@ class ConjugateGradientSolver : public LinearSolver
     double tolerance_;
     int max_iterations_;
     BlockMatrix factor_;
+    CoarseSpace coarse_;
+    bool is_coarse_ = false;
     VectorXd residual_, z_, direction_, product_;
 };
 

@@ -15,6 +15,8 @@ class FallbackSolver : public LinearSolver
  public:
     explicit FallbackSolver(double tolerance) : iterative_(make_conjugate_gradient_solver(tolerance)) {}
 
+    void place(const RowPlaces& places) override { iterative_->place(places); }
+
     LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
                        Eigen::VectorXd& solution) override
     {

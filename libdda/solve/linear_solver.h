@@ -6,6 +6,7 @@
 
 #include "libdda/model/step_control.h"
 #include "libdda/solve/block_matrix.h"
+#include "libdda/solve/row_places.h"
 
 namespace voussoir::solve
 {
@@ -23,6 +24,8 @@ class LinearSolver
 {
  public:
     virtual ~LinearSolver() = default;
+    /// Where the rows of the matrices to come are: of use to who looks at more than the numbers of a matrix.
+    virtual void place(const RowPlaces& /*places*/) {}
     /// @param matrix SPD; @param right_hand_side, solution (rows x block_size)
     virtual LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
                                Eigen::VectorXd& solution) = 0;

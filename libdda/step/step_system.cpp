@@ -1,5 +1,7 @@
 #include "libdda/step/step_system.h"
 
+#include <algorithm>
+
 #include "libdda/step/contact_stiffness.h"
 #include "libdda/step/part_timer.h"
 
@@ -45,6 +47,23 @@ void damp_sliding_blocks(const Model& model, const Stage& stage, const ContactSe
     for (const ContactPatchIn<K::dimension>& patch : contacts.patches)
         if (has_friction(model, patch.block_a, patch.block_b) && slides(contacts, patch))
             for (const int b : {patch.block_a, patch.block_b}) take_elasticity_at_end(blocks[b]);
+}
+
+/// Tells the solver where the rows are.
+template <class K>
+void place_rows(StepSystem<K>& system)
+{
+    constexpr int D = K::dimension;
+    solve::RowPlaces& places = system.places;
+    places.kinematics = K::kinematics;
+    places.centres.resize(D * system.block_of_row.size());
+    places.free.resize(system.block_of_row.size());
+    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+        typename K::Vector::MapType(places.centres.data() + D * row) = block.start.centroid;
+        places.free[row] = std::none_of(block.held.begin(), block.held.end(), [](bool held) { return held; });
+    }
+    system.solver->place(places);
 }
 
 }  // namespace
@@ -96,6 +115,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         system.solver_kind = stage.control.linear_solver;
         system.solver_tolerance = stage.control.linear_tolerance;
     }
+    place_rows(system);
 }
 
 namespace

@@ -31,6 +31,7 @@ struct StepSystem {
     std::vector<double> load;                // N per row: weight plus contact forces, the scale of its residual
     solve::BlockMatrix matrix;
     std::vector<std::pair<int, int>> pairs;  // scratch of the pattern
+    solve::RowPlaces places;                 // of the rows, for the solver
     Eigen::VectorXd direction, trial;        // scratch
     std::vector<ContactStatus> statuses;     // scratch, per contact point
     std::vector<int> states;                 // the same, as the iteration left them

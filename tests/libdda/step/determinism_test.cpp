@@ -73,11 +73,11 @@ void step_on(const Model& model, const Stage& stage, int steps, State& state)
 
 }  // namespace
 
-// A wall of 204 blocks, whose contacts pass every threshold above which the engine uses threads.
+// A wall of 281 blocks, which pass every threshold above which the engine uses threads and a coarse space.
 TEST_P(Determinism, ThreadsAndRepetitionChangeNoBit)
 {
-    const Model model = running_bond(GetParam(), 14, 14);
-    EXPECT_EQ(model.blocks.size(), 204U);
+    const Model model = running_bond(GetParam(), 16, 17);
+    EXPECT_EQ(model.blocks.size(), 281U);
     std::size_t patches = 0;
     const Stage stage = shaking(0.012, 2e-3);
     const std::uint64_t first = hash_after_shaking(model, stage, 1, patches);
@@ -90,7 +90,7 @@ TEST_P(Determinism, ThreadsAndRepetitionChangeNoBit)
 // The same wall interrupted on one thread and continued on four.
 TEST_P(Determinism, ARestartOnOtherThreadsChangesNoBit)
 {
-    const Model model = running_bond(GetParam(), 14, 14);
+    const Model model = running_bond(GetParam(), 16, 17);
     Stage stage = shaking(1, 2e-3);
     State whole = initial_state(model), part = whole;
     begin_stage(model, 0, whole);

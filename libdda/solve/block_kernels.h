@@ -1,0 +1,102 @@
+// Products and incomplete factors of block matrices.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "libdda/solve/block_matrix.h"
+
+namespace voussoir::solve
+{
+
+/// The kernels of the iteration for one block size, so that the compiler unrolls them.
+template <int N>
+struct Kernels {
+    using Square = Eigen::Matrix<double, N, N>;
+    using Segment = Eigen::Matrix<double, N, 1>;
+    using ConstBlock = Eigen::Map<const Square>;
+    using Block = Eigen::Map<Square>;
+
+    static ConstBlock block(const BlockMatrix& m, int position) { return ConstBlock(m.block(position)); }
+
+    // lazyProduct: at these sizes the unrolled product beats the packing of the general one.
+    static void multiply(const BlockMatrix& m, const Eigen::VectorXd& x, Eigen::VectorXd& y)
+    {
+        y.setZero();
+        for (int i = 0; i < m.rows(); ++i) {
+            const Segment xi = x.segment<N>(N * i);
+            Segment sum = block(m, m.diagonal(i)).lazyProduct(xi);
+            for (int p = m.row_start[i]; p < m.diagonal(i); ++p) {
+                const int j = m.columns[p];
+                const ConstBlock a = block(m, p);
+                sum += a.lazyProduct(x.segment<N>(N * j));
+                y.segment<N>(N * j) += a.transpose().lazyProduct(xi);
+            }
+            y.segment<N>(N * i) += sum;
+        }
+    }
+
+    /// L with L L^T = A on the pattern of A: L_ij = (A_ij - sum_k L_ik L_jk^T) L_jj^-T. The inverse of each
+    /// diagonal block is stored in its place. A diagonal block that loses definiteness by the dropped fill keeps
+    /// the factor of A_ii alone.
+    static void factorise(const BlockMatrix& a, BlockMatrix& l)
+    {
+        l.values = a.values;
+        for (int i = 0; i < a.rows(); ++i) {
+            Square diagonal = block(l, l.diagonal(i));
+            for (int p = l.row_start[i]; p < l.diagonal(i); ++p) {
+                const int j = l.columns[p];
+                Square sum = block(l, p);
+                subtract_common(l, i, p, j, sum);
+                const Square lij = sum.lazyProduct(block(l, l.diagonal(j)).transpose());
+                Block(l.block(p)) = lij;
+                diagonal -= lij.lazyProduct(lij.transpose());
+            }
+            Eigen::LLT<Square> cholesky(diagonal);
+            if (cholesky.info() != Eigen::Success) cholesky.compute(block(a, a.diagonal(i)));
+            Block(l.block(l.diagonal(i))) = inverse_of_lower(cholesky.matrixLLT());
+        }
+    }
+
+    /// L^-1 row by row, kept as columns of its transpose so that whole columns are combined at a time.
+    static Square inverse_of_lower(const Square& l)
+    {
+        Square transposed = Square::Identity();
+        for (int i = 0; i < N; ++i) {
+            for (int k = 0; k < i; ++k) transposed.col(i) -= l(i, k) * transposed.col(k);
+            transposed.col(i) /= l(i, i);
+        }
+        return transposed.transpose();
+    }
+
+    /// sum -= L_ik L_jk^T over the columns k < j that rows i and j share.
+    static void subtract_common(const BlockMatrix& l, int i, int end_i, int j, Square& sum)
+    {
+        int q = l.row_start[j];
+        for (int p = l.row_start[i]; p < end_i; ++p) {
+            while (q < l.diagonal(j) && l.columns[q] < l.columns[p]) ++q;
+            if (q == l.diagonal(j)) return;
+            if (l.columns[q] == l.columns[p]) sum -= block(l, p).lazyProduct(block(l, q).transpose());
+        }
+    }
+
+    static void precondition(const BlockMatrix& l, const Eigen::VectorXd& r, Eigen::VectorXd& z)
+    {
+        z = r;
+        for (int i = 0; i < l.rows(); ++i) {
+            Segment sum = z.segment<N>(N * i);
+            for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
+                sum -= block(l, p).lazyProduct(z.segment<N>(N * l.columns[p]));
+            z.segment<N>(N * i) = block(l, l.diagonal(i)).lazyProduct(sum);
+        }
+        for (int i = l.rows() - 1; i >= 0; --i) {
+            const Segment known = z.segment<N>(N * i);
+            const Segment zi = block(l, l.diagonal(i)).transpose().lazyProduct(known);
+            z.segment<N>(N * i) = zi;
+            for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
+                z.segment<N>(N * l.columns[p]) -= block(l, p).transpose().lazyProduct(zi);
+        }
+    }
+};
+
+}  // namespace voussoir::solve

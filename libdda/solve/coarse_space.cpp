@@ -1,0 +1,341 @@
+#include "libdda/solve/coarse_space.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "libdda/solve/aggregates.h"
+#include "libdda/solve/block_kernels.h"
+
+namespace voussoir::solve
+{
+
+using Eigen::VectorXd;
+
+namespace
+{
+
+constexpr int least_rows = 256;         // below, the factor of near neighbours is as good
+constexpr double least_contacts = 1.2;  // per row: a chain is factorised exactly
+constexpr int rows_in_aggregate = 24;
+constexpr int most_aggregates = 192;
+
+/// How a cluster that moves as one block with its centre at lever -y moves one of its blocks: P = [1, S; 0, 1].
+template <int D>
+struct RigidShape {
+    static constexpr int dimension = D, unknowns = D == 3 ? 6 : 3, spins = unknowns - D;
+    using Lever = Eigen::Matrix<double, D, 1>;
+
+    static Eigen::Matrix<double, D, spins> turned(const Lever& y)
+    {
+        Eigen::Matrix<double, D, spins> s;
+        if constexpr (D == 3)
+            s << 0, y[2], -y[1], -y[2], 0, y[0], y[1], -y[0], 0;
+        else
+            s << -y[1], y[0];
+        return s;
+    }
+    /// b = b P
+    template <class Block>
+    static void right(const Lever& y, Block& b)
+    {
+        b.template rightCols<spins>() += b.template leftCols<D>().lazyProduct(turned(y));
+    }
+    /// c = P^T c
+    template <class Block>
+    static void left(const Lever& y, Block& c)
+    {
+        c.template bottomRows<spins>() += turned(y).transpose().lazyProduct(c.template topRows<D>());
+    }
+    /// c = P c
+    template <class Segment>
+    static void spread(const Lever& y, Segment& c)
+    {
+        c.template head<D>() += turned(y).lazyProduct(c.template tail<spins>());
+    }
+};
+
+/// The same with the nine (four) components of a gradient, column by column.
+template <int D>
+struct AffineShape {
+    static constexpr int dimension = D, unknowns = D + D * D;
+    using Lever = Eigen::Matrix<double, D, 1>;
+
+    template <class Block>
+    static void right(const Lever& y, Block& b)
+    {
+        for (int j = 0; j < D; ++j) b.template middleCols<D>(D + D * j) += y[j] * b.template leftCols<D>();
+    }
+    template <class Block>
+    static void left(const Lever& y, Block& c)
+    {
+        for (int j = 0; j < D; ++j) c.template middleRows<D>(D + D * j) += y[j] * c.template topRows<D>();
+    }
+    template <class Segment>
+    static void spread(const Lever& y, Segment& c)
+    {
+        for (int j = 0; j < D; ++j) c.template head<D>() += y[j] * c.template segment<D>(D + D * j);
+    }
+};
+
+}  // namespace
+
+class CoarseSpace::Implementation
+{
+ public:
+    virtual ~Implementation() = default;
+    virtual bool prepare(const BlockMatrix& matrix) = 0;
+    virtual void start(const VectorXd& b, VectorXd& x) = 0;
+    virtual void correct(const VectorXd& r, VectorXd& z) = 0;
+
+    RowPlaces places;
+};
+
+namespace
+{
+
+template <class Shape>
+class CoarseSpaceOf : public CoarseSpace::Implementation
+{
+    static constexpr int n = Shape::unknowns, D = Shape::dimension;
+    using K = Kernels<n>;
+    using Square = typename K::Square;
+    using Segment = typename K::Segment;
+    using Block = typename K::Block;
+    using ConstBlock = typename K::ConstBlock;
+    using Lever = typename Shape::Lever;
+
+ public:
+    bool prepare(const BlockMatrix& matrix) override
+    {
+        const int rows = matrix.rows();
+        if (rows < least_rows || static_cast<int>(places.free.size()) != rows || matrix.block_size != n)
+            return false;
+        if (static_cast<double>(matrix.columns.size()) < (1 + least_contacts) * rows) return false;
+        if (columns_ != matrix.columns || row_start_ != matrix.row_start || free_ != places.free) analyse(matrix);
+        if (aggregates_.count < 2) return false;
+        set_levers();
+        multiply(matrix);
+        project();
+        K::factorise(coarse_, factor_);
+        return true;
+    }
+
+    void start(const VectorXd& b, VectorXd& x) override
+    {
+        gather(b);
+        x.setZero(b.size());
+        spread(x);
+    }
+
+    void correct(const VectorXd& r, VectorXd& z) override
+    {
+        gather(r);
+        for (std::size_t i = 0; i < aggregates_.of_row.size(); ++i) {
+            const Segment zi = z.segment<n>(n * i);
+            for (int p = product_.row_start[i]; p < product_.row_start[i + 1]; ++p)
+                load_.segment<n>(n * product_.columns[p]) -= K::block(product_, p).transpose().lazyProduct(zi);
+        }
+        spread(z);
+    }
+
+ private:
+    /// Aggregates, the pattern of K P and the envelope of P^T K P: what the pattern of the matrix decides.
+    void analyse(const BlockMatrix& matrix)
+    {
+        columns_ = matrix.columns;
+        row_start_ = matrix.row_start;
+        free_ = places.free;
+        const int rows = matrix.rows();
+        aggregates_ = aggregate(matrix, free_, std::max(rows_in_aggregate, rows / most_aggregates));
+        set_product_pattern(matrix);
+        set_envelope();
+    }
+
+    void set_product_pattern(const BlockMatrix& matrix)
+    {
+        const std::vector<int>& of = aggregates_.of_row;
+        const int rows = matrix.rows();
+        std::vector<std::vector<int>> met(rows);  // aggregates that a row meets
+        const auto meets = [&](int row, int other) {
+            if (of[other] < 0) return;
+            std::vector<int>& known = met[row];
+            if (std::find(known.begin(), known.end(), of[other]) == known.end()) known.push_back(of[other]);
+        };
+        for (int i = 0; i < rows; ++i)
+            for (int p = matrix.row_start[i]; p < matrix.row_start[i + 1]; ++p) {
+                meets(i, matrix.columns[p]);
+                meets(matrix.columns[p], i);
+            }
+        product_.block_size = n;
+        product_.row_start.assign(1, 0);
+        product_.columns.clear();
+        for (std::vector<int>& known : met) {
+            std::sort(known.begin(), known.end());
+            product_.columns.insert(product_.columns.end(), known.begin(), known.end());
+            product_.row_start.push_back(static_cast<int>(product_.columns.size()));
+        }
+        of_row_.clear();
+        of_column_.clear();
+        for (int i = 0; i < rows; ++i)
+            for (int p = matrix.row_start[i]; p < matrix.row_start[i + 1]; ++p) {
+                const int j = matrix.columns[p];
+                of_row_.push_back(of[j] < 0 ? -1 : product_.position(i, of[j]));
+                of_column_.push_back(of[i] < 0 ? -1 : product_.position(j, of[i]));
+            }
+    }
+
+    /// All columns from the first of each row to the diagonal: a Cholesky factor fills no others.
+    void set_envelope()
+    {
+        std::vector<int> first(aggregates_.count);
+        for (int a = 0; a < aggregates_.count; ++a) first[a] = a;
+        for (std::size_t i = 0; i < aggregates_.of_row.size(); ++i) {
+            const int a = aggregates_.of_row[i];
+            if (a < 0) continue;
+            for (int p = product_.row_start[i]; p < product_.row_start[i + 1]; ++p)
+                first[a] = std::min(first[a], product_.columns[p]);
+        }
+        coarse_.block_size = n;
+        coarse_.row_start.assign(1, 0);
+        coarse_.columns.clear();
+        for (int a = 0; a < aggregates_.count; ++a) {
+            for (int k = first[a]; k <= a; ++k) coarse_.columns.push_back(k);
+            coarse_.row_start.push_back(static_cast<int>(coarse_.columns.size()));
+        }
+        factor_ = coarse_;
+    }
+
+    /// Levers from the mean of the centres of an aggregate.
+    void set_levers()
+    {
+        const std::vector<int>& of = aggregates_.of_row;
+        std::vector<Lever> centre(aggregates_.count, Lever::Zero());
+        std::vector<int> members(aggregates_.count, 0);
+        levers_.resize(of.size());
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            levers_[i] = Eigen::Map<const Lever>(places.centres.data() + D * i);
+            if (of[i] < 0) continue;
+            centre[of[i]] += levers_[i];
+            ++members[of[i]];
+        }
+        for (std::size_t i = 0; i < of.size(); ++i)
+            if (of[i] >= 0) levers_[i] -= centre[of[i]] / members[of[i]];
+    }
+
+    /// product = K P
+    void multiply(const BlockMatrix& matrix)
+    {
+        product_.values.assign(product_.columns.size() * n * n, 0.0);
+        for (int i = 0; i < matrix.rows(); ++i)
+            for (int p = matrix.row_start[i]; p < matrix.row_start[i + 1]; ++p) {
+                const int j = matrix.columns[p];
+                if (of_row_[p] >= 0) {
+                    Square right = K::block(matrix, p);
+                    Shape::right(levers_[j], right);
+                    Block(product_.block(of_row_[p])) += right;
+                }
+                if (i == j || of_column_[p] < 0) continue;
+                Square right = K::block(matrix, p).transpose();
+                Shape::right(levers_[i], right);
+                Block(product_.block(of_column_[p])) += right;
+            }
+    }
+
+    /// coarse = P^T K P
+    void project()
+    {
+        coarse_.values.assign(coarse_.columns.size() * n * n, 0.0);
+        for (std::size_t i = 0; i < levers_.size(); ++i) {
+            const int a = aggregates_.of_row[i];
+            if (a < 0) continue;
+            const int first = coarse_.columns[coarse_.row_start[a]];
+            for (int p = product_.row_start[i]; p < product_.row_start[i + 1] && product_.columns[p] <= a; ++p) {
+                Square left = K::block(product_, p);
+                Shape::left(levers_[i], left);
+                Block(coarse_.block(coarse_.row_start[a] + product_.columns[p] - first)) += left;
+            }
+        }
+    }
+
+    /// load = P^T r
+    void gather(const VectorXd& r)
+    {
+        load_.setZero(n * aggregates_.count);
+        for (std::size_t i = 0; i < levers_.size(); ++i) {
+            const int a = aggregates_.of_row[i];
+            if (a < 0) continue;
+            Segment of_row = r.segment<n>(n * i);
+            Shape::left(levers_[i], of_row);
+            load_.segment<n>(n * a) += of_row;
+        }
+    }
+
+    /// z += P (P^T K P)^-1 load
+    void spread(VectorXd& z)
+    {
+        K::precondition(factor_, load_, moved_);
+        for (std::size_t i = 0; i < levers_.size(); ++i) {
+            const int a = aggregates_.of_row[i];
+            if (a < 0) continue;
+            Segment of_row = moved_.segment<n>(n * a);
+            Shape::spread(levers_[i], of_row);
+            z.segment<n>(n * i) += of_row;
+        }
+    }
+
+    std::vector<int> columns_, row_start_;  // of the matrix that was analysed
+    std::vector<char> free_;
+    Aggregates aggregates_;
+    std::vector<Lever> levers_;            // m, (rows)
+    BlockMatrix product_;                  // K P: rows x aggregates, not only a lower triangle
+    std::vector<int> of_row_, of_column_;  // of each block of the matrix: its positions in the product
+    BlockMatrix coarse_, factor_;
+    VectorXd load_, moved_;  // (aggregates x unknowns)
+};
+
+std::unique_ptr<CoarseSpace::Implementation> make(Kinematics kinematics)
+{
+    switch (kinematics) {
+        case Kinematics::spatial_deformable:
+            return std::make_unique<CoarseSpaceOf<AffineShape<3>>>();
+        case Kinematics::spatial_rigid:
+            return std::make_unique<CoarseSpaceOf<RigidShape<3>>>();
+        case Kinematics::planar_deformable:
+            return std::make_unique<CoarseSpaceOf<AffineShape<2>>>();
+        case Kinematics::planar_rigid:
+            break;
+    }
+    return std::make_unique<CoarseSpaceOf<RigidShape<2>>>();
+}
+
+}  // namespace
+
+CoarseSpace::CoarseSpace() = default;
+CoarseSpace::~CoarseSpace() = default;
+
+void CoarseSpace::place(const RowPlaces& places)
+{
+    if (!implementation_ || kinematics_ != places.kinematics) {
+        implementation_ = make(places.kinematics);
+        kinematics_ = places.kinematics;
+    }
+    implementation_->places = places;
+}
+
+bool CoarseSpace::prepare(const BlockMatrix& matrix)
+{
+    return implementation_ && implementation_->prepare(matrix);
+}
+
+void CoarseSpace::start(const VectorXd& b, VectorXd& x)
+{
+    implementation_->start(b, x);
+}
+
+void CoarseSpace::correct(const VectorXd& r, VectorXd& z)
+{
+    implementation_->correct(r, z);
+}
+
+}  // namespace voussoir::solve
