@@ -17,12 +17,6 @@ std::string faults(const std::string& entry)
     return reader::faults_of(pattern_case(entry));
 }
 
-/// Under the weight and `share` of it along x.
-std::vector<std::string> pushed(double share)
-{
-    return {"gravity={direction: [" + std::to_string(share) + ", 0, -1]}"};
-}
-
 std::string obelisk(int stones, const std::string& more = "")
 {
     return "obelisk: {height: 6 m, width: 1 m, top_width: 0.7 m, pyramidion: 0.8 m, stones: " +
