@@ -47,6 +47,17 @@ void add_courses(std::vector<double>& beds, double to, double height)
     beds.push_back(to);
 }
 
+/// A thin voussoir below a high step has a hollow side.
+void check_convex(const BridgeProfile& profile, int voussoirs)
+{
+    try {
+        for (int i = 0; i < voussoirs; ++i) prism_along_y(profile.outline(i), 0, 1, "voussoir");
+    } catch (const InputError&) {
+        throw InputError("thickness", "a voussoir with its stepped back would not be convex",
+                         "give a greater thickness, more voussoirs or lower blocks");
+    }
+}
+
 }  // namespace
 
 void BridgeProfile::carry_on(double level, double height)
@@ -95,6 +106,7 @@ BridgeProfile profile_of(const ArchCurve& curve, double course, double crown_lev
         raise(profile.joints[i], levels[level_of_joint[i]]);
         profile.bed_of_joint.push_back(bed_of_level[level_of_joint[i]]);
     }
+    check_convex(profile, curve.voussoirs);
     return profile;
 }
 

@@ -29,7 +29,7 @@ struct BridgeProfile {
 
 /// From the springing stones to the highest backs. @param course height of a course [m]
 /// @param crown the highest backs are drawn up to this level, if they end below it [m]
-/// @throws InputError when the backs do not rise from the springing to the crown
+/// @throws InputError when the backs do not rise from the springing to the crown, or a voussoir is not convex
 BridgeProfile profile_of(const ArchCurve& curve, double course, double crown = 0);
 
 }  // namespace voussoir::importers::patterns
