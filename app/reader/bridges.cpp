@@ -49,6 +49,10 @@ std::vector<patterns::ArchCurve> read_arches(YamlCursor& map)
         item.reject_unknown_keys();
     }
     if (arches.empty()) spans->fault("no arch", "give at least one");
+    if (std::none_of(arches.begin(), arches.end(), [](const patterns::ArchCurve& arch) {
+            return arch.shape == patterns::ArchShape::polycentric;
+        }))
+        map.forbid("side_arc", "only a polycentric arch has side arcs");
     return arches;
 }
 
