@@ -54,6 +54,7 @@ std::vector<ConvexPolyhedron> read_outline(const YamlCursor& outline, double wid
     if (outline.fault_count() > before) return {};
     std::vector<ConvexPolyhedron> parts;
     const std::vector<std::vector<patterns::Point>> outlines = patterns::convex_outlines(corners);
+    parts.reserve(outlines.size());
     for (const std::vector<patterns::Point>& part : outlines)
         parts.push_back(patterns::prism_along_y(part, -width / 2, width / 2, "outline"));
     glue_common_sides(outlines, parts);
@@ -115,7 +116,7 @@ std::vector<ConvexPolyhedron> read_domain(YamlCursor& map, const BlockReading& r
     }
     if (outline) return read_outline(*outline, map.quantity_or("width", dimension::length, Range::positive(), 1));
     map.forbid("width", "it belongs to an outline");
-    const std::vector<ConvexPolyhedron> parts = own ? read_convex_parts(*own, "rock") : read_body(*mesh, reading);
+    std::vector<ConvexPolyhedron> parts = own ? read_convex_parts(*own, "rock") : read_body(*mesh, reading);
     if (share_whole_faces(parts)) return parts;
     (own ? *own : *mesh)
         .fault("parts that are glued do not share whole faces", "give convex bodies, each in an entry of its own");
