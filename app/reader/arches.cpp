@@ -36,14 +36,45 @@ double read_rise(YamlCursor& map, patterns::ArchShape shape, double span)
     return otherwise;
 }
 
-void read_thickness_and_number(YamlCursor& map, int most, patterns::ArchCurve& curve)
+/// The keys of one thing and, for what they leave out, those of all its like.
+struct OwnOrCommon {
+    YamlCursor &own, &common;
+
+    YamlCursor& of(const std::string& key) const
+    {
+        const bool is_own = own.find(key).has_value();
+        common.find(key);  // it is known there, whoever says it
+        return is_own ? own : common;
+    }
+};
+
+/// `thickness`, or its share of the mean radius, by which the literature names limits: `thickness_over_radius`.
+/// @param radius of the intrados [m]; 0: it is no circle
+double read_thickness(YamlCursor& map, double radius)
 {
-    curve.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    const std::optional<double> ratio =
+        map.find_quantity("thickness_over_radius", dimension::number, Range{0, 1, false, false});
+    if (!ratio) return map.quantity("thickness", dimension::length, Range::positive());
+    if (map.find("thickness")) map.fault("both thickness and thickness_over_radius", "give one of them");
+    if (radius == 0) map.fault("thickness_over_radius of an arch that is not circular", "give thickness");
+    return radius * *ratio / (1 - *ratio / 2);
+}
+
+void read_thickness_and_number(const OwnOrCommon& keys, int most, patterns::ArchCurve& curve)
+{
+    const bool is_circle = curve.shape == patterns::ArchShape::circular;
+    const double half = curve.span / 2;
+    // Either of its own takes the place of both that are common.
+    YamlCursor &with_length = keys.of("thickness"), &with_ratio = keys.of("thickness_over_radius");
+    curve.thickness = read_thickness(&with_length == &keys.own ? keys.own : with_ratio,
+                                     is_circle ? (half * half + curve.rise * curve.rise) / (2 * curve.rise) : 0);
     curve.springing_thickness = curve.thickness;
-    if (const auto ends = map.find_quantity("springing_thickness", dimension::length, Range::positive()))
+    YamlCursor& with_ends = keys.of("springing_thickness");
+    if (const auto ends = with_ends.find_quantity("springing_thickness", dimension::length, Range::positive()))
         curve.springing_thickness = *ends;
-    if (const auto number = map.require("voussoirs", "number of voussoirs"))
-        curve.voussoirs = map.integer_or("voussoirs", 2, most, 0);
+    YamlCursor& numbered = keys.of("voussoirs");
+    if (numbered.require("voussoirs", "number of voussoirs"))
+        curve.voussoirs = numbered.integer_or("voussoirs", 2, most, 0);
 }
 
 /// `ribs: {width, depth}`.
@@ -79,29 +110,38 @@ patterns::ArchCurve read_half_arch_curve(YamlCursor& map)
     curve.shape = map.choice_or<ArchShape>(
         "shape", {{"circular", ArchShape::circular}, {"elliptic", ArchShape::elliptic}}, ArchShape::circular);
     curve.span = 2 * span;
-    read_thickness_and_number(map, 4999, curve);
+    read_thickness_and_number({map, map}, 4999, curve);
     curve.voussoirs *= 2;
+    return curve;
+}
+
+patterns::ArchCurve read_arch_curve(YamlCursor& own, YamlCursor& common)
+{
+    using patterns::ArchShape;
+    const OwnOrCommon keys{own, common};
+    patterns::ArchCurve curve;
+    curve.shape = keys.of("shape").choice_or<ArchShape>("shape",
+                                                        {{"circular", ArchShape::circular},
+                                                         {"pointed", ArchShape::pointed},
+                                                         {"elliptic", ArchShape::elliptic},
+                                                         {"polycentric", ArchShape::polycentric}},
+                                                        ArchShape::circular);
+    curve.span = keys.of("span").quantity("span", dimension::length, Range::positive());
+    // One of them of its own takes the place of both that are common.
+    YamlCursor &with_rise = keys.of("rise"), &with_embrace = keys.of("embrace");
+    curve.rise = read_rise(&with_embrace == &own ? own : with_rise, curve.shape, curve.span);
+    if (curve.shape == ArchShape::polycentric)
+        curve.side_arc =
+            keys.of("side_arc").quantity_or("side_arc", dimension::angle, Range::positive(), 60 * degree);
+    else
+        own.forbid("side_arc", "only a polycentric arch has side arcs");
+    read_thickness_and_number(keys, 9999, curve);
     return curve;
 }
 
 patterns::ArchCurve read_arch_curve(YamlCursor& map)
 {
-    using patterns::ArchShape;
-    patterns::ArchCurve curve;
-    curve.shape = map.choice_or<ArchShape>("shape",
-                                           {{"circular", ArchShape::circular},
-                                            {"pointed", ArchShape::pointed},
-                                            {"elliptic", ArchShape::elliptic},
-                                            {"polycentric", ArchShape::polycentric}},
-                                           ArchShape::circular);
-    curve.span = map.quantity("span", dimension::length, Range::positive());
-    curve.rise = read_rise(map, curve.shape, curve.span);
-    if (curve.shape == ArchShape::polycentric)
-        curve.side_arc = map.quantity_or("side_arc", dimension::angle, Range::positive(), 60 * degree);
-    else
-        map.forbid("side_arc", "only a polycentric arch has side arcs");
-    read_thickness_and_number(map, 9999, curve);
-    return curve;
+    return read_arch_curve(map, map);
 }
 
 void read_arch(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
@@ -128,7 +168,7 @@ void read_dome(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     const std::string name = read_name_prefix(map);
     patterns::Dome asked;
     asked.radius = map.quantity("radius", dimension::length, Range::positive());
-    asked.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    asked.thickness = read_thickness(map, asked.radius);
     asked.oculus = map.quantity_or("oculus", dimension::angle, Range::positive(), 15 * degree);
     asked.springing = map.quantity_or("springing", dimension::angle, Range::positive(), 90 * degree);
     if (std::abs(asked.springing - std::numbers::pi / 2) < 1e-12) asked.springing = std::numbers::pi / 2;
@@ -161,7 +201,8 @@ void read_barrel_vault(YamlCursor& entry, YamlCursor& map, BlockReading& reading
     patterns::BarrelVault asked;
     asked.span = map.quantity("span", dimension::length, Range::positive());
     asked.rise = map.quantity_or("rise", dimension::length, Range::positive(), asked.span / 2);
-    asked.thickness = map.quantity("thickness", dimension::length, Range::positive());
+    asked.thickness =
+        read_thickness(map, (asked.span * asked.span / 4 + asked.rise * asked.rise) / (2 * asked.rise));
     asked.length = map.quantity("length", dimension::length, Range::positive());
     asked.courses = map.integer_or("courses", 2, 9999, asked.courses);
     asked.stones = map.integer_or("stones", 1, 9999, asked.stones);

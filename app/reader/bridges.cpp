@@ -1,4 +1,6 @@
 // Bridges as a case file gives them.
+#include <algorithm>
+
 #include "app/reader/arch_keys.h"
 #include "importers/patterns/bridge.h"
 
@@ -31,6 +33,29 @@ void read_fill(YamlCursor& map, patterns::Bridge& asked)
         map.quantity_or("fill_density", dimension::density, Range::positive(), asked.fill_density);
 }
 
+/// `spans: 3`, or `spans: [{span: 6 m, voussoirs: 15}, ...]`: what an arch does not say itself, the bridge says.
+std::vector<patterns::ArchCurve> read_arches(YamlCursor& map)
+{
+    const std::optional<YamlCursor> spans = map.find("spans");
+    if (!spans || !spans->is_list()) {
+        const int number = map.integer_or("spans", 1, 999, 1);
+        return std::vector<patterns::ArchCurve>(static_cast<std::size_t>(std::max(number, 0)),
+                                                read_arch_curve(map));
+    }
+    std::vector<patterns::ArchCurve> arches;
+    for (YamlCursor& item : spans->items("arches from left to right, [{span: 6 m, voussoirs: 15}, ...]")) {
+        if (!item.expect_map("an arch {span, rise, thickness, voussoirs, ...}")) continue;
+        arches.push_back(read_arch_curve(item, map));
+        item.reject_unknown_keys();
+    }
+    if (arches.empty()) spans->fault("no arch", "give at least one");
+    if (std::none_of(arches.begin(), arches.end(), [](const patterns::ArchCurve& arch) {
+            return arch.shape == patterns::ArchShape::polycentric;
+        }))
+        map.forbid("side_arc", "only a polycentric arch has side arcs");
+    return arches;
+}
+
 }  // namespace
 
 void read_bridge(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
@@ -44,8 +69,7 @@ void read_bridge(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     };
     patterns::Bridge asked;
     asked.name = read_name_prefix(map);
-    asked.spans = map.integer_or("spans", 1, 999, 1);
-    asked.curve = read_arch_curve(map);
+    asked.arches = read_arches(map);
     asked.width = map.quantity("width", dimension::length, Range::positive());
     asked.stones_across = map.integer_or("stones_across", 1, 999, asked.stones_across);
     const Eigen::Vector2d block = read_block_format(map);

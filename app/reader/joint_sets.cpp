@@ -1,10 +1,16 @@
 // Rock cut by joint sets as a case file gives it.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <numbers>
 
 #include "app/reader/pattern_keys.h"
+#include "app/reader/polyhedra.h"
+#include "importers/helper/geometry.h"
 #include "importers/helper/rock.h"
 #include "importers/patterns/convex_outlines.h"
 #include "importers/patterns/max_blocks.h"
@@ -22,22 +28,10 @@ namespace dimension = words::dimension;
 namespace
 {
 
-/// `outline: [[x, z], ...]` and `width` along y, about y = 0.
-std::vector<ConvexPolyhedron> read_domain(YamlCursor& map)
+/// Marks the sides that two outlines share: they lie inside the rock.
+void glue_common_sides(const std::vector<std::vector<patterns::Point>>& outlines,
+                       std::vector<ConvexPolyhedron>& parts)
 {
-    const auto outline = map.require("outline", "corners of the rock's elevation, [[x, z], ...]");
-    const double width = map.quantity_or("width", dimension::length, Range::positive(), 1);
-    if (!outline) return {};
-    std::vector<patterns::Point> corners;
-    const std::size_t before = map.fault_count();
-    for (const YamlCursor& corner : outline->items("corners [[x, z], ...]"))
-        corners.push_back(corner.as_plane_vector(dimension::length));
-    if (map.fault_count() > before) return {};
-    std::vector<ConvexPolyhedron> parts;
-    const std::vector<std::vector<patterns::Point>> outlines = patterns::convex_outlines(corners);
-    for (const std::vector<patterns::Point>& part : outlines)
-        parts.push_back(patterns::prism_along_y(part, -width / 2, width / 2, "outline"));
-    // Sides that two outlines share lie inside the rock.
     for (std::size_t p = 0; p < outlines.size(); ++p) {
         const std::size_t n = outlines[p].size();
         for (std::size_t i = 0; i < n; ++i) {
@@ -48,7 +42,85 @@ std::vector<ConvexPolyhedron> read_domain(YamlCursor& map)
                         patterns::glue(parts[p], {a.x(), 0, a.y()}, {b.y() - a.y(), 0, a.x() - b.x()});
         }
     }
+}
+
+/// `outline: [[x, z], ...]`, drawn along y about y = 0.
+std::vector<ConvexPolyhedron> read_outline(const YamlCursor& outline, double width)
+{
+    std::vector<patterns::Point> corners;
+    const std::size_t before = outline.fault_count();
+    for (const YamlCursor& corner : outline.items("corners [[x, z], ...]"))
+        corners.push_back(corner.as_plane_vector(dimension::length));
+    if (outline.fault_count() > before) return {};
+    std::vector<ConvexPolyhedron> parts;
+    const std::vector<std::vector<patterns::Point>> outlines = patterns::convex_outlines(corners);
+    parts.reserve(outlines.size());
+    for (const std::vector<patterns::Point>& part : outlines)
+        parts.push_back(patterns::prism_along_y(part, -width / 2, width / 2, "outline"));
+    glue_common_sides(outlines, parts);
     return parts;
+}
+
+/// `mesh: hill.obj`, a file of one closed surface.
+std::vector<ConvexPolyhedron> read_body(const YamlCursor& mesh, const BlockReading& reading)
+{
+    const std::filesystem::path file = reading.folder / mesh.as_text();
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(file, none)) {
+        mesh.fault("no mesh file " + file.string(), "paths are relative to the case file");
+        return {};
+    }
+    const importers::helper::Geometry geometry = importers::helper::import_geometry({{.file = file}}, {});
+    const importers::helper::ImportedMesh& drawn = geometry.meshes.at(0);
+    if (drawn.stones.size() > 1) {
+        mesh.fault(fmt::format("{} bodies", drawn.stones.size()), "rock is cut from one");
+        return {};
+    }
+    if (!drawn.accepted) {
+        mesh.fault(drawn.stones.empty() || drawn.stones[0].reason.empty() ? drawn.reason : drawn.stones[0].reason,
+                   "give one closed surface");
+        return {};
+    }
+    if (drawn.stones[0].volume_error > 0)
+        mesh.warn(fmt::format("the convex parts of the body exceed its volume by {:.2g} %",
+                              100 * drawn.stones[0].volume_error));
+    std::vector<ConvexPolyhedron> parts;
+    for (const ConvexPolyhedron& part : drawn.stones[0].parts) parts.push_back(translated(part, geometry.origin));
+    return parts;
+}
+
+/// Whether each glued face of a part is a whole face of another one too.
+bool share_whole_faces(const std::vector<ConvexPolyhedron>& parts)
+{
+    std::map<std::vector<std::array<double, 3>>, int> sides;
+    for (const ConvexPolyhedron& part : parts)
+        for (std::size_t f = 0; f < part.faces.size(); ++f) {
+            if (!part.is_glued(static_cast<int>(f))) continue;
+            std::vector<std::array<double, 3>> corners;
+            for (const int v : part.faces[f])
+                corners.push_back({part.vertices[v].x(), part.vertices[v].y(), part.vertices[v].z()});
+            std::sort(corners.begin(), corners.end());
+            ++sides[corners];
+        }
+    return std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.second == 2; });
+}
+
+/// The body that is cut: by `outline` and `width`, by its `parts`, or from a `mesh`.
+std::vector<ConvexPolyhedron> read_domain(YamlCursor& map, const BlockReading& reading)
+{
+    const auto outline = map.find("outline"), own = map.find("parts"), mesh = map.find("mesh");
+    if (outline.has_value() + own.has_value() + mesh.has_value() != 1) {
+        map.fault(outline || own || mesh ? "more than one body" : "no body",
+                  "give outline: [[x, z], ...], the corners of its elevation, or parts, or a mesh");
+        return {};
+    }
+    if (outline) return read_outline(*outline, map.quantity_or("width", dimension::length, Range::positive(), 1));
+    map.forbid("width", "it belongs to an outline");
+    std::vector<ConvexPolyhedron> parts = own ? read_convex_parts(*own, "rock") : read_body(*mesh, reading);
+    if (share_whole_faces(parts)) return parts;
+    (own ? *own : *mesh)
+        .fault("parts that are glued do not share whole faces", "give convex bodies, each in an entry of its own");
+    return {};
 }
 
 /// `{dip, dip_direction, spacing, origin, scatter, persistence}`.
@@ -97,7 +169,7 @@ void read_rock(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     const std::string name = read_name_prefix(map);
     exact::RockRequest request;
     try {
-        request.domain = read_domain(map);
+        request.domain = read_domain(map, reading);
     } catch (const InputError& error) {
         place_faults(error, map);
     }

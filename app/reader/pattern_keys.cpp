@@ -180,13 +180,14 @@ importers::patterns::StoneImperfection read_stone_imperfection(YamlCursor& map)
 {
     importers::patterns::StoneImperfection imperfection;
     std::optional<YamlCursor> keys = map.find("imperfection");
-    if (!keys || !keys->expect_map("imperfections {seed, size, position, friction}")) return imperfection;
+    if (!keys || !keys->expect_map("imperfections {seed, size, joint, position, friction}")) return imperfection;
     const auto share = [&](const std::string& key) {
         return keys->quantity_or(key, words::dimension::number, words::Range::non_negative(), 0);
     };
     imperfection.seed =
         static_cast<std::uint64_t>(keys->integer_or("seed", 0, std::numeric_limits<int>::max(), 1));
     imperfection.size = share("size");
+    imperfection.joint = keys->quantity_or("joint", words::dimension::length, words::Range::non_negative(), 0);
     imperfection.position = share("position");
     imperfection.friction = share("friction");
     keys->reject_unknown_keys();

@@ -37,7 +37,7 @@ importers::patterns::Placement read_placement(YamlCursor& map, const BlockReadin
 /// Turns the faults of a pattern, named by its parameters ("openings[1]"), into faults of the case.
 void place_faults(const InputError& error, const YamlCursor& map);
 
-/// `imperfection: {seed, size, position, friction}` of patterns of named stones.
+/// `imperfection: {seed, size, joint, position, friction}` of patterns of named stones.
 importers::patterns::StoneImperfection read_stone_imperfection(YamlCursor& map);
 
 /// `name`, before the names of a pattern's stones: "north" makes "north_keystone"; by default nothing.

@@ -1,4 +1,6 @@
 // Stones given by their corners and faces, as `voussoir generate` writes them.
+#include "app/reader/polyhedra.h"
+
 #include <cmath>
 #include <limits>
 
@@ -60,6 +62,16 @@ std::optional<ConvexPolyhedron> read_part(YamlCursor& map, const std::string& na
 
 }  // namespace
 
+std::vector<ConvexPolyhedron> read_convex_parts(const YamlCursor& list, const std::string& name)
+{
+    std::vector<ConvexPolyhedron> parts;
+    const std::vector<YamlCursor> items = list.items("a list of convex parts {vertices, faces}");
+    if (items.empty() && list.is_list()) list.fault("no part", "give at least one");
+    for (YamlCursor item : items)
+        if (std::optional<ConvexPolyhedron> part = read_part(item, name)) parts.push_back(std::move(*part));
+    return parts;
+}
+
 void read_polyhedron(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
 {
     if (!map.expect_map("a polyhedron {name, parts: [{vertices, faces}]}")) return;
@@ -67,13 +79,8 @@ void read_polyhedron(YamlCursor& entry, YamlCursor& map, BlockReading& reading)
     DrawnStone stone;
     stone.name = map.text("name", "the block's name");
     if (const auto parts =
-            map.require("parts", "convex parts, [{vertices: [[x, y, z], ...], faces: [[0, 1, 2], ...]}]")) {
-        const std::vector<YamlCursor> items = parts->items("a list of convex parts {vertices, faces}");
-        if (items.empty() && parts->is_list()) parts->fault("no part", "give at least one");
-        for (YamlCursor item : items)
-            if (std::optional<ConvexPolyhedron> part = read_part(item, stone.name))
-                stone.parts.push_back(std::move(*part));
-    }
+            map.require("parts", "convex parts, [{vertices: [[x, y, z], ...], faces: [[0, 1, 2], ...]}]"))
+        stone.parts = read_convex_parts(*parts, stone.name);
     stone.friction_factor =
         map.quantity_or("friction_factor", words::dimension::number, words::Range::positive(), 1);
     if (auto mass = map.find("mass"); mass && mass->expect_map("a mass {mass, at: [x, y, z]}")) {

@@ -1,4 +1,4 @@
-// A stone bridge of one or several equal arches, with piers, spandrel walls, backing, fill and parapets.
+// A stone bridge of one or several arches, equal or not, with piers, spandrel walls, backing, fill and parapets.
 #pragma once
 
 #include "importers/patterns/arch_curve.h"
@@ -18,8 +18,7 @@ enum class Fill {
 /// All lengths in m.
 struct Bridge {
     std::string name;               // before the names of its stones; may be empty
-    int spans = 1;                  // arches, all alike
-    ArchCurve curve;                // of each
+    std::vector<ArchCurve> arches;  // from left to right
     double width = 4;               // of arches, piers and abutments
     int stones_across = 3;          // voussoirs side by side
     BlockFormat block{1, 0.5};      // of piers, walls and backing
@@ -45,7 +44,8 @@ struct Bridge {
 /// Voussoirs have stepped backs, as masons cut them where walls stand on them: each ends in a level bed and an
 /// upright face. A step is at least 0.6 courses high; near the crown several voussoirs share a level, and are
 /// higher by at most that than the thickness asked for. Courses of walls, backing and fill lie between these beds,
-/// so that all their stones are boxes.
+/// so that all their stones are boxes. Those of different arches do not meet: over the pier between them what
+/// stands there has an upright joint, up to the highest backs of all arches; the courses above run through.
 /// @throws InputError with every parameter that makes no bridge
 Pattern bridge(const Bridge& bridge);
 

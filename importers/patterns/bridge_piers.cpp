@@ -14,6 +14,7 @@ namespace
 struct PierWork {
     BridgeWork& work;
     std::string name;   // "pier_1"
+    int arch = 0;       // behind which it stands, from 0
     double middle = 0;  // m, along x
     double impost = 0;  // m, height of the top course, which has the skewbacks
 
@@ -56,21 +57,44 @@ void add_course(PierWork& pier, int course, double foot, double top)
     }
 }
 
+/// The elevation of a half of an impost on one side, from the middle of the pier outwards (-1: to the left).
+std::vector<Point> half_impost(const PierWork& pier, int side)
+{
+    const BridgeProfile& profile = pier.work.bay_of(side < 0 ? pier.arch : pier.arch + 1).profile;
+    const double half = pier.half(), inside = to_nanometre(half - profile.skewback());
+    return {{0, -pier.impost},
+            {side * half, -pier.impost},
+            {side * half, 0},
+            {side * inside, profile.beds[0]},
+            {0, profile.beds[0]}};
+}
+
+/// The elevation of an impost: of two outlines, glued in the middle, where the arches end at different levels.
+std::vector<std::vector<Point>> impost_outlines(const PierWork& pier)
+{
+    std::vector<Point> left = half_impost(pier, -1), right = half_impost(pier, 1);
+    for (std::vector<Point>* half : {&left, &right})
+        for (Point& x : *half) x.x() = to_nanometre(x.x() + pier.middle);
+    if (left.back().y() != right.back().y()) return {left, right};
+    std::vector<Point> whole(right.begin() + 1, right.end() - 1);
+    whole.insert(whole.end(), left.rbegin() + 1, left.rend() - 1);
+    return {whole};
+}
+
 /// The stones that carry both arches.
 void add_impost(PierWork& pier, int course)
 {
     const Bridge& bridge = pier.bridge();
-    const BridgeProfile& profile = pier.work.profile;
-    const double half = pier.half(), inside = to_nanometre(half - profile.skewback());
-    const double bed = profile.beds[0];
-    std::vector<Point> outline{{-half, -pier.impost}, {half, -pier.impost}, {half, 0},
-                               {inside, bed},         {-inside, bed},       {-half, 0}};
-    for (Point& x : outline) x.x() = to_nanometre(x.x() + pier.middle);
+    const std::vector<std::vector<Point>> outlines = impost_outlines(pier);
     const std::vector<double> joints = joints_of_course(-pier.face(), pier.face(), bridge.block.length, course);
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
         const std::string name = pier.name + "_impost_b" + numbered(static_cast<int>(i) + 1, 99);
-        pier.work.pattern.stones.push_back(
-            {name, "pier", {prism_along_y(outline, joints[i], joints[i + 1], name)}, Play::across});
+        PatternStone stone{name, "pier", {}, Play::across};
+        for (const std::vector<Point>& outline : outlines)
+            stone.parts.push_back(prism_along_y(outline, joints[i], joints[i + 1], name));
+        if (outlines.size() > 1)
+            for (ConvexPolyhedron& part : stone.parts) glue(part, {pier.middle, 0, 0}, {1, 0, 0});
+        pier.work.pattern.stones.push_back(std::move(stone));
     }
 }
 
@@ -110,9 +134,9 @@ void add_piers(BridgeWork& work)
     const Bridge& bridge = work.bridge;
     const int courses = std::max(1, static_cast<int>(std::lround(bridge.pier_height / bridge.block.height)));
     const double height = bridge.pier_height / courses;
-    for (int p = 0; p + 1 < bridge.spans; ++p) {
-        PierWork pier{work, bridge.name + "pier_" + std::to_string(p + 1),
-                      to_nanometre((work.middle(p) + work.middle(p + 1)) / 2), to_nanometre(height)};
+    for (int p = 0; p + 1 < work.spans(); ++p) {
+        PierWork pier{work, bridge.name + "pier_" + std::to_string(p + 1), p, work.pier_middle(p),
+                      to_nanometre(height)};
         add_slab(pier);
         const auto bed = [&](int course) {
             return to_nanometre(-bridge.pier_height + (bridge.pier_height - pier.impost) * course / (courses - 1));

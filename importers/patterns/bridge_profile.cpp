@@ -47,7 +47,23 @@ void add_courses(std::vector<double>& beds, double to, double height)
     beds.push_back(to);
 }
 
+/// A thin voussoir below a high step has a hollow side.
+void check_convex(const BridgeProfile& profile, int voussoirs)
+{
+    try {
+        for (int i = 0; i < voussoirs; ++i) prism_along_y(profile.outline(i), 0, 1, "voussoir");
+    } catch (const InputError&) {
+        throw InputError("thickness", "a voussoir with its stepped back would not be convex",
+                         "give a greater thickness, more voussoirs or lower blocks");
+    }
+}
+
 }  // namespace
+
+void BridgeProfile::carry_on(double level, double height)
+{
+    if (level > beds.back()) add_courses(beds, level, height);
+}
 
 double BridgeProfile::end_of_course(int course) const
 {
@@ -64,33 +80,33 @@ std::vector<Point> BridgeProfile::outline(int voussoir) const
             right.extrados, right.intrados};
 }
 
-BridgeProfile profile_of(const Bridge& bridge)
+BridgeProfile profile_of(const ArchCurve& curve, double course, double crown_level)
 {
     BridgeProfile profile;
-    profile.joints = joints_of(bridge.curve);
-    const int crown = bridge.curve.voussoirs / 2;
+    profile.joints = joints_of(curve);
+    const int crown = curve.voussoirs / 2;
     for (int i = 0; i < crown; ++i)
         if (profile.joints[i + 1].extrados.y() < profile.joints[i].extrados.y())
             throw InputError("springing_thickness", "the backs of the voussoirs do not rise to the crown",
                              "give a smaller springing_thickness");
     std::vector<int> level_of_joint;
-    const std::vector<double> levels = levels_of(profile.joints, least_step * bridge.block.height, level_of_joint);
-    if (levels.back() - levels.front() < 0.3 * bridge.block.height)
+    std::vector<double> levels = levels_of(profile.joints, least_step * course, level_of_joint);
+    levels.back() = std::max(levels.back(), crown_level);
+    if (levels.back() - levels.front() < 0.3 * course)
         throw InputError("rise", "the arch is lower than a third of a course",
                          "give a higher rise or lower blocks");
     std::vector<int> bed_of_level{0};
     profile.beds.push_back(levels[0]);
     for (std::size_t k = 1; k < levels.size(); ++k) {
-        add_courses(profile.beds, levels[k], bridge.block.height);
+        add_courses(profile.beds, levels[k], course);
         bed_of_level.push_back(profile.courses());
     }
     profile.crown_bed = profile.courses();
-    if (bridge.cover > 0)
-        add_courses(profile.beds, to_nanometre(profile.beds.back() + bridge.cover), bridge.block.height);
     for (std::size_t i = 0; i < profile.joints.size(); ++i) {
         raise(profile.joints[i], levels[level_of_joint[i]]);
         profile.bed_of_joint.push_back(bed_of_level[level_of_joint[i]]);
     }
+    check_convex(profile, curve.voussoirs);
     return profile;
 }
 

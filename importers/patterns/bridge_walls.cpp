@@ -13,31 +13,50 @@ namespace
 /// Boxes of a course between two places along x, in rows across whose joints lie half a stone off.
 struct CourseOfBoxes {
     std::string name, group;
-    int region = 0, course = 0;  // from 0
+    int number = 0;              // from 0
+    double foot = 0, top = 0;    // m
+    double from = 0, to = 0;     // m, along x
     std::vector<double> across;  // m, the rows
     double length = 1;           // m, of a block
 };
 
-void add_course(BridgeWork& work, const CourseOfBoxes& boxes)
+void add_course(Pattern& pattern, const CourseOfBoxes& boxes)
 {
-    const auto [from, to] = work.reach(boxes.region, boxes.course);
-    const double foot = work.profile.beds[boxes.course], top = work.profile.beds[boxes.course + 1];
     int number = 0;
     for (std::size_t row = 0; row + 1 < boxes.across.size(); ++row) {
         const std::vector<double> joints =
-            joints_of_course(from, to, boxes.length, boxes.course + static_cast<int>(row));
+            joints_of_course(boxes.from, boxes.to, boxes.length, boxes.number + static_cast<int>(row));
         for (std::size_t i = 0; i + 1 < joints.size(); ++i)
-            add_box(work.pattern, boxes.name + course_and_block(boxes.course + 1, ++number), boxes.group,
-                    {joints[i], boxes.across[row], foot}, {joints[i + 1], boxes.across[row + 1], top});
+            add_box(pattern, boxes.name + course_and_block(boxes.number + 1, ++number), boxes.group,
+                    {joints[i], boxes.across[row], boxes.foot}, {joints[i + 1], boxes.across[row + 1], boxes.top});
     }
 }
 
-/// Calls `each` with every region of a course: between the arches, or one from end to end above them.
+/// What stands in one course of a region.
+struct Place {
+    int region = 0, course = 0;  // numbers for names, from 0
+    double foot = 0, top = 0;    // m
+    double from = 0, to = 0;     // m, along x
+    bool is_backing = false;     // is it low enough
+};
+
+/// Calls `each` with every place: in each bay from below, between its arches and then from its one end to the
+/// other, and at last in the courses over the whole bridge.
 template <class Each>
-void in_regions(const BridgeWork& work, int course, const Each& each)
+void in_places(const BridgeWork& work, const Each& each)
 {
-    const int regions = course < work.profile.crown_bed ? work.bridge.spans + 1 : 1;
-    for (int region = 0; region < regions; ++region) each(region);
+    for (const Bay& bay : work.bays) {
+        const int backed = work.backing_courses(bay);
+        for (int course = 0; course < bay.profile.courses(); ++course)
+            for (int region = 0; region <= (course < bay.profile.crown_bed ? bay.arches : 0); ++region) {
+                const auto [from, to] = work.reach(bay, region, course);
+                each(Place{bay.first_region + region, course, bay.profile.beds[course],
+                           bay.profile.beds[course + 1], from, to, course < backed});
+            }
+    }
+    for (std::size_t k = 0; k + 1 < work.through.size(); ++k)
+        each(Place{0, work.first_through() + static_cast<int>(k), work.through[k], work.through[k + 1],
+                   work.left_end(), work.right_end(), false});
 }
 
 /// Adds the weight of the fill above a level rectangle to a stone.
@@ -51,46 +70,61 @@ void load(BridgeWork& work, const std::string& stone, double x0, double x1, doub
         {stone, work.bridge.fill_density * volume, {(x0 + x1) / 2, (y0 + y1) / 2, (z + work.road()) / 2}});
 }
 
-/// The level top of a stone: the rectangle of its highest face.
+/// A level rectangle.
 struct Top {
     double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300, z = -1e300;
 };
 
-Top top_of(const PatternStone& stone)
+/// Round the corners of a stone that are higher than `above` [m].
+Top round_corners(const PatternStone& stone, double above)
 {
     Top top;
-    for (const Eigen::Vector3d& x : stone.parts[0].vertices) top.z = std::max(top.z, x.z());
-    for (const Eigen::Vector3d& x : stone.parts[0].vertices)
-        if (x.z() > top.z - 1e-9) {
-            top.x0 = std::min(top.x0, x.x());
-            top.x1 = std::max(top.x1, x.x());
-            top.y0 = std::min(top.y0, x.y());
-            top.y1 = std::max(top.y1, x.y());
+    for (const ConvexPolyhedron& part : stone.parts)
+        for (const Eigen::Vector3d& x : part.vertices) {
+            if (x.z() <= above) continue;
+            top = {std::min(top.x0, x.x()), std::max(top.x1, x.x()), std::min(top.y0, x.y()),
+                   std::max(top.y1, x.y()), std::max(top.z, x.z())};
         }
     return top;
+}
+
+/// The rectangle of the highest face of a stone.
+Top top_of(const PatternStone& stone)
+{
+    return round_corners(stone, round_corners(stone, -1e300).z - 1e-9);
+}
+
+/// What of the fill rests on imposts and abutments: that beside the feet of the arches, where there is no backing.
+void load_feet(BridgeWork& work, const PatternStone& stone)
+{
+    const Top top = round_corners(stone, -1e300);
+    for (const Bay& bay : work.bays)
+        for (int region = 0; region <= bay.arches && work.backing_courses(bay) == 0; ++region) {
+            const auto [from, to] = work.reach(bay, region, 0);
+            load(work, stone.name, std::max(top.x0, from), std::min(top.x1, to), top.y0, top.y1,
+                 bay.profile.beds[0]);
+        }
+}
+
+/// The bay that a place along x [m] is in.
+const Bay& bay_at(const BridgeWork& work, double x)
+{
+    return *std::find_if(work.bays.begin(), work.bays.end() - 1, [x](const Bay& bay) { return x < bay.right; });
 }
 
 /// The fill rests on backs and imposts that the backing leaves free, and on the backing.
 void add_fill_as_mass(BridgeWork& work)
 {
-    const double backed = work.profile.beds[work.backing_courses()];
-    const bool has_backing = work.backing_courses() > 0;
     const std::vector<PatternStone> stones = work.pattern.stones;
     for (const PatternStone& stone : stones) {
-        const bool bears = stone.group == "voussoirs" || stone.name.find("_impost_") != std::string::npos ||
-                           stone.group == "backing" || stone.group == foundation_group;
-        if (!bears) continue;
+        const bool is_foot =
+            stone.name.find("_impost_") != std::string::npos || stone.name.find("abutment_") != std::string::npos;
+        if (is_foot) load_feet(work, stone);
+        if (stone.group != "voussoirs" && stone.group != "backing") continue;
         const Top top = top_of(stone);
-        const bool is_free = has_backing ? top.z >= backed - 1e-9 : top.z >= work.profile.beds[0] - 1e-9;
-        if (!is_free) continue;
-        if (stone.group == "voussoirs" || stone.group == "backing") {
-            load(work, stone.name, top.x0, top.x1, top.y0, top.y1, top.z);
-            continue;
-        }
-        for (int region = 0; region <= work.bridge.spans; ++region) {  // beside the feet of the arches
-            const auto [from, to] = work.reach(region, 0);
-            load(work, stone.name, std::max(top.x0, from), std::min(top.x1, to), top.y0, top.y1, top.z);
-        }
+        const Bay& bay = bay_at(work, (top.x0 + top.x1) / 2);
+        const double backed = bay.profile.beds[work.backing_courses(bay)];
+        if (top.z >= backed - 1e-9) load(work, stone.name, top.x0, top.x1, top.y0, top.y1, top.z);
     }
 }
 
@@ -100,30 +134,29 @@ void add_spandrels(BridgeWork& work)
 {
     const Bridge& bridge = work.bridge;
     const double face = bridge.width / 2;
-    for (const int side : {-1, 1})
-        for (int course = 0; course < work.profile.courses(); ++course)
-            in_regions(work, course, [&](int region) {
-                std::vector<double> across{side * face, side * work.inner()};
-                std::sort(across.begin(), across.end());
-                add_course(work, {bridge.name + (side < 0 ? "spandrel_south_" : "spandrel_north_") +
-                                      std::to_string(region + 1),
-                                  "spandrel", region, course, across, bridge.block.length});
-            });
+    for (const int side : {-1, 1}) {
+        std::vector<double> across{side * face, side * work.inner()};
+        std::sort(across.begin(), across.end());
+        const std::string name = bridge.name + (side < 0 ? "spandrel_south_" : "spandrel_north_");
+        in_places(work, [&](const Place& place) {
+            add_course(work.pattern, {name + std::to_string(place.region + 1), "spandrel", place.course,
+                                      place.foot, place.top, place.from, place.to, across, bridge.block.length});
+        });
+    }
 }
 
 void add_backing_and_fill(BridgeWork& work)
 {
     const Bridge& bridge = work.bridge;
-    const int backed = work.backing_courses();
     const bool has_blocks = bridge.fill == Fill::blocks;
-    for (int course = 0; course < (has_blocks ? work.profile.courses() : backed); ++course)
-        in_regions(work, course, [&](int region) {
-            const bool is_backing = course < backed;
-            const double length = bridge.block.length * (is_backing ? 1 : 2);
-            const std::vector<double> across = joints_of_course(-work.inner(), work.inner(), length, course);
-            add_course(work, {bridge.name + (is_backing ? "backing_" : "fill_") + std::to_string(region + 1),
-                              is_backing ? "backing" : "fill", region, course, across, length});
-        });
+    in_places(work, [&](const Place& place) {
+        if (!place.is_backing && !has_blocks) return;
+        const std::string group = place.is_backing ? "backing" : "fill";
+        const double length = bridge.block.length * (place.is_backing ? 1 : 2);
+        const std::vector<double> across = joints_of_course(-work.inner(), work.inner(), length, place.course);
+        add_course(work.pattern, {bridge.name + group + "_" + std::to_string(place.region + 1), group,
+                                  place.course, place.foot, place.top, place.from, place.to, across, length});
+    });
     if (bridge.fill == Fill::mass) add_fill_as_mass(work);
 }
 
@@ -132,7 +165,7 @@ void add_parapets(BridgeWork& work)
     const Bridge& bridge = work.bridge;
     const double face = bridge.width / 2, road = work.road();
     const std::vector<double> joints =
-        joints_of_course(work.left_end(), -work.left_end(), 1.5 * bridge.block.length, 0);
+        joints_of_course(work.left_end(), work.right_end(), 1.5 * bridge.block.length, 0);
     for (const int side : {-1, 1})
         for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
             const double outer = side * face, inner = side * (face - bridge.parapet_thickness);

@@ -134,12 +134,8 @@ void add_walls(GateWork& work)
 Pattern gate(const Gate& gate, const std::string& name)
 {
     check_sizes(gate);
-    // The profile of a bridge with an attic in the place of its road.
-    Bridge bridge;
-    bridge.curve = gate.curve;
-    bridge.block = gate.block;
-    bridge.cover = gate.attic;
-    GateWork work{gate, name, profile_of(bridge), {}};
+    GateWork work{gate, name, profile_of(gate.curve, gate.block.height), {}};
+    work.profile.carry_on(to_nanometre(work.profile.crown() + gate.attic), gate.block.height);
     check_room(work);
     for (const int side : {-1, 1}) add_pier(work, side);
     add_voussoirs(work);

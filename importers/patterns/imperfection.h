@@ -10,13 +10,14 @@
 namespace voussoir::importers::patterns
 {
 
-/// Every number is drawn evenly from its range, four for each stone in the order of the stones, by a generator of
+/// Every number is drawn evenly from its range, five for each stone in the order of the stones, by generators of
 /// our own: the same seed gives the same stones on every machine, and one amount does not change what the others
 /// draw. Stones are never larger than drawn and stay in the space they were drawn in, on their own beds: nothing
 /// overlaps, and only joints that carry by touch of sides open.
 struct StoneImperfection {
     std::uint64_t seed = 1;  // of the generator
     double size = 0;         // -, stones are smaller by 0 to this share along their beds: joints of that thickness
+    double joint = 0;        // m, and by 0 to this length: joints of that thickness, whatever the stone's length
     double position = 0;     // -, 0 to 1: how far from the middle of its space a smaller stone may lie; at 1 it
                              // touches the one side or the other
     double friction = 0;     // -, friction factor from 1 - friction to 1 + friction

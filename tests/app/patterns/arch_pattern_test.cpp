@@ -76,6 +76,27 @@ TEST(ArchPattern, HasTheVolumeOfItsChords)
     EXPECT_NEAR(volume_in(ellipse, ""), volume_in(model, ""), 1e-6);
 }
 
+/// Of the mean radius R: t = k R, R = 3 m + t / 2.
+TEST(ArchPattern, TakesItsThicknessOverItsRadius)
+{
+    const auto volume = [](const std::string& keys) {
+        return volume_in(read_pattern(arch(keys + ", voussoirs: 17, rise: 3 m")).model, "voussoirs");
+    };
+    const double thickness = 0.2 * 3 / (1 - 0.1);
+    EXPECT_NEAR(volume("thickness_over_radius: 20 %"), volume("thickness: " + std::to_string(thickness) + " m"),
+                1e-5);
+    const double outer = 3 + thickness;
+    EXPECT_NEAR(volume("thickness_over_radius: 20 %"),
+                17 * 0.5 * std::sin(std::numbers::pi / 17) * (outer * outer - 9), 1e-7);
+    const auto faults = [](const std::string& keys) {
+        return reader::faults_of(pattern_case(arch("voussoirs: 9" + keys)));
+    };
+    EXPECT_NE(faults(", thickness: 0.5 m, thickness_over_radius: 10 %").find("give one of them"),
+              std::string::npos);
+    EXPECT_NE(faults(", shape: elliptic, thickness_over_radius: 10 %").find("not circular"), std::string::npos);
+    EXPECT_NE(faults("").find("thickness: missing"), std::string::npos) << faults("");
+}
+
 TEST(ArchPattern, BondsStonesAcross)
 {
     const Model model = read_pattern(arch("thickness: 0.6 m, voussoirs: 17, width: 2 m, stones_across: 2")).model;
@@ -143,6 +164,35 @@ TEST(ArchPattern, ImperfectStonesStayInTheirSpace)
     const Model again = read_pattern(arch(disturbed)).model;
     for (std::size_t b = 0; b < again.blocks.size(); ++b)
         EXPECT_EQ(again.blocks[b].moments.volume, uneven.model.blocks[b].moments.volume);
+}
+
+/// Stones of half a metre or a metre with joints of up to 10 mm are shorter by at most that.
+TEST(ArchPattern, JointsHaveAThicknessOfTheirOwn)
+{
+    const std::string keys = "thickness: 0.9 m, voussoirs: 15, width: 2 m, stones_across: 2";
+    const auto volumes = [&](const std::string& imperfection) {
+        const Model model = read_pattern(arch(keys + imperfection)).model;
+        EXPECT_TRUE(assembly_of(model).overlaps.empty());
+        std::vector<double> all;
+        for (const Block& block : model.blocks)
+            if (model.groups[block.group] == "voussoirs") all.push_back(block.moments.volume);
+        return all;
+    };
+    const std::vector<double> drawn = volumes(""), jointed = volumes(", imperfection: {seed: 3, joint: 10 mm}"),
+                              sized = volumes(", imperfection: {seed: 3, size: 2 %}"),
+                              both = volumes(", imperfection: {seed: 3, size: 2 %, joint: 10 mm}");
+    const double section = drawn.front();  // of a stone of a metre, m2
+    double largest = 0, least = 1;
+    for (std::size_t b = 0; b < drawn.size(); ++b) {
+        const double thickness = (drawn[b] - jointed[b]) / section;
+        largest = std::max(largest, thickness);
+        least = std::min(least, thickness);
+        EXPECT_NEAR(sized[b] - both[b], drawn[b] - jointed[b], 1e-12) << "each draws its own";
+    }
+    EXPECT_GT(largest, 0.008);
+    EXPECT_LE(largest, 0.01 + 1e-9);
+    EXPECT_GE(least, 0);
+    EXPECT_LT(least, 0.002);
 }
 
 TEST(ArchPattern, SaysWhichKeyMakesNoArch)

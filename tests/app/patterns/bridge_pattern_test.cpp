@@ -157,6 +157,113 @@ TEST(BridgePattern, OfTwoThousandStonesIsMadeAndCheckedInSeconds)
     EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10);
 }
 
+/// Area under the chords of a circular intrados above its springing [m2].
+double opening_of(double span, double rise, int voussoirs)
+{
+    const double half = span / 2, radius = (half * half + rise * rise) / (2 * rise);
+    const double angle = 4 * std::atan(rise / half);  // at the centre
+    return voussoirs * 0.5 * radius * radius * std::sin(angle / voussoirs) - half * (radius - rise);
+}
+
+std::string unequal(const std::string& spans, const std::string& more)
+{
+    return "bridge: {spans: [" + spans +
+           "], thickness: 0.6 m, width: 3 m, stones_across: 2, block: [1 m, 0.5 m], pier_width: 2.4 m, "
+           "pier_height: 2 m, abutment_length: 2 m, spandrel_thickness: 0.5 m, cover: 0.4 m" +
+           more + "}";
+}
+
+/// How high a block is [m].
+double height_of(const Block& block)
+{
+    double low = 1e300, high = -1e300;
+    for (const Eigen::Vector3d& x : block.parts[0].vertices) {
+        low = std::min(low, x.z());
+        high = std::max(high, x.z());
+    }
+    return high - low;
+}
+
+/// All of it is stone up to the road but the openings, whatever the shapes of the arches.
+TEST(BridgePattern, OfUnequalSpansFillsItsOutline)
+{
+    struct Spans {
+        std::string written;
+        double open, spanned;  // m2, m
+        int piers;
+    };
+    for (const Spans& spans :
+         {Spans{"{span: 4 m, voussoirs: 11}, {span: 6 m, voussoirs: 17}, {span: 4 m, voussoirs: 11}",
+                2 * opening_of(4, 2, 11) + opening_of(6, 3, 17), 14, 2},
+          Spans{"{span: 5 m, rise: 1.4 m, voussoirs: 13}, {span: 7 m, rise: 2.6 m, voussoirs: 17}",
+                opening_of(5, 1.4, 13) + opening_of(7, 2.6, 17), 12, 1}}) {
+        SCOPED_TRACE(spans.written);
+        const Model model = read_pattern(unequal(spans.written, ", backing: 0.9 m, fill: blocks")).model;
+        double volume = 0, road = 0;
+        for (const Block& block : model.blocks) {
+            if (!block.name.ends_with("_slab")) volume += block.moments.volume;
+            road = std::max(road, (block.moments.centroid + model.origin).z() + height_of(block) / 2);
+        }
+        const double below = spans.piers * 2.4 + 2 * 2;  // m, of piers and abutments along the bridge
+        EXPECT_NEAR(volume, 3 * ((spans.spanned + below) * road - spans.open + below * 2), 1e-6);
+        expect_sound(assembly_of(model));
+        expect_symmetric(model, 1);
+        if (spans.piers == 2) expect_symmetric(model, 0);
+    }
+}
+
+TEST(BridgePattern, OfUnequalSpansHasItsNamesAndJoints)
+{
+    const std::string spans = "{span: 4 m, voussoirs: 11}, {span: 6 m, voussoirs: 17}";
+    const Model model = read_pattern(unequal(spans, ", parapet: {height: 0.8 m}, fill: mass")).model;
+    for (const char* name : {"spandrel_north_4_c01_b01", "arch_1_keystone_b01", "arch_2_keystone_b01",
+                             "pier_1_impost_b01", "parapet_north_b01"})
+        number_of(model, name);
+    // Regions 2 and 3 stand on one pier, on one bed, and meet over its middle.
+    const auto assembly = assembly_of(model);
+    double meet = 0;
+    for (const auto& contact : assembly.contacts) {
+        const std::string &a = assembly.stones[contact.a].name, &b = assembly.stones[contact.b].name;
+        if (a.starts_with("spandrel_south_2_c01") && b.starts_with("spandrel_south_3_c01")) meet += contact.area;
+    }
+    EXPECT_NEAR(meet,
+                0.5 * std::min(height_of(block_of(model, "spandrel_south_2_c01_b01")),
+                               height_of(block_of(model, "spandrel_south_3_c01_b01"))),
+                1e-7);
+    // Fill as mass weighs what its blocks would.
+    double attached = 0;
+    for (const Block& block : model.blocks) attached += block.attached_mass;
+    EXPECT_NEAR(attached, 1800 * volume_in(read_pattern(unequal(spans, ", fill: blocks")).model, "fill"), 1e-3);
+}
+
+TEST(BridgePattern, OfEqualSpansIsThatOfTheirNumber)
+{
+    const Model list = read_pattern(unequal("{}, {}", ", span: 6 m, voussoirs: 17, cutwater: 0.6 m")).model;
+    const Model number =
+        read_pattern(with(unequal("2", ", span: 6 m, voussoirs: 17, cutwater: 0.6 m"), "[2]", "2")).model;
+    ASSERT_EQ(list.blocks.size(), number.blocks.size());
+    for (std::size_t b = 0; b < list.blocks.size(); ++b) {
+        EXPECT_EQ(list.blocks[b].name, number.blocks[b].name);
+        EXPECT_EQ(list.blocks[b].moments.volume, number.blocks[b].moments.volume);
+        EXPECT_EQ(list.blocks[b].moments.centroid, number.blocks[b].moments.centroid);
+    }
+}
+
+TEST(BridgePattern, OfUnequalSpansSaysWhichSpanIsWrong)
+{
+    const auto faults = [](const std::string& spans) {
+        return reader::faults_of(pattern_case(unequal(spans, "")));
+    };
+    EXPECT_NE(faults("{span: 4 m, voussoirs: 11}, {span: 6 m, rise: 4 m, voussoirs: 17}")
+                  .find("bridge.spans[1].rise: 4.000000 m; must be at most half the span"),
+              std::string::npos)
+        << faults("{span: 4 m, voussoirs: 11}, {span: 6 m, rise: 4 m, voussoirs: 17}");
+    EXPECT_NE(faults("{span: 4 m, voussoirs: 11, width: 2 m}, {span: 6 m, voussoirs: 17}").find("unknown key"),
+              std::string::npos);
+    EXPECT_NE(faults("{span: 4 m}, {span: 6 m, voussoirs: 17}").find("voussoirs"), std::string::npos);
+    EXPECT_NE(faults("").find("no arch"), std::string::npos) << faults("");
+}
+
 TEST(BridgePattern, SaysWhichKeyMakesNoBridge)
 {
     const auto faults = [](const std::string& more) { return reader::faults_of(pattern_case(bridge(more))); };

@@ -2,47 +2,13 @@
 #include <cstdlib>
 
 #include "importers/helper/import_meshes.h"
+#include "tests/app/patterns/every_pattern.h"
 #include "tests/app/patterns/pattern_checks.h"
 
 namespace voussoir::app::patterns_test
 {
 namespace
 {
-
-const std::vector<std::string> entries = {
-    "arch: {span: 6 m, shape: pointed, thickness: 0.6 m, voussoirs: 15, imperfection: {size: 2 %, friction: 10 "
-    "%}}",
-    "bridge: {span: 6 m, rise: 2 m, thickness: 0.6 m, voussoirs: 15, width: 3 m, block: [1 m, 0.5 m], "
-    "spandrel_thickness: 0.5 m, cover: 0.3 m, fill: mass}",
-    "tower: {plan: octagonal, width: 6 m, block: [0.8 m, 0.4 m], storeys: [{height: 2 m, thickness: 0.8 m, floor: "
-    "3 t}]}",
-    "column: {height: 6 m, diameter: 1 m, capital: {height: 0.6 m, width: 1.2 m}}",
-    "temple_front: {height: 5 m, diameter: 1 m, spacing: 3 m}",
-    "dome: {radius: 5 m, thickness: 0.5 m, keystone: true}",
-    "barrel_vault: {span: 5 m, thickness: 0.4 m, length: 4 m}",
-    "cross_vault: {span: 5 m, rise: 2 m, thickness: 0.3 m}",
-    "dome: {radius: 4 m, thickness: 0.5 m, half: true, stones: 8}",
-    "dome: {radius: 4 m, thickness: 0.5 m, stones: 12, lantern: {height: 1 m}}",
-    "cross_vault: {span: 5 m, rise: 2 m, thickness: 0.3 m, ribs: {width: 0.3 m}}",
-    "gate: {span: 3 m, thickness: 0.5 m, voussoirs: 13, depth: 1.2 m, block: [0.8 m, 0.4 m], pier: {width: 1.6 m, "
-    "height: 2 m}}",
-    "buttress: {width: 1 m, block: [0.8 m, 0.4 m], stages: [{height: 2 m, depth: 1.6 m}, {height: 1 m, depth: 0.9 "
-    "m}]}",
-    "flying_buttress: {span: 4 m, rise: 3 m, thickness: 0.6 m, voussoirs: 9, block: [0.8 m, 0.4 m], pier: {depth: "
-    "1.8 m, height: 2 m}, pinnacle: 1 m}",
-    "steps: {number: 4, width: 3 m}",
-    "obelisk: {height: 6 m, width: 1 m, stones: 3, pedestal: {height: 0.6 m, width: 1.4 m}}",
-    "pinnacle: {width: 0.6 m, height: 1.2 m, spire: 2 m}",
-    "house: {length: 5 m, width: 4 m, height: 2.8 m, wall_thickness: 0.4 m, block: [0.6 m, 0.35 m]}",
-};
-
-std::string case_of(const std::string& entry)
-{
-    const std::string text = pattern_case(entry);
-    return entry.starts_with("house")
-               ? with(text, "\nfoundation:", "\n    groups: {foundation: \"*_base\"}\nfoundation:")
-               : text;
-}
 
 int run_program(const std::string& arguments)
 {
@@ -53,10 +19,10 @@ int run_program(const std::string& arguments)
 
 TEST(Generate, WritesCasesThatAreTheSameModel)
 {
-    for (const std::string& entry : entries) {
-        SCOPED_TRACE(entry);
+    for (const auto& [pattern, entry] : every_pattern) {
+        SCOPED_TRACE(pattern);
         const TemporaryFolder folder;
-        const std::filesystem::path file = folder.write("case.yaml", case_of(entry)),
+        const std::filesystem::path file = folder.write("case.yaml", pattern_case(entry)),
                                     back = folder.path() / "back.yaml";
         ASSERT_EQ(run_program("generate '" + file.string() + "' -o '" + back.string() + "'"), 0);
         const Model drawn = reader::read_case(file, {}).model, read = reader::read_case(back, {}).model;
@@ -86,10 +52,10 @@ TEST(Generate, WritesCasesThatAreTheSameModel)
 /// The same certificate as a mesh: no repair, the same stones, volumes and places.
 TEST(Generate, WritesMeshesThatAreCertifiedAsTheyAre)
 {
-    for (const std::string& entry : entries) {
-        SCOPED_TRACE(entry);
+    for (const auto& [pattern, entry] : every_pattern) {
+        SCOPED_TRACE(pattern);
         const TemporaryFolder folder;
-        const std::filesystem::path file = folder.write("case.yaml", case_of(entry)),
+        const std::filesystem::path file = folder.write("case.yaml", pattern_case(entry)),
                                     mesh = folder.path() / "back.obj";
         ASSERT_EQ(run_program("generate '" + file.string() + "' -o '" + mesh.string() + "'"), 0);
         const Model drawn = reader::read_case(file, {}).model;

@@ -1,5 +1,5 @@
-// The thickness at which a pattern ceases to stand, by linear programming, and what the engine says on both sides
-// of it.
+// The thickness, and the push, at which a pattern ceases to stand, by linear programming, and what the engine says
+// on both sides of it.
 #pragma once
 
 #include <algorithm>
@@ -78,6 +78,29 @@ inline void expect_limit_thickness(const std::function<std::string(double)>& ent
     }
     EXPECT_TRUE(stands(entry(stands_at * 1.004))) << stands_at;
     EXPECT_FALSE(stands(entry(falls * 0.996))) << falls;
+}
+
+/// Under the weight and `share` of it along x.
+inline std::vector<std::string> pushed(double share)
+{
+    return {"gravity={direction: [" + std::to_string(share) + ", 0, -1]}"};
+}
+
+/// Expects the engine to stand 0.5 % below and to fall 0.5 % above the push along x, over the weight, at which the
+/// linear program says that stones overturn. @param friction at which nothing slides [deg]
+inline void expect_limit_push(const std::string& entry, const char* friction = "joints.dry.friction=75 deg")
+{
+    std::vector<std::string> overrides = under_own_weight;
+    overrides.emplace_back(friction);
+    const auto problem = studies::verify::limit_problem(read_pattern(entry, overrides).model);
+    const auto limit = studies::verify::references::associated_limit(problem);
+    ASSERT_TRUE(limit.found);
+    EXPECT_LT(imbalance(problem, limit), 1e-7);
+    for (const auto& [share, stays] : {std::pair(0.995, true), std::pair(1.005, false)}) {
+        std::vector<std::string> push = pushed(share * limit.factor);
+        push.emplace_back(friction);
+        EXPECT_EQ(stands(entry, push), stays) << share << " of " << limit.factor;
+    }
 }
 
 }  // namespace voussoir::app::patterns_test

@@ -17,12 +17,6 @@ std::string faults(const std::string& entry)
     return reader::faults_of(pattern_case(entry));
 }
 
-/// Under the weight and `share` of it along x.
-std::vector<std::string> pushed(double share)
-{
-    return {"gravity={direction: [" + std::to_string(share) + ", 0, -1]}"};
-}
-
 std::string obelisk(int stones, const std::string& more = "")
 {
     return "obelisk: {height: 6 m, width: 1 m, top_width: 0.7 m, pyramidion: 0.8 m, stones: " +
@@ -248,6 +242,11 @@ TEST(GatePattern, SaysWhichKeyMakesNone)
     EXPECT_NE(faults(with(gate(0.5), "width: 1.6 m", "width: 0.5 m")).find("gate.pier.width: 0.500000 m; the end"),
               std::string::npos)
         << faults(with(gate(0.5), "width: 1.6 m", "width: 0.5 m"));
+    const std::string thin =
+        with(with(gate(0.05), "[0.8 m, 0.4 m]", "[1 m, 0.6 m]"), "voussoirs: 13", "voussoirs: 11");
+    EXPECT_NE(faults(thin).find("gate.thickness: a voussoir with its stepped back would not be convex"),
+              std::string::npos)
+        << faults(thin);
     EXPECT_NE(faults(gate(0.5, ", shape: pointed, rise: 2.4 m")).find("an odd number in a pointed gate"),
               std::string::npos);
     EXPECT_NE(faults(with(gate(0.5), "pier: {width: 1.6 m, height: 2.4 m}, ", "")).find("pier"),

@@ -16,12 +16,14 @@ namespace voussoir::app::patterns_test
 {
 
 /// A case with these lines as its only entry of blocks: at rest under its weight, then left alone for 10 s.
-inline std::string pattern_case(const std::string& entry, double friction = 40, double wait = 10)
+inline std::string pattern_case(const std::string& entry, double friction = 40, double wait = 10,
+                                double step = 0.01)
 {
     return "materials: {stone: {density: 2400 kg/m3, young: 5 GPa, poisson: 0.2}}\njoints: {dry: {friction: " +
            std::to_string(friction) + " deg}}\nblocks:\n  - " + entry +
            "\nfoundation: {blocks: foundation}\nstages:\n  - {name: self-weight, type: static}\n" +
-           "  - {name: rest, type: dynamic, duration: " + std::to_string(wait) + " s, time_step: 10 ms}\n";
+           "  - {name: rest, type: dynamic, duration: " + std::to_string(wait) +
+           " s, time_step: " + std::to_string(step) + " s}\n";
 }
 
 inline Case read_pattern(const std::string& entry, const std::vector<std::string>& overrides = {})

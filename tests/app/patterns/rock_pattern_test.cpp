@@ -195,6 +195,74 @@ TEST(RockPattern, KhansSlopeHasItsFactorOfSafety)
     EXPECT_FALSE(stands(safety * 1.005));
 }
 
+/// A pyramid of 6 m on a square of 4 m, as listed corners and as a mesh: layers of 1 m, of which the volumes are
+/// those of frusta.
+TEST(RockPattern, CutsPolyhedraAndMeshes)
+{
+    const std::string sets = "sets: [{dip: 0 deg, spacing: 1 m}]}, groups: {foundation: {lowest: 0 %}}}";
+    const std::string listed =
+        "{rock: {parts: [{vertices: [[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0], [0, 0, 6]], faces: [[0, 3, "
+        "2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]}], " +
+        sets;
+    const TemporaryFolder folder;
+    folder.write("hill.obj",
+                 "o hill\nv -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nv 0 0 6\nf 1 4 3 2\nf 1 2 5\nf 2 3 5\nf 3 4 "
+                 "5\nf 4 1 5\n");
+    const auto read = [&](const std::string& entry) {
+        return reader::read_case(folder.write("case.yaml", pattern_case(entry)), {});
+    };
+    for (const std::string& entry : {listed, "{rock: {mesh: hill.obj, " + sets}) {
+        const Case the_case = read(entry);
+        ASSERT_EQ(the_case.model.blocks.size(), 6U) << entry;
+        std::vector<double> volumes;
+        for (const Block& block : the_case.model.blocks) volumes.push_back(block.moments.volume);
+        std::sort(volumes.begin(), volumes.end());
+        for (int k = 0; k < 6; ++k) {
+            const double top = 4.0 * k / 6, foot = 4.0 * (k + 1) / 6;
+            EXPECT_NEAR(volumes[k], (top * top + top * foot + foot * foot) / 3, 32e-12);
+        }
+        EXPECT_NEAR(volume_in(the_case.model, ""), 32, 32e-12);
+        expect_sound(assembly_of(the_case.model));
+    }
+    EXPECT_NE(reader::faults_of(pattern_case("{rock: {mesh: none.obj, " + sets)).find("no mesh file"),
+              std::string::npos);
+    EXPECT_NE(reader::faults_of(pattern_case("{rock: {" + sets)).find("no body"), std::string::npos);
+    EXPECT_NE(reader::faults_of(pattern_case("{rock: {mesh: a.obj, outline: [[0, 0], [1, 0], [0, 1]], " + sets))
+                  .find("more than one body"),
+              std::string::npos);
+}
+
+/// A ridge with a step is concave: read from a mesh, its blocks go on round the corner as from an outline.
+TEST(RockPattern, CutsConcaveMeshes)
+{
+    const std::string sets = "sets: [{dip: 90 deg, spacing: 1.5 m, origin: [0.7, 0, 0]}]";
+    const TemporaryFolder folder;
+    const std::string outline =
+        "rock: {outline: [[0, 0], [4, 0], [4, 1], [2, 1], [2, 3], [0, 3]], width: 2 m, " + sets + "}";
+    folder.write("ridge.obj",
+                 "o ridge\nv 0 -1 0\nv 4 -1 0\nv 4 -1 1\nv 2 -1 1\nv 2 -1 3\nv 0 -1 3\nv 0 1 0\nv 4 1 0\nv 4 1 "
+                 "1\nv 2 1 1\nv 2 1 3\nv 0 1 3\nf 1 2 3 4 5 6\nf 12 11 10 9 8 7\nf 1 7 8 2\nf 2 8 9 3\nf 3 9 10 "
+                 "4\nf 4 10 11 5\nf 5 11 12 6\nf 6 12 7 1\n");
+    const auto read = [&](const std::string& entry) {
+        return reader::read_case(
+                   folder.write("case.yaml", pattern_case("{" + entry + ", groups: {foundation: {lowest: 0 %}}}")),
+                   {})
+            .model;
+    };
+    const Model drawn = read(outline), cut = read("rock: {mesh: ridge.obj, " + sets + "}");
+    EXPECT_EQ(drawn.blocks.size(), 4U);
+    ASSERT_EQ(cut.blocks.size(), drawn.blocks.size());
+    EXPECT_NEAR(volume_in(cut, ""), 2 * (4 * 1 + 2 * 2), 1e-11);
+    std::vector<double> ours, theirs;
+    for (std::size_t b = 0; b < 4; ++b) {
+        ours.push_back(cut.blocks[b].moments.volume);
+        theirs.push_back(drawn.blocks[b].moments.volume);
+    }
+    std::sort(ours.begin(), ours.end());
+    std::sort(theirs.begin(), theirs.end());
+    for (std::size_t b = 0; b < 4; ++b) EXPECT_NEAR(ours[b], theirs[b], 1e-12);
+}
+
 TEST(RockPattern, SaysWhatIsWrong)
 {
     const auto faults = [](const std::string& keys) {
