@@ -82,6 +82,7 @@ void add_other_kinds(std::uint64_t seed, GeneratedScene& scene)
     }
     if (random.chance(0.3)) scene.kind = static_cast<Shaking>(random.whole(1, 3));
     scene.goes_on = random.chance(0.15);
+    if (scene.goes_on) scene.lifting = 0;  // a floor that rises and stops at once throws what stands on it
 }
 
 }  // namespace
