@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -89,6 +90,7 @@ int run_program(int argument_count, char** arguments)
 
 int main(int argument_count, char** arguments)
 {
+    std::signal(SIGPIPE, SIG_IGN);  // what was asked for is done, though the reader of the words has had enough
     importers::process::begin_program();
     try {
         return run_program(argument_count, arguments);

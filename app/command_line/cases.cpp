@@ -52,6 +52,14 @@ void add_run(CLI::App& program, std::function<int()>& chosen)
         ->add_flag("--other-engine", arguments->other_engine,
                    "With --resume: continue a run that another build of the program began; the results say so")
         ->needs("--resume");
+    command
+        ->add_option(
+            "--save-every", arguments->save_every,
+            "Seconds of computing after which results and restart file are brought up to date on the disk: what "
+            "a killed run loses at most, beside one frame; 0 does so with every frame")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->capture_default_str();
     add_overrides(*command, arguments->overrides);
     command
         ->add_option("--threads", arguments->threads,

@@ -22,6 +22,7 @@ struct RunArguments {
     int threads = 1;
     bool resume = false;        // go on with the run that was interrupted in the folder
     bool other_engine = false;  // even if another build of the program began it
+    double save_every = 2;      // s of computing between two savings; 0: with every frame
     bool quiet = false;
     bool verbose = false;  // every repair of a mesh, not one line a kind
 };

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <new>
@@ -18,6 +17,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
 #include "app/commands/resume.h"
+#include "app/commands/saver.h"
 #include "app/commands/stopwatch.h"
 #include "app/commands/trust_watch.h"
 #include "app/reader/case_file.h"
@@ -31,8 +31,6 @@ namespace voussoir::app::commands
 {
 namespace
 {
-
-constexpr auto between_static_saves = std::chrono::seconds(2);  // time does not pass in static stages
 
 /// Where to go on from, or the beginning.
 struct Start {
@@ -50,36 +48,6 @@ struct Ended {
     std::optional<results::ErrorEstimate> estimate;
 };
 
-/// The state of a run is saved with every frame, at its end, and now and then in a static stage.
-class Saver
-{
- public:
-    Saver(results::ResultsWriter& writer, const Start& start, const Stopwatch& stopwatch)
-        : writer_(writer), before_(start.times), stopwatch_(stopwatch), frames_(start.position.frames)
-    {
-    }
-    void operator()(const State& state, const RunPosition& position)
-    {
-        const auto now = std::chrono::steady_clock::now();
-        const bool ends = position.report.outcome != Outcome::completed;
-        if (position.frames == frames_ && !ends && now - saved_ < between_static_saves) return;
-        writer_.save(state, position, times());
-        frames_ = position.frames;
-        saved_ = now;
-    }
-    results::CommandTimes times() const
-    {
-        return {before_.wall + stopwatch_.wall_time(), before_.cpu + Stopwatch::cpu_time()};
-    }
-
- private:
-    results::ResultsWriter& writer_;
-    results::CommandTimes before_;
-    const Stopwatch& stopwatch_;
-    std::int64_t frames_ = 0;
-    std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
-};
-
 /// Runs to the end, or as far as it goes, and closes the files. @param start its state becomes the last one
 Ended run_and_write(const Case& the_case, Start& start, results::ResultsWriter& writer, Saver& saver, bool quiet)
 {
@@ -90,7 +58,7 @@ Ended run_and_write(const Case& the_case, Start& start, results::ResultsWriter& 
     RunObserver observer;
     observer.every = the_case.output.every;
     observer.frame = [&](const State& now, const RunReport& report) {
-        writer.frame(now, report);
+        writer.add_frame(now, report);
         if (const TrustStart* noted = trust.frame(now, report)) writer.note(*noted);
     };
     observer.save = std::ref(saver);
@@ -193,8 +161,10 @@ std::string outcome_in_words(const RunReport& report, const Case& the_case)
 
 /// Runs, writes and draws. @returns the exit code
 int run_from(const Case& the_case, const std::filesystem::path& folder,
-             const std::optional<results::Restart>& restart, const Stopwatch& stopwatch, bool quiet)
+             const std::optional<results::Restart>& restart, const Stopwatch& stopwatch,
+             const RunArguments& arguments)
 {
+    const bool quiet = arguments.quiet;
     Start start;
     if (restart) {
         start = {restart->state, restart->position, {restart->wall_time, restart->cpu_time}, restart->trust, true};
@@ -206,7 +176,7 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
     std::unique_ptr<results::ResultsWriter> writer =
         restart ? std::make_unique<results::ResultsWriter>(the_case, folder, *restart)
                 : std::make_unique<results::ResultsWriter>(the_case, folder);
-    Saver saver(*writer, start, stopwatch);
+    Saver saver(*writer, {start.position.frames, start.times, arguments.save_every}, stopwatch);
     const Ended ended = run_unbroken(the_case, start, *writer, saver, quiet);
     const RunReport& report = ended.report;
 
@@ -270,7 +240,7 @@ int run_command(const RunArguments& arguments)
             complain(fmt::format("warning: {}", remark));
         }
     try {
-        return run_from(the_case, folder, restart, stopwatch, arguments.quiet);
+        return run_from(the_case, folder, restart, stopwatch, arguments);
     } catch (const RunBroken& broken) {
         complain(broken.what());
         if (is_there(results::restart_file_in(folder)))

@@ -111,7 +111,8 @@ void add_stress_rows(const Model& model, const SurfaceMesh& mesh, const State& s
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const Eigen::Matrix3d s = stress_of(model, state, static_cast<int>(b));
         for (const std::string& name : components) stresses.push_back(component(s, name));
-        const Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(s).eigenvalues();
+        const Vector3d principal =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(s, Eigen::EigenvaluesOnly).eigenvalues();
         least.push_back(static_cast<float>(principal[0]));
         greatest.push_back(static_cast<float>(principal[2]));
     }

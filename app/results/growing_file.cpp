@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 #include <system_error>
+#include <type_traits>
+#include <utility>
 
 #include "app/results/counts.h"
 #include "app/results/joint_rows.h"
@@ -69,6 +71,26 @@ struct Copy {
     }
 };
 
+/// Puts values behind those that wait, which are of the same kind or none yet.
+void add_values(const Rows& rows, RowValues& waiting)
+{
+    std::visit(
+        [&](const auto& values) {
+            using Values = std::decay_t<decltype(values)>;
+            if (!std::holds_alternative<Values>(waiting)) waiting = Values();
+            auto& all = std::get<Values>(waiting);
+            all.insert(all.end(), values.begin(), values.end());
+        },
+        rows.values);
+}
+
+/// Whether the first row of a chunk is among so many rows from row `first` on.
+bool begins_chunk(const Hdf5Series& series, std::uint64_t first, std::uint64_t count)
+{
+    const std::uint64_t next = (first + series.chunk_rows - 1) / series.chunk_rows * series.chunk_rows;
+    return next < first + count;
+}
+
 /// 0, 1, 2, ..., as many as a frame has contacts or joints: results.xdmf makes cells of points with them.
 void write_point_indices(std::size_t joints, Hdf5File& file)
 {
@@ -104,15 +126,16 @@ GrowingFile::GrowingFile(const std::filesystem::path& path, const Case& the_case
         series_.push_back(file_.make_series(dataset.name, dataset.type, dataset.row, dataset.chunk_bytes));
         if (!dataset.columns.empty()) file_.attribute(dataset.name, "columns", dataset.columns);
     }
+    waiting_.resize(series_.size());
     file_.write("/frames/count", std::vector<std::int64_t>{0});
 }
 
-Hdf5Series& GrowingFile::series_named(const std::string& name)
+std::size_t GrowingFile::series_named(const std::string& name) const
 {
     const auto found = std::find_if(series_.begin(), series_.end(),
                                     [&](const Hdf5Series& series) { return series.name == name; });
     DDA_ASSERT(found != series_.end());
-    return *found;
+    return static_cast<std::size_t>(found - series_.begin());
 }
 
 void GrowingFile::copy(const CopiedRows& rows)
@@ -131,13 +154,33 @@ void GrowingFile::copy(const CopiedRows& rows)
 
 void GrowingFile::append(const std::vector<Rows>& rows)
 {
-    for (const Rows& each : rows)
-        std::visit([&](const auto& values) { file_.append(series_named(each.name), values, each.count); },
-                   each.values);
+    // A chunk has its place in the file from its first row on. It is written at once, in the order of the frames,
+    // so that the bytes of the file do not depend on how many of them came between two flushes.
+    for (const Rows& each : rows) {
+        const std::size_t index = series_named(each.name);
+        const Hdf5Series& series = series_[index];
+        const std::uint64_t before = series.extents[0] + waiting_[index].count;
+        add_values(each, waiting_[index].values);
+        waiting_[index].count += each.count;
+        if (begins_chunk(series, before, each.count)) write_waiting(index);
+    }
+}
+
+void GrowingFile::write_waiting(std::size_t index)
+{
+    const Waiting rows = std::exchange(waiting_[index], {});
+    if (rows.count == 0) return;
+    std::visit([&](const auto& values) { file_.append(series_[index], values, rows.count); }, rows.values);
+}
+
+void GrowingFile::write_waiting()
+{
+    for (std::size_t index = 0; index < series_.size(); ++index) write_waiting(index);
 }
 
 void GrowingFile::write_end(const std::string& summary, std::span<const JointPeaks> peaks)
 {
+    write_waiting();
     write_joint_peaks(peaks, file_);
     write_point_indices(peaks.size(), file_);
     file_.write_text("/summary", summary);
@@ -145,7 +188,9 @@ void GrowingFile::write_end(const std::string& summary, std::span<const JointPea
 
 void GrowingFile::flush()
 {
-    file_.overwrite("/frames/count", static_cast<std::int64_t>(series_named("/frames/time").extents[0]));
+    write_waiting();
+    const Hdf5Series& time = series_[series_named("/frames/time")];
+    file_.overwrite("/frames/count", static_cast<std::int64_t>(time.extents[0]));
     file_.flush();
 }
 

@@ -30,6 +30,7 @@ class GrowingFile
 
     /// Copies the rows of the first frames. @throws InputError when the file has fewer, or rows of another length
     void copy(const CopiedRows& rows);
+    /// Rows wait in memory for flush(), so that those of many frames are one write.
     void append(const std::vector<Rows>& rows);
     /// What is known only at the end of a run.
     void write_end(const std::string& summary, std::span<const JointPeaks> peaks);
@@ -38,10 +39,17 @@ class GrowingFile
     void close();
 
  private:
-    Hdf5Series& series_named(const std::string& name);
+    struct Waiting {
+        RowValues values;
+        std::uint64_t count = 0;
+    };
+    std::size_t series_named(const std::string& name) const;
+    void write_waiting(std::size_t index);
+    void write_waiting();
 
     Hdf5File file_;
     std::vector<Hdf5Series> series_;
+    std::vector<Waiting> waiting_;  // of each series
 };
 
 }  // namespace voussoir::app::results

@@ -20,11 +20,13 @@ struct GrowingDataset {
     std::uint64_t chunk_bytes = 1U << 18;  // by which the file grows, about
 };
 
+using RowValues =
+    std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>, std::vector<std::int32_t>>;
+
 /// Rows for one of them.
 struct Rows {
     std::string name;
-    std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>, std::vector<std::int32_t>>
-        values;
+    RowValues values;
     std::uint64_t count = 1;
 };
 

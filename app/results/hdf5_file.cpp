@@ -87,6 +87,10 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path)
     result.path_ = path;
     result.writing_ = true;
     const Hdf5Id access = access_properties();
+    // Room is not asked for in advance: what is left of it is given back by a flush, and then the bytes of the
+    // file would tell when it was flushed.
+    H5Pset_meta_block_size(access.get(), 0);
+    H5Pset_small_data_block_size(access.get(), 0);
     result.file_ = Hdf5Id(result.check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
                                        "no file can be created there"));
     return result;
@@ -200,7 +204,7 @@ Hdf5Series Hdf5File::make_series(const std::string& name, ElementType type, cons
     const Hdf5Id access(
         H5Pcreate(H5P_DATASET_ACCESS));  // rows go straight to the file, not chunks again and again
     H5Pset_chunk_cache(access.get(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 0, H5D_CHUNK_CACHE_W0_DEFAULT);
-    Hdf5Series series{name, {}, type, extents};
+    Hdf5Series series{name, {}, type, extents, chunk[0]};
     series.dataset = Hdf5Id(check(
         H5Dcreate2(file_.get(), name.c_str(), native(type), space.get(), H5P_DEFAULT, create.get(), access.get()),
         name));

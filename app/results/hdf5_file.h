@@ -66,7 +66,8 @@ struct Hdf5Series {
     std::string name;
     Hdf5Id dataset;
     ElementType type = ElementType::float64;
-    Extents extents;  // extents[0]: rows so far
+    Extents extents;               // extents[0]: rows so far
+    std::uint64_t chunk_rows = 1;  // rows by which the file grows
 };
 
 /// A file in the oldest HDF5 format, which every reader opens. No file is locked: a run may be looked at while it

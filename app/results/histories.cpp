@@ -97,13 +97,19 @@ void Histories::line(const State& state)
         append_vector(pending_, ground_displacement(model_, state), model_.kinematics);
 }
 
-std::vector<double> Histories::flush()
+std::vector<double> Histories::take()
 {
-    if (columns.empty()) return {};
-    errno = 0;
-    if (!(stream_ << lines_of(pending_, columns.size()) << std::flush))
-        refuse_writing(path_, errno == 0 ? EIO : errno);
+    taken_.insert(taken_.end(), pending_.begin(), pending_.end());
     return std::exchange(pending_, {});
+}
+
+void Histories::flush()
+{
+    if (taken_.empty()) return;
+    errno = 0;
+    if (!(stream_ << lines_of(taken_, columns.size()) << std::flush))
+        refuse_writing(path_, errno == 0 ? EIO : errno);
+    taken_.clear();
 }
 
 }  // namespace voussoir::app::results

@@ -17,7 +17,7 @@ namespace voussoir::app::results
 MaterialPoint material_point(const Model& model, const HistoryPoint& history);
 
 /// Displacement and velocity of every history point, and the ground's displacement if there are foundations.
-/// Lines are held in memory until flush(). Without history points nothing is created.
+/// Lines are held in memory until flush(), of those that were taken. Without history points nothing is created.
 class Histories
 {
  public:
@@ -29,8 +29,11 @@ class Histories
     void create(const std::filesystem::path& path, const std::vector<double>& rows);
 
     void line(const State& state);
-    /// Writes the lines held so far to the file. @returns them (rows x columns.size())
-    std::vector<double> flush();
+    /// The lines since the last call (rows x columns.size()), for results.h5.
+    std::vector<double> take();
+    /// Writes the lines taken so far to the file.
+    void flush();
+    std::size_t held_bytes() const { return (pending_.size() + taken_.size()) * sizeof(double); }
 
     std::vector<std::string> columns;  // "time [s]", "crown ux [m]", ...; empty without history points
 
@@ -38,7 +41,7 @@ class Histories
     const Model& model_;
     std::filesystem::path path_;
     std::vector<MaterialPoint> points_;
-    std::vector<double> pending_;
+    std::vector<double> pending_, taken_;
     std::ofstream stream_;
 };
 

@@ -126,14 +126,20 @@ struct ResultsWriter::Implementation {
                                                                 static_cast<std::uint64_t>(from.history_rows));
     }
 
-    /// Lines of the csv file that were held back go there, and wait for the next store() of results.h5.
-    void flush_histories()
+    /// The lines of histories since the last call wait for the next store().
+    void add_histories()
     {
-        std::vector<double> values = histories.flush();
+        std::vector<double> values = histories.take();
         if (values.empty()) return;
         const std::uint64_t rows = values.size() / histories.columns.size();
         restart.history_rows += static_cast<std::int64_t>(rows);
         twins->add({{"/histories/values", std::move(values), rows}});
+    }
+    /// What waits is in the files.
+    void store()
+    {
+        histories.flush();
+        twins->store();
     }
 
     const Case& the_case;
@@ -161,10 +167,21 @@ ResultsWriter::~ResultsWriter() = default;
 
 void ResultsWriter::frame(const State& state, const RunReport& report)
 {
+    add_frame(state, report);
+    implementation_->store();
+}
+
+void ResultsWriter::add_frame(const State& state, const RunReport& report)
+{
     Implementation& the = *implementation_;
-    the.flush_histories();
+    the.add_histories();
     the.twins->add(frame_rows(the.the_case.model, the.mesh, the.joints, state, report, the.contact_rows));
-    the.twins->store();
+}
+
+bool ResultsWriter::is_full() const
+{
+    constexpr std::size_t much = std::size_t{32} << 20;  // bytes; twice as much is there while it is stored
+    return implementation_->twins->held_bytes() + implementation_->histories.held_bytes() > much;
 }
 
 void ResultsWriter::history(const State& state, const StepReport&, const RunReport&)
@@ -175,8 +192,8 @@ void ResultsWriter::history(const State& state, const StepReport&, const RunRepo
 void ResultsWriter::save(const State& state, const RunPosition& position, const CommandTimes& times)
 {
     Implementation& the = *implementation_;
-    the.flush_histories();
-    the.twins->store();
+    the.add_histories();
+    the.store();
     the.restart.state = state;
     the.restart.position = position;
     the.restart.wall_time = times.wall;
@@ -197,7 +214,8 @@ void ResultsWriter::note(const ErrorEstimate& estimate)
 void ResultsWriter::finish(const State& state, const RunReport& report, const CommandTimes& times)
 {
     Implementation& the = *implementation_;
-    the.flush_histories();
+    the.add_histories();
+    the.histories.flush();
     RunReport last = report;  // a run that stops on the way to rest has not noted its last state
     if (last.joints.size() != the.joints.size()) last.joints = no_peaks(the.joints);
     note_joints(the.the_case.model, the.joints, state, last);

@@ -29,9 +29,13 @@ class ResultsWriter
     ResultsWriter(const Case& the_case, const std::filesystem::path& folder, const Restart& restart);
     ~ResultsWriter();
 
-    void frame(const State& state, const RunReport& report);  // a frame of results.h5, stored
+    void frame(const State& state, const RunReport& report);      // a frame of results.h5, stored
+    void add_frame(const State& state, const RunReport& report);  // one that may wait in memory for save()
     void history(const State& state, const StepReport& step, const RunReport& report);  // a line of histories.csv
-    /// Writes the file that a later run can go on from. @param times of all commands so far
+    /// So much waits in memory that it should be saved.
+    bool is_full() const;
+    /// Stores all that waits, and writes the file that a later run can go on from. @param times of all commands so
+    /// far
     void save(const State& state, const RunPosition& position, const CommandTimes& times);
     /// What the summary is to say of how far the run can be trusted; kept in the restart file from now on.
     void note(const TrustStart& trust);

@@ -87,6 +87,9 @@ void TwinFiles::restore_name(const fs::path& results_file)
 
 void TwinFiles::add(std::vector<Rows> rows)
 {
+    for (const Rows& each : rows)
+        held_bytes_ +=
+            std::visit([](const auto& values) { return values.size() * sizeof values[0]; }, each.values);
     added_.push_back(std::move(rows));
 }
 
@@ -114,6 +117,7 @@ void TwinFiles::store()
     change_names();
     std::swap(front_, back_);
     last_ = std::exchange(added_, {});
+    held_bytes_ = 0;
 }
 
 void TwinFiles::finish(const std::string& summary, std::span<const JointPeaks> peaks)

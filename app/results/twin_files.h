@@ -27,7 +27,8 @@ class TwinFiles
     TwinFiles(const TwinFiles&) = delete;
     TwinFiles& operator=(const TwinFiles&) = delete;
 
-    void add(std::vector<Rows> rows);  // held in memory until store()
+    void add(std::vector<Rows> rows);                       // held in memory until store()
+    std::size_t held_bytes() const { return held_bytes_; }  // about
     /// What was added is in results.h5 and on the disk. @throws InputError; results.h5 is then as it was
     void store();
     /// The same, with what is known only at the end; results.h5 then stands alone.
@@ -46,6 +47,7 @@ class TwinFiles
     std::unique_ptr<GrowingFile> front_, back_;  // called results.h5 and next
     std::vector<std::vector<Rows>> last_;        // what the front has and the back has not
     std::vector<std::vector<Rows>> added_;       // what neither has
+    std::size_t held_bytes_ = 0;                 // of added_
 };
 
 }  // namespace voussoir::app::results

@@ -139,8 +139,8 @@ Scenario::Outcome Scenario::start(const fs::path& work, const std::vector<std::s
 {
     const std::string place = work.string(), given = home_.string();
     std::map<std::string, std::vector<std::string>> commands = {
-        {"run", {"run", given + "/case.yaml", "-q", "-o", place + "/out"}},
-        {"resume", {"run", given + "/case.yaml", "-q", "-o", place + "/out", "--resume"}},
+        {"run", {"run", given + "/case.yaml", "-q", "-o", place + "/out", "--save-every", "0"}},
+        {"resume", {"run", given + "/case.yaml", "-q", "-o", place + "/out", "--save-every", "0", "--resume"}},
         {"import", {"import", given + "/stone.obj", "--json", place + "/stone.json", "-o", place + "/out"}},
         {"picture",
          {"render", given + "/uninterrupted/out/results.h5", "-o", place + "/out", "--count", "1", "--size", "200",

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <regex>
 
 namespace voussoir::app::properties
@@ -56,65 +55,35 @@ void add_stack(int number, Random& random, GeneratedScene& scene)
     }
 }
 
-struct Writing {
-    const GeneratedScene& scene;
-    const Telling& telling;
-    std::string out;
-
-    bool planar() const { return telling.kinematics.starts_with("planar"); }
-    std::string length(double x) const
-    {
-        const std::map<std::string, double> per_metre{{"m", 1}, {"cm", 100}, {"mm", 1000}};
-        return telling.unit == "m" ? fmt::format("{}", x)
-                                   : fmt::format("{:.10g} {}", x * per_metre.at(telling.unit), telling.unit);
+/// Of numbers of their own, so that a scene without them is the one it was before there were any.
+void add_other_kinds(std::uint64_t seed, GeneratedScene& scene)
+{
+    Random random(seed ^ 0x5EEDED);
+    if (random.chance(0.1)) {
+        GeneratedWall wall;
+        wall.block_length = random.length(0.3, 0.4);
+        wall.block_height = random.length(0.1, 0.2);
+        wall.length = wall.block_length * random.whole(2, 4);
+        wall.height = wall.block_height * random.whole(2, 4);
+        wall.thickness = scene.flat ? 2 * half_depth : random.length(0.2, 0.4);
+        wall.door = wall.length > 1 && random.chance(0.3);
+        scene.wall = wall;
+        scene.boxes.resize(1);
+        scene.boxes[0].upper.x() = 1;
+        scene.thrown.clear();
     }
-    Vector3d direction(const Vector3d& v) const { return telling.scale * telling.rotation() * v; }
-    std::string plain(const Vector3d& v) const
-    {
-        return planar() ? fmt::format("[{}, {}]", v.x(), v.z()) : fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+    if (!scene.wall && random.chance(0.04)) {
+        MeshStone stone;
+        stone.middle = -0.7;
+        stone.foot = {random.length(0.1, 0.2), scene.flat ? half_depth : random.length(0.1, 0.2)};
+        stone.head = {random.length(0.05, 0.1), scene.flat ? half_depth : random.length(0.05, 0.1)};
+        stone.height = random.length(0.15, 0.4);
+        scene.mesh = stone;
     }
-    void add_box(const Box& box)
-    {
-        const Vector3d a = direction(box.lower) + telling.offset, b = direction(box.upper) + telling.offset;
-        const Vector3d lower = a.cwiseMin(b), upper = a.cwiseMax(b);
-        out += fmt::format("  - box: {{name: {}, lower: [{}, {}, {}], upper: [{}, {}, {}]}}\n", box.name,
-                           length(lower.x()), length(lower.y()), length(lower.z()), length(upper.x()),
-                           length(upper.y()), length(upper.z()));
-        if (box.name == "floor") out += "    group: foundation\n";
-    }
-    void add_boxes()
-    {
-        out += "blocks:\n";
-        std::vector<Box> boxes = scene.boxes;
-        // Stacks do not touch one another; within a stack the order stays, and with it who is first of two that
-        // touch.
-        const auto stack = [](const Box& box) {
-            return box.name == "floor" ? std::string() : box.name.substr(0, 2);
-        };
-        if (telling.other_order)
-            std::stable_sort(boxes.begin() + 1, boxes.end(),
-                             [&](const Box& a, const Box& b) { return stack(a) > stack(b); });
-        for (const Box& box : boxes) add_box(box);
-    }
-    void add_motion()
-    {
-        const Vector3d along = direction(Vector3d::UnitX());
-        const int axis = std::abs(along.y()) > std::abs(along.x()) ? 1 : 0;
-        const auto sine = [&](double amplitude) {
-            return fmt::format("{{sine: {{acceleration: {}, frequency: {}, duration: 1}}}}", amplitude,
-                               scene.frequency);
-        };
-        out +=
-            fmt::format("foundation: {{blocks: foundation, motion: {{{}: {}, z: {}}}}}\n", axis == 1 ? "y" : "x",
-                        sine(along[axis] * scene.shaking), sine(telling.scale * scene.lifting));
-    }
-    void add_start()
-    {
-        if (scene.thrown.empty()) return;
-        out += fmt::format("initial_state: [{{blocks: {}, velocity: {}}}]\n", scene.thrown,
-                           plain(direction(scene.velocity)));
-    }
-};
+    if (random.chance(0.3)) scene.kind = static_cast<Shaking>(random.whole(1, 3));
+    scene.goes_on = random.chance(0.15);
+    if (scene.goes_on) scene.lifting = 0;  // a floor that rises and stops at once throws what stands on it
+}
 
 }  // namespace
 
@@ -148,31 +117,8 @@ GeneratedScene generated(std::uint64_t seed)
         const double across = scene.flat ? 0 : random.length(-0.5, 0.5);
         scene.velocity = {random.length(-2, 2), across, random.length(0, 2)};
     }
+    add_other_kinds(seed, scene);
     return scene;
-}
-
-std::string text_of(const GeneratedScene& scene, const Telling& telling)
-{
-    const double s = telling.scale, young = telling.young > 0 ? telling.young : scene.young;
-    Writing writing{scene, telling, {}};
-    const std::string kind = scene.deformable ? "spatial_deformable" : "spatial_rigid";
-    // Mass is told in the same unit of force, so Pa = kg/(m s2) scales with 1/s and kg/m3 with 1/s^3.
-    writing.out = fmt::format(
-        "kinematics: {}\n"
-        "gravity: {{magnitude: {}}}\n"
-        "materials: {{stone: {{density: {}, young: {}, poisson: 0.2}}}}\n"
-        "joints: {{dry: {{friction: {} deg{}}}}}\n",
-        telling.kinematics.empty() ? kind : telling.kinematics, 9.80665 * s, 2400 / (s * s * s), young / s,
-        scene.friction, telling.joint);
-    // Stones of a spatial scene are free to bulge across the plane.
-    if (telling.kinematics == "planar_deformable") writing.out += "plane: stress\n";
-    writing.add_boxes();
-    writing.add_motion();
-    writing.add_start();
-    writing.out += "stages:\n";
-    if (scene.settles) writing.out += "  - {name: rest, type: static}\n";
-    writing.out += "  - {name: motion, type: dynamic, duration: 20 ms, time_step: 2 ms, force_tolerance: 1e-10}\n";
-    return writing.out;
 }
 
 std::string mutated(std::string text, std::uint64_t seed)

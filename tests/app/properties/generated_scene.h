@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -15,17 +17,37 @@ struct Box {
     Eigen::Vector3d lower, upper;  // m
 };
 
-/// A held floor and stacks of boxes on it, one of which may be thrown; a floor that shakes; one or two stages.
+/// A wall in running bond along x, its middle above the floor's origin; perhaps with a door.
+struct GeneratedWall {
+    double length = 0, height = 0, thickness = 0, block_length = 0, block_height = 0;  // m
+    bool door = false;
+};
+
+/// A stone that grows narrower upwards, in a file of its own.
+struct MeshStone {
+    double middle = 0;           // m, along x
+    Eigen::Vector2d foot, head;  // m, half its extents along x and y
+    double height = 0;           // m
+};
+
+enum class Shaking { sine, ricker, pulse, record };
+
+/// A held floor and stacks of boxes on it, one of which may be thrown, or a wall; perhaps a stone from a mesh file
+/// beside them; a floor that shakes; one to three stages.
 struct GeneratedScene {
     std::vector<Box> boxes;  // the floor first; then from the floor up, stack by stack
-    bool flat = false;       // all of one extent along y: it can be told as a planar scene
+    std::optional<GeneratedWall> wall;
+    std::optional<MeshStone> mesh;
+    bool flat = false;  // all of one extent along y: it can be told as a planar scene
     bool deformable = false;
     double friction = 0;                                 // deg
     double young = 0;                                    // Pa
-    double shaking = 0;                                  // m/s2, of a sine along x
+    double shaking = 0;                                  // m/s2, along x
+    Shaking kind = Shaking::sine;                        // of it
     double frequency = 0;                                // Hz
     double lifting = 0;                                  // m/s2, of a sine along z
     bool settles = false;                                // a static stage comes first
+    bool goes_on = false;                                // a second dynamic stage, damped and in other steps
     std::string thrown;                                  // a box on top of its stack; empty: none
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, of it
 };
@@ -49,6 +71,9 @@ struct Telling {
 
 /// The case file.
 std::string text_of(const GeneratedScene& scene, const Telling& telling);
+
+/// The files that it names, and what is in them.
+std::map<std::string, std::string> files_of(const GeneratedScene& scene, const Telling& telling);
 
 /// A number of the text replaced by another, a key misspelt, a line lost or doubled: what people and machines do
 /// to files. The same for the same seed.

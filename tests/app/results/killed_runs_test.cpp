@@ -13,6 +13,12 @@ TEST(KilledRuns, ADozenOfATower)
     kill_many(shaken_tower, 12, 1);
 }
 
+// Several frames wait in memory, and the file gets them at once.
+TEST(KilledRuns, ADozenOfATowerThatIsSavedNowAndThen)
+{
+    kill_many(shaken_tower, 12, 3, "0.03");
+}
+
 TEST(KilledRuns, ADozenOfAPlanarFrame)
 {
     kill_many(shaken_frame, 12, 2);

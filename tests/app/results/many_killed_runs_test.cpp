@@ -1,4 +1,4 @@
-// 200 runs killed at random moments: all results readable, all resumed runs identical to the uninterrupted one.
+// 300 runs killed at random moments: all results readable, all resumed runs identical to the uninterrupted one.
 #include "tests/app/results/killed_runs.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +11,11 @@ namespace
 TEST(ManyKilledRuns, AHundredOfATower)
 {
     kill_many(shaken_tower, 100, 20251);
+}
+
+TEST(ManyKilledRuns, AHundredOfATowerThatIsSavedNowAndThen)
+{
+    kill_many(shaken_tower, 100, 20253, "0.03");
 }
 
 TEST(ManyKilledRuns, AHundredOfAPlanarFrame)

@@ -182,6 +182,48 @@ TEST_P(AllKinematics, TwoRunsGiveTheSameBytes)
     EXPECT_GT(bytes.size(), 10000U);
 }
 
+// How many frames wait for one store depends on the clock. Enough of them that chunks begin among those that wait.
+TEST_P(AllKinematics, BytesDoNotDependOnWhenFramesAreStored)
+{
+    const Case the_case = synthetic::arch(GetParam());
+    const auto written = [&](int every) {
+        const TemporaryFolder folder;
+        ResultsWriter writer(the_case, folder.path());
+        State state;
+        for (int i = 0; i < 120; ++i) {
+            state = synthetic::swaying(the_case, 0.01 * i);
+            for (int line = 0; line < 20; ++line) writer.history(state, {}, {});
+            writer.add_frame(state, {});
+            if (i == 0 || (every > 0 && i % every == 0)) writer.save(state, {}, {});  // the summary lists its file
+        }
+        writer.finish(state, {}, {});
+        return bytes_of(writer.results_file());
+    };
+    const std::string one_by_one = written(1);
+    EXPECT_TRUE(written(7) == one_by_one);
+    EXPECT_TRUE(written(0) == one_by_one) << "all but the first at the end";
+}
+
+TEST(Results, FramesThatWaitAreStoredWhenSaved)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::tower(Kinematics::spatial_rigid);
+    ResultsWriter writer(the_case, folder.path());
+    const auto stored = [&] { return ResultsReader(folder / "results.h5").times.size(); };
+    for (int i = 0; i < 3; ++i) writer.add_frame(synthetic::swaying(the_case, 0.5 * i), {});
+    EXPECT_EQ(stored(), 0);
+    writer.save(synthetic::swaying(the_case, 1), {}, {});
+    EXPECT_EQ(stored(), 3);
+    EXPECT_FALSE(writer.is_full());
+    const State state = synthetic::swaying(the_case, 1);
+    const std::size_t bytes = sizeof(double) * (state.coordinates.size() + state.velocities.size());
+    for (std::size_t i = 0; !writer.is_full(); ++i) {
+        ASSERT_LT(i * bytes, std::size_t{64} << 20) << "frames wait without end";
+        writer.add_frame(state, {});
+    }
+    EXPECT_EQ(stored(), 3);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinematics, AllKinematics,
                          testing::Values(Kinematics::spatial_deformable, Kinematics::spatial_rigid,
                                          Kinematics::planar_deformable, Kinematics::planar_rigid));

@@ -137,7 +137,8 @@ TEST(Resume, TimesAddUpAndTheEndedRunSaysSo)
     const TemporaryFolder folder;
     const killed_runs::Reference reference = killed_runs::run_through(folder.path(), killed_runs::shaken_tower);
     const fs::path results = folder / "results";
-    const std::vector<std::string> arguments = {"run", reference.case_file.string(), "-o", results.string()};
+    const std::vector<std::string> arguments = {
+        "run", reference.case_file.string(), "-o", results.string(), "--save-every", "0"};
     std::vector<std::string> resume = arguments;
     resume.emplace_back("--resume");
     const pid_t child = start(folder, arguments);

@@ -55,7 +55,7 @@ TEST(Scarcity, AFullDiskInTheMiddleOfARun)
         const fs::path results = folder / ("full_" + std::to_string(share));
         const Ended ended =
             run_within(RLIMIT_FSIZE, static_cast<rlim_t>(share * static_cast<double>(whole)), folder,
-                       {"run", reference.case_file.string(), "-q", "-o", results.string()});
+                       {"run", reference.case_file.string(), "-q", "-o", results.string(), "--save-every", "0"});
         EXPECT_NE(ended.errors.find("cannot be written: File too large"), std::string::npos) << ended.errors;
         if (!fs::exists(restart_file_in(results))) continue;  // full before the first frame
         EXPECT_EQ(ended.exit_code, 1);
@@ -92,7 +92,8 @@ TEST(Scarcity, MemoryThatRunsOutDuringTheRun)
     const killed_runs::Reference reference = killed_runs::run_through(folder.path(), killed_runs::shaken_tower);
     const fs::path results = folder / "results";
     setenv("LD_PRELOAD", VOUSSOIR_MEMORY_RUNS_OUT, 1);
-    const pid_t child = start(folder, {"run", reference.case_file.string(), "-q", "-o", results.string()});
+    const pid_t child =
+        start(folder, {"run", reference.case_file.string(), "-q", "-o", results.string(), "--save-every", "0"});
     unsetenv("LD_PRELOAD");
     const Ended ended = finish(folder, child);
     EXPECT_EQ(ended.exit_code, 1) << ended.errors;

@@ -151,7 +151,40 @@ TEST_F(Surroundings, APictureThatIsMissingIsAFailure)
     EXPECT_TRUE(says("voussoir-defects drew no pictures")) << output_;
     EXPECT_EQ(shell("$V check case.yaml -o free"), 0) << output_;
 }
+
+#ifdef VOUSSOIR_HAS_GEOMETRY
+TEST_F(Surroundings, AnImportWhoseReaderHasHadEnoughDrawsAllTheSame)
+{
+    folder_.write("stones.obj",
+                  "o stone\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                  "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    ASSERT_EQ(shell("$V import stones.obj -o whole"), 0) << output_;
+    shell("{ $V import stones.obj -o piped; echo $? > code; } | true");
+    EXPECT_EQ(contents("code"), "0\n");
+    const auto count = [&](const char* folder) {
+        return std::distance(fs::recursive_directory_iterator(at(folder)), {});
+    };
+    EXPECT_EQ(count("piped"), count("whole"));
+    EXPECT_GT(count("whole"), 2);
+}
 #endif
+#endif
+
+// They are started by the program, but a user sees them beside it.
+TEST_F(Surroundings, HelpersTellWhoStartsThem)
+{
+    int helpers = 0;
+    for (const std::string name : {"cell", "defects", "geometry", "plot", "render", "report"}) {
+        const fs::path helper = fs::path(VOUSSOIR_PROGRAM).parent_path() / ("voussoir-" + name);
+        if (!fs::exists(helper)) continue;
+        ++helpers;
+        const int code = shell("'" + helper.string() + "' --help < /dev/null");
+        EXPECT_TRUE(code == 0 || code == 2) << name << " " << code;
+        EXPECT_TRUE(says("is started by voussoir") || says("Usage: ")) << name << output_;
+        EXPECT_FALSE(says("exception") || says("parse_error")) << name << output_;
+    }
+    EXPECT_GE(helpers, 2);
+}
 
 TEST_F(Surroundings, WordsThatCannotBeWrittenAreAFailure)
 {
