@@ -162,9 +162,8 @@ std::string view_data(const RunRecord& record, double magnification)
              record.results.times.size(), std::min(most_frames, most_bytes / std::max<std::size_t>(each, 1) - 1),
              record.mechanism.frame))
         add_frame(model, record.results.frame(frame), frames);
-    Json data;
+    Json data = Json::parse(frames_as_json(frames));
     put_model(record, model, meshes, data);
-    put_frames(frames, data);
     data["magnification"] = magnification;
     data["threshold_m"] = noteworthy_opening;
     return safe_in_a_page(data.dump(-1, ' ', false, Json::error_handler_t::replace));

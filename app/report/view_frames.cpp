@@ -113,8 +113,9 @@ void add_frame(const results::RecordedModel& model, const results::RecordedFrame
     add_joints(model, frame, frames);
 }
 
-void put_frames(const ViewFrames& frames, Json& data)
+std::string frames_as_json(const ViewFrames& frames)
 {
+    Json data;
     data["times"] = Json::array();
     for (const double time : frames.times) data["times"].push_back(std::round(time * 1e9) / 1e9);
     data["stages"] = frames.stages;
@@ -124,6 +125,7 @@ void put_frames(const ViewFrames& frames, Json& data)
         data["of_stones"][quantity.name] = quantity_as_json(quantity);
     for (const ViewQuantity& quantity : frames.joints)
         data["of_joints"][quantity.name] = quantity_as_json(quantity);
+    return data.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace voussoir::app::report

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -31,8 +30,8 @@ std::size_t bytes_of_a_frame(const results::RecordedModel& model);
 /// @param model in space
 void add_frame(const results::RecordedModel& model, const results::RecordedFrame& frame, ViewFrames& frames);
 
-/// Quantities as shares of the range from their lowest (at most zero) to their largest, in 65534 steps; 65535:
-/// none.
-void put_frames(const ViewFrames& frames, nlohmann::json& data);
+/// As a JSON object. Quantities as shares of the range from their lowest (at most zero) to their largest, in 65534
+/// steps; 65535: none.
+std::string frames_as_json(const ViewFrames& frames);
 
 }  // namespace voussoir::app::report
