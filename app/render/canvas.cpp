@@ -2,6 +2,7 @@
 
 #include <GL/osmesa.h>
 
+#include <algorithm>
 #include <array>
 #include <mutex>
 #include <string>
@@ -21,24 +22,24 @@ std::mutex& lists_of_the_library()
     return mutex;
 }
 
-/// Averages each square of samples; colours come out premultiplied by the share that was covered.
+/// Averages each square of samples; colours come out premultiplied by the share that was covered. Two channels at
+/// a time, each in sixteen bits.
 Image averaged(const std::vector<std::uint32_t>& samples, int width, int height)
 {
+    static_assert(Canvas::supersampling == 2);
+    constexpr std::uint32_t even = 0x00FF00FFU, half = 0x00020002U;
     Image image{width, height, std::vector<std::uint32_t>(static_cast<std::size_t>(width) * height)};
-    const int row_samples = width * Canvas::supersampling;
+    const std::size_t row_samples = 2 * static_cast<std::size_t>(width);
     for (int y = 0; y < height; ++y) {
+        const std::uint32_t* upper = samples.data() + 2 * static_cast<std::size_t>(y) * row_samples;
+        const std::uint32_t* lower = upper + row_samples;
+        std::uint32_t* row = image.pixels.data() + static_cast<std::size_t>(y) * width;
         for (int x = 0; x < width; ++x) {
-            std::uint32_t pixel = 0;
-            for (int shift = 0; shift < 32; shift += 8) {
-                std::uint32_t sum = 0;
-                for (int k = 0; k < Canvas::supersampling * Canvas::supersampling; ++k) {
-                    const int sx = x * Canvas::supersampling + k % Canvas::supersampling,
-                              sy = y * Canvas::supersampling + k / Canvas::supersampling;
-                    sum += samples[static_cast<std::size_t>(sy) * row_samples + sx] >> shift & 0xFFU;
-                }
-                pixel |= (sum + 2) / (Canvas::supersampling * Canvas::supersampling) << shift;
-            }
-            image.pixels[static_cast<std::size_t>(y) * width + x] = pixel;
+            const std::uint32_t a = upper[2 * x], b = upper[2 * x + 1], c = lower[2 * x], d = lower[2 * x + 1];
+            const std::uint32_t low = (a & even) + (b & even) + (c & even) + (d & even) + half;
+            const std::uint32_t high =
+                (a >> 8U & even) + (b >> 8U & even) + (c >> 8U & even) + (d >> 8U & even) + half;
+            row[x] = (low >> 2U & even) | (high >> 2U & even) << 8U;
         }
     }
     return image;
@@ -104,6 +105,24 @@ Image Canvas::image() const
 {
     glFinish();
     return averaged(context_->samples, context_->width, context_->height);
+}
+
+Depths Canvas::depths() const
+{
+    Depths depths;
+    depths.width = (context_->width + Depths::cell - 1) / Depths::cell;
+    depths.height = (context_->height + Depths::cell - 1) / Depths::cell;
+    depths.values.resize(static_cast<std::size_t>(depths.width) * depths.height);
+    constexpr int every = Depths::cell * supersampling;
+    std::vector<float> row(static_cast<std::size_t>(width()));
+    for (int y = 0; y < depths.height; ++y) {  // the library counts rows from below
+        const int down = std::min(every * y + every / 2, height() - 1);
+        glReadPixels(0, height() - 1 - down, width(), 1, GL_DEPTH_COMPONENT, GL_FLOAT, row.data());
+        for (int x = 0; x < depths.width; ++x)
+            depths.values[static_cast<std::size_t>(y) * depths.width + x] =
+                row[static_cast<std::size_t>(std::min(every * x + every / 2, width() - 1))];
+    }
+    return depths;
 }
 
 }  // namespace voussoir::app::render

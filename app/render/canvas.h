@@ -16,6 +16,13 @@ struct Image {
     std::vector<std::uint32_t> pixels;
 };
 
+/// How deep in the view what was drawn lies, at the middles of cells of `cell` x `cell` pixels.
+struct Depths {
+    static constexpr int cell = 2;
+    int width = 0, height = 0;  // cells
+    std::vector<float> values;  // (height x width) 0 near to 1 far or nothing, rows from the top
+};
+
 /// A software OpenGL context of one size, drawn at twice the resolution and averaged. While one exists no other
 /// may be made in the same thread.
 class Canvas
@@ -38,6 +45,7 @@ class Canvas
 
     /// What has been drawn.
     Image image() const;
+    Depths depths() const;
 
  private:
     struct Context;

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/render/crease_shade.h"
+
 namespace voussoir::app::render
 {
 
@@ -40,6 +42,8 @@ void load_color_map()
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 }
 
+constexpr double crease_reach = 16;  // logical pixels that the shade of a crease reaches
+
 /// What the colour of a face says.
 enum class Paint { foundation, blank, value };
 
@@ -71,10 +75,13 @@ void draw_triangles(const Scene& scene, Paint paint, const Lights& lights, const
     glEnd();
 }
 
+/// So near 1 that nobody sees it: creases do not darken marks.
+constexpr float mark_opacity = 254.0F / 255;
+
 void draw_lines(const std::vector<Segment>& lines, const drawing::Rgb& color, double width)
 {
     glLineWidth(static_cast<float>(width));
-    glColor3fv(color.data());
+    glColor4f(color[0], color[1], color[2], mark_opacity);
     glBegin(GL_LINES);
     for (const Segment& line : lines) {
         glVertex3dv(line.from.data());
@@ -143,7 +150,9 @@ Image Drawing::draw(const Scene& scene, const Camera& camera, const drawing::Col
     draw_lines(scene.ground_arrows, {0, 0, 0}, 5 * stroke);
     glEnable(GL_DEPTH_TEST);
     glDepthRange(0, 1);
-    return canvas_.image();
+    Image image = canvas_.image();
+    darken(image, crease_shade(canvas_.depths(), camera, crease_reach * pixel));
+    return image;
 }
 
 }  // namespace voussoir::app::render

@@ -52,6 +52,7 @@ FilmedRun::FilmedRun(const fs::path& results_file, const SceneOptions& options, 
     const results::RunEnd end = results::run_end_of(results_file);
     early_ = results::early_end_in_words(end);
     model_ = in_space(results_.model);
+    options_.joint_faces = joint_faces_of(model_);
     if (!title.empty()) model_.title = title;
     strip_ = strip_of(results_file, end);
     at_ = first_filmed(results_);

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/render/joint_faces.h"
 #include "app/render/stone_values.h"
@@ -88,26 +89,34 @@ std::vector<Vector3d> start_places(const results::RecordedModel& model)
     return places;
 }
 
-bool touch(const results::RecordedFrame& frame, const WatchedJoint& joint)
+/// The pairs of blocks that touch, ascending.
+std::vector<std::pair<int, int>> touching(const results::RecordedFrame& frame)
 {
-    return std::any_of(frame.contacts.begin(), frame.contacts.end(), [&](const JointResultant& contact) {
-        return contact.block_a == joint.block_a && contact.block_b == joint.block_b;
-    });
+    std::vector<std::pair<int, int>> pairs;
+    pairs.reserve(frame.contacts.size());
+    for (const JointResultant& contact : frame.contacts) pairs.emplace_back(contact.block_a, contact.block_b);
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
 }
 
 void mark_joints(const results::RecordedModel& model, const results::RecordedFrame& frame,
                  const Vertices& vertices, const SceneOptions& options, Scene& scene)
 {
-    const std::vector<Vector3d> before = start_places(model);
+    const std::vector<Vector3d> before =
+        options.joint_faces.empty() ? start_places(model) : std::vector<Vector3d>();
+    const std::vector<std::pair<int, int>> pairs = touching(frame);
     for (std::size_t i = 0; i < model.joints.size(); ++i) {
         const WatchedJoint& joint = model.joints[i];
         const JointMotion& motion = frame.joints[i].motion;
         const bool slid = motion.largest_slip > options.joint_threshold;
         // Blocks that have slid off each other do not lie on each other any more.
-        const bool open = motion.opening > options.joint_threshold || (slid && !touch(frame, joint));
+        const bool open =
+            motion.opening > options.joint_threshold ||
+            (slid && !std::binary_search(pairs.begin(), pairs.end(), std::pair(joint.block_a, joint.block_b)));
         if (!open && !slid) continue;
         if (is_hidden(options.look, joint.block_a) && is_hidden(options.look, joint.block_b)) continue;
-        for (const int face : faces_of_joint(model.mesh, before, joint))
+        for (const int face :
+             options.joint_faces.empty() ? faces_of_joint(model.mesh, before, joint) : options.joint_faces[i])
             if (!is_hidden(options.look, model.mesh.face_block[static_cast<std::size_t>(face)]))
                 add_outline(model.mesh, face, vertices.drawn, open ? scene.opened : scene.slid);
         ++(open ? scene.opened_joints : scene.slid_joints);
@@ -197,6 +206,15 @@ bool any_blank(const Scene& scene)
 }
 
 }  // namespace
+
+std::vector<std::vector<int>> joint_faces_of(const results::RecordedModel& model)
+{
+    const std::vector<Vector3d> before = start_places(model);
+    std::vector<std::vector<int>> faces;
+    faces.reserve(model.joints.size());
+    for (const WatchedJoint& joint : model.joints) faces.push_back(faces_of_joint(model.mesh, before, joint));
+    return faces;
+}
 
 Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& frame,
                  const SceneOptions& options)

@@ -17,6 +17,8 @@ struct SceneOptions {
     double deformation_scale = 1;
     double joint_threshold = noteworthy_opening;  // m, an opening or a slip larger than this is marked
     LookOfRun look = {};
+    std::vector<std::vector<int>> joint_faces =
+        {};  // of each joint, for many scenes of one model; empty: looked for
 };
 
 struct Triangle {
@@ -49,6 +51,9 @@ struct Scene {
     std::vector<Label> labels;
     int opened_joints = 0, slid_joints = 0;
 };
+
+/// The faces of each joint of a model, which are the same in all its scenes. @param model with a mesh in space
+std::vector<std::vector<int>> joint_faces_of(const results::RecordedModel& model);
 
 /// @param model with a mesh in space
 Scene make_scene(const results::RecordedModel& model, const results::RecordedFrame& frame,

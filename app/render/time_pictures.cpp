@@ -36,7 +36,7 @@ PictureTimes time_pictures(const std::filesystem::path& results_file, const Snap
     expect_drawable(results, results_file, options.color);
     const results::RecordedModel model = in_space(results.model);
     const SceneOptions scene_options{options.color, options.deformation_scale.value_or(1), joint_threshold,
-                                     look_of(look, results_file, results)};
+                                     look_of(look, results_file, results), joint_faces_of(model)};
     const std::size_t last = results.times.size() - 1;
     Framing framing(options.color);
     framing.add(make_scene(model, results.frame(last), scene_options));

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
+#include "app/report/geometry_table.h"
 #include "app/report/sections.h"
 #include "records/measures/measures.h"
 
@@ -56,11 +58,11 @@ Table stages_table(const RunRecord& record)
     return table;
 }
 
-/// FNV-1a over the bytes of a text, sixteen digits.
-std::string checksum(const std::string& text)
+/// FNV-1a over bytes, sixteen digits.
+std::string checksum(std::string_view bytes)
 {
     std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
     return fmt::format("{:016x}", hash);
 }
 
@@ -172,7 +174,8 @@ Section what_was_analysed(const RunRecord& record)
         "start; "
         "kinematics: {}.",
         model.block_names.size(), model.foundations.size(), mass / 1e3, model.joints.size(), kinematics));
-    section.tables = {materials_table(record), joint_materials_table(record), stages_table(record)};
+    section.tables = {geometry_table(record), materials_table(record), joint_materials_table(record),
+                      stages_table(record)};
     return section;
 }
 
@@ -243,10 +246,17 @@ Section how_to_reproduce(const RunRecord& record)
     Section section{"How to reproduce it", {}, {}, {}, {}, {}};
     std::string command = "voussoir run " + record.case_file;
     for (const std::string& setting : record.overrides) command += " --set '" + setting + "'";
-    section.paragraphs = {"Made by " + record.engine + ".", "Command: " + command,
-                          "Checksum (FNV-1a) of the case file's text: " + checksum(record.case_text) +
-                              ". The same engine, case and records give the same bits. The case file:"};
+    section.paragraphs = {
+        "Made by " + record.engine + ".", "Command: " + command,
+        "Checksum (FNV-1a) of the case file's text: " + checksum(record.case_text) +
+            ". The same engine, case and records give the same bits. The case file ends this section."};
     section.verbatim = record.case_text;
+    for (const results::RecordedMotion& motion : record.motions)
+        section.points.push_back(fmt::format("Checksum of the accelerations of {} ({}) as applied: {}",
+                                             motion.followers.empty() ? "the ground" : motion.followers.front(),
+                                             motion.source,
+                                             checksum({reinterpret_cast<const char*>(motion.acceleration.data()),
+                                                       motion.acceleration.size() * sizeof(double)})));
     return section;
 }
 

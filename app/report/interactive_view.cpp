@@ -1,7 +1,5 @@
 #include "app/report/interactive_view.h"
 
-#include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "app/render/extrusion.h"
 #include "app/render/joint_faces.h"
 #include "app/report/base64.h"
+#include "app/report/view_frames.h"
 #include "importers/process/child_process.h"
 
 namespace voussoir::app::report
@@ -26,13 +25,6 @@ using Json = nlohmann::json;
 constexpr std::size_t most_bytes = 2250000;  // of all frames
 constexpr std::size_t most_mesh_bytes = 6000000;
 constexpr std::size_t most_frames = 150;
-
-/// Numbers as the script's typed arrays have them; every machine that this program runs on is little-endian.
-template <typename T>
-std::string packed(const std::vector<T>& values)
-{
-    return base64({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
-}
 
 struct Meshes {
     std::vector<float> centroids, levers;  // m, about the middle of the scene
@@ -100,66 +92,6 @@ Meshes meshes_of(const results::RecordedModel& model)
     return meshes;
 }
 
-/// The vector part of the unit quaternion of a block's turn, its scalar part >= 0.
-Vector3d turn_of(const Eigen::Matrix3d& map, bool deformable)
-{
-    Eigen::Matrix3d turn = map;
-    if (deformable) {
-        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        turn = svd.matrixU() * svd.matrixV().transpose();
-    }
-    const Eigen::Quaterniond quaternion(turn);
-    return quaternion.w() < 0 ? Vector3d(-quaternion.vec()) : Vector3d(quaternion.vec());
-}
-
-/// Frames as they are stored: moves of all stones; openings, slips and forces of all joints.
-struct Frames {
-    std::vector<double> times;  // s
-    std::vector<std::string> stages;
-    std::vector<float> moves;  // m, -
-    std::array<std::vector<double>, 3> joints;
-};
-
-void add_frame(const results::RecordedModel& model, const results::RecordedFrame& frame, Frames& frames)
-{
-    frames.times.push_back(frame.time);
-    const auto stage = static_cast<std::size_t>(frame.stage);
-    frames.stages.push_back(stage < model.stage_names.size() ? model.stage_names[stage] : "");
-    for (std::size_t b = 0; b < model.block_names.size(); ++b) {
-        add_vector(moved(model, frame, static_cast<int>(b)), frames.moves);
-        const Pose pose = pose_of(model.kinematics, frame.state, static_cast<int>(b));
-        add_vector(turn_of(pose.map, is_deformable(model.kinematics)), frames.moves);
-    }
-    for (const JointNow& joint : frame.joints) {
-        frames.joints[0].push_back(joint.motion.opening);
-        frames.joints[1].push_back(joint.motion.largest_slip);
-        frames.joints[2].push_back(joint.normal_force);
-    }
-}
-
-Json text_list(const std::vector<double>& times)
-{
-    Json list = Json::array();
-    for (const double time : times) list.push_back(std::round(time * 1e9) / 1e9);
-    return list;
-}
-
-void put_joints(const Frames& frames, Json& data)
-{
-    const std::array<const char*, 3> names = {"opening", "slip", "force"};
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        double largest = 0;
-        for (const double value : frames.joints[k]) largest = std::max(largest, value);
-        std::vector<std::uint16_t> shares;
-        shares.reserve(frames.joints[k].size());
-        for (const double value : frames.joints[k])
-            shares.push_back(
-                static_cast<std::uint16_t>(largest > 0 ? std::lround(65535 * std::max(0.0, value) / largest) : 0));
-        data[names[k]] = packed(shares);
-        data["largest"][names[k]] = largest;
-    }
-}
-
 void put_model(const RunRecord& record, const results::RecordedModel& model, const Meshes& meshes, Json& data)
 {
     const std::vector<bool> marks = foundation_marks(model);
@@ -223,19 +155,15 @@ std::string view_data(const RunRecord& record, double magnification)
 {
     const results::RecordedModel model = render::in_space(record.results.model);
     const Meshes meshes = meshes_of(model);
-    const std::size_t each = 24 * model.block_names.size() + 6 * model.joints.size();
+    const std::size_t each = bytes_of_a_frame(model);
     if (meshes.bytes() > most_mesh_bytes || 3 * each > most_bytes) return "";
-    Frames frames;
+    ViewFrames frames;
     for (const std::size_t frame : kept_frames(
              record.results.times.size(), std::min(most_frames, most_bytes / std::max<std::size_t>(each, 1) - 1),
              record.mechanism.frame))
         add_frame(model, record.results.frame(frame), frames);
-    Json data;
+    Json data = Json::parse(frames_as_json(frames));
     put_model(record, model, meshes, data);
-    data["times"] = text_list(frames.times);
-    data["stages"] = frames.stages;
-    data["moves"] = packed(frames.moves);
-    put_joints(frames, data);
     data["magnification"] = magnification;
     data["threshold_m"] = noteworthy_opening;
     return safe_in_a_page(data.dump(-1, ' ', false, Json::error_handler_t::replace));

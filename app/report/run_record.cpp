@@ -109,6 +109,12 @@ RunRecord::RunRecord(const std::filesystem::path& results_file)
         group = std::clamp(group, 0, std::max(0, static_cast<std::int32_t>(groups.size()) - 1));
     mass = values<double>(open, "/model/mass", blocks);
     volume = values<double>(open, "/model/volume", blocks);
+    const auto of_joints = [&](const std::string& name) {
+        return results.model.joints.empty() ? std::vector<double>()
+                                            : values<double>(open, name, results.model.joints.size());
+    };
+    joint_area = of_joints("/joints/area");
+    joint_facing_area = of_joints("/joints/facing_area");
     energy = columns_of(open, "/frames/energy");
     steps = columns_of(open, "/frames/report");
     for (Columns* columns : {&energy, &steps})  // of the whole frames alone

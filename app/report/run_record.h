@@ -46,7 +46,8 @@ struct RunRecord {
     std::vector<std::string> overrides, defaults, warnings, left_out;
     std::vector<std::string> groups;
     std::vector<std::int32_t> block_group;
-    std::vector<double> mass, volume;  // kg, m3
+    std::vector<double> mass, volume;                   // kg, m3
+    std::vector<double> joint_area, joint_facing_area;  // m2, at the start
     std::vector<RecordedMaterial> materials;
     std::vector<RecordedJointMaterial> joint_materials;
     std::vector<results::RecordedMotion> motions;

@@ -18,10 +18,22 @@ function drawn(name, attributes, text = "") {
 
 /// "12.3 mm", "1.23 m", "45 µm".
 export function lengthInWords(metres) {
-  const figure = (value) => Number(value.toPrecision(3)).toString();
   if (metres >= 1) return `${figure(metres)} m`;
   return metres >= 1e-4 || metres === 0 ? `${figure(1e3 * metres)} mm` : `${figure(1e6 * metres)} µm`;
 }
+
+const figure = (value) => Number(value.toPrecision(3)).toString();
+const inUnits = (value, units) => {
+  const [size, name] = units.find(([least]) => Math.abs(value) >= least) || units.at(-1);
+  return value === 0 ? `0 ${name}` : `${figure(value / size)} ${name}`;
+};
+
+export const speedInWords = (speed) => inUnits(speed, [[1, "m/s"], [1e-3, "mm/s"], [1e-6, "µm/s"]]);
+export const stressInWords = (stress) => inUnits(stress, [[1e6, "MPa"], [1e3, "kPa"], [1, "Pa"]]);
+export const strainInWords = (strain) => inUnits(strain, [[1e-3, "mm/m"], [1e-6, "µm/m"]]);
+
+/// "83 %", or a dash where the joint has none.
+const shareInWords = (share) => (Number.isNaN(share) ? "–" : `${Math.round(100 * share)} %`);
 
 const width = 320, height = 130, left = 8, right = 8, top = 18, bottom = 20;
 
@@ -68,7 +80,7 @@ export class Panel {
     const {recording} = this;
     this.stone = stone;
     const frames = recording.times.map((_, frame) => frame);
-    const joint = (name, frame) => recording.largestJoint(name, stone, (j) => recording.jointIn(name, j, frame));
+    const joint = (name, frame) => recording.largestJointIn(name, stone, frame) || 0;
     this.diagram = diagram(recording.times, [
       {name: "displacement", color: "#31688e", values: frames.map((frame) => recording.displacementIn(stone, frame))},
       {name: "joint opening", color: "#c4161c", values: frames.map((frame) => joint("opening", frame))},
@@ -77,14 +89,14 @@ export class Panel {
     this.line = element("p", "", {class: "more"});
     const table = element("table");
     const head = element("tr");
-    for (const name of ["joint with", "opening", "slip", "force"]) head.append(element("th", name));
+    for (const name of ["joint with", "opening", "slip", "force", "friction"]) head.append(element("th", name));
     table.append(head);
     this.rows = recording.jointsOf[stone].map((j) => {
       const other = recording.pairs[2 * j] === stone ? recording.pairs[2 * j + 1] : recording.pairs[2 * j];
       const row = element("tr"), cell = element("td"), name = element("button", recording.names[other], {type: "button"});
       name.addEventListener("click", () => this.choose(other));
       cell.append(name);
-      const figures = [element("td"), element("td"), element("td")];
+      const figures = [element("td"), element("td"), element("td"), element("td")];
       row.append(cell, ...figures);
       table.append(row);
       return {joint: j, figures};
@@ -105,6 +117,7 @@ export class Panel {
       figures[0].textContent = lengthInWords(this.recording.joint("opening", joint));
       figures[1].textContent = lengthInWords(this.recording.joint("slip", joint));
       figures[2].textContent = `${Number((this.recording.joint("force", joint) / 1e3).toPrecision(3))} kN`;
+      figures[3].textContent = shareInWords(this.recording.joint("friction", joint));
     }
   }
 }

@@ -11,6 +11,30 @@ const floats = (text) => new Float32Array(bytesOf(text));
 const integers = (text) => new Uint32Array(bytesOf(text));
 const shares = (text) => new Uint16Array(bytesOf(text));
 
+/// A number of each stone, or each joint, in each frame: 16 bits from the lowest to the largest, the last for none.
+class Quantity {
+  constructor({lowest, largest, shares: text}, count) {
+    Object.assign(this, {count, lowest, step: (largest - lowest) / 65534, steps: shares(text)});
+  }
+  /// NaN: it has none.
+  in(index, frame) {
+    const steps = this.steps[frame * this.count + index];
+    return steps === 65535 ? NaN : this.lowest + steps * this.step;
+  }
+  /// Between two frames linear; where one of them has none, that of the nearer.
+  at(index, {frame, next, share}) {
+    const before = this.in(index, frame), after = this.in(index, next);
+    if (Number.isNaN(before + after)) return share < 0.5 ? before : after;
+    return before * (1 - share) + after * share;
+  }
+}
+
+const quantities = (data, count) =>
+  Object.fromEntries(Object.entries(data).map(([name, values]) => [name, new Quantity(values, count)]));
+
+/// The largest number, NaN where there is none.
+const largestOf = (values) => values.reduce((most, value) => (most >= value ? most : Number.isNaN(value) ? most : value), NaN);
+
 /// Six numbers of a stone in a frame: displacement [m], vector part of the unit quaternion (w >= 0).
 const perStone = 6;
 
@@ -40,9 +64,8 @@ export class Recording {
     this.outlines = integers(data.outlines);
     this.moves = floats(data.moves);
     this.jointCount = this.pairs.length / 2;
-    this.quantities = {};
-    for (const name of ["opening", "slip", "force"])
-      this.quantities[name] = {values: shares(data[name]), scale: data.largest[name] / 65535};
+    this.ofStones = quantities(data.of_stones, this.names.length);
+    this.ofJoints = quantities(data.of_joints, this.jointCount);
     this.jointsOf = this.names.map(() => []);
     for (let j = 0; j < this.jointCount; ++j) {
       this.jointsOf[this.pairs[2 * j]].push(j);
@@ -68,19 +91,13 @@ export class Recording {
       this.now[i] = this.moves[frame * count + i] * (1 - share) + this.moves[next * count + i] * share;
   }
 
-  /// Of a joint now: opening [m], slip [m] or force [N].
-  joint(name, joint) {
-    const {frame, next, share} = this.at;
-    return this.jointIn(name, joint, frame) * (1 - share) + this.jointIn(name, joint, next) * share;
-  }
-  jointIn(name, joint, frame) {
-    const {values, scale} = this.quantities[name];
-    return values[frame * this.jointCount + joint] * scale;
-  }
-  largestJoint(name, stone, of) {
-    let largest = 0;
-    for (const joint of this.jointsOf[stone]) largest = Math.max(largest, of(joint));
-    return largest;
+  /// Of a joint now: opening [m], slip [m], force [N], friction [-]: the share that it uses, or NaN.
+  joint(name, joint) { return this.ofJoints[name].at(joint, this.at); }
+
+  /// The largest of the stone's joints, now or in a frame; NaN where none has any.
+  largestJoint(name, stone) { return largestOf(this.jointsOf[stone].map((joint) => this.joint(name, joint))); }
+  largestJointIn(name, stone, frame) {
+    return largestOf(this.jointsOf[stone].map((joint) => this.ofJoints[name].in(joint, frame)));
   }
 
   /// The stone's displacement relative to the ground in a frame [m].
@@ -93,13 +110,16 @@ export class Recording {
     return Math.hypot(this.now[i], this.now[i + 1], this.now[i + 2]);
   }
 
-  /// Of all stones but the foundations, over all frames.
-  largest(of) {
-    let largest = 0;
+  /// The lowest and the largest of all stones but the foundations, over all frames. @param of (stone, frame)
+  range(of) {
+    let low = Infinity, high = -Infinity;
     for (let stone = 0; stone < this.names.length; ++stone)
-      if (!this.foundation[stone])
-        for (let frame = 0; frame < this.times.length; ++frame) largest = Math.max(largest, of(stone, frame));
-    return largest;
+      for (let frame = 0; !this.foundation[stone] && frame < this.times.length; ++frame) {
+        const value = of(stone, frame);
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    return low <= high ? [low, high] : [0, 0];
   }
 
   /// Where all vertices are now, displacements magnified. @param places (vertices x 3), overwritten

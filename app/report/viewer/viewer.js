@@ -1,11 +1,8 @@
 // The interactive view of a report: the run in #view-data, shown in #view. docs/report.md tells of it.
-import {element, lengthInWords, Panel} from "./panel.js";
+import {coloursOf} from "./colours.js";
+import {element, Panel} from "./panel.js";
 import {Recording} from "./recording.js";
 import {Structure} from "./structure.js";
-
-/// Ten colours of groups that are told apart without colour vision too, by their lightness.
-const groupColors = [[0.27, 0.47, 0.67], [0.93, 0.4, 0.47], [0.13, 0.53, 0.2], [0.8, 0.73, 0.27], [0.4, 0.8, 0.93],
-  [0.67, 0.2, 0.47], [0.73, 0.73, 0.73], [0.53, 0.34, 0.2], [0.6, 0.87, 0.6], [0.35, 0.3, 0.6]];
 
 function choiceOf(label, options) {
   const place = element("label", `${label} `), select = element("select");
@@ -27,8 +24,7 @@ class View {
     root.replaceChildren(body, this.bar);
     this.panel = new Panel(aside, recording, (stone) => this.choose(stone));
     this.listen(stage);
-    this.quantity = "displacement";
-    this.setQuantity("displacement");
+    this.setColour("displacement");
     this.seek(recording.end);
   }
 
@@ -39,8 +35,8 @@ class View {
     this.slider = element("input", "", {type: "range", min: recording.start, max: recording.end, step: "any",
       "aria-label": "Time"});
     this.clock = element("output");
-    const colors = choiceOf("Colours", [["displacement", "displacement"], ["opening", "joint opening"], ["slip", "joint slip"],
-      ["group", "group"]]);
+    this.colours = coloursOf(recording);
+    const colors = choiceOf("Colours", Object.entries(this.colours).map(([name, {words}]) => [name, words]));
     const sizes = choiceOf("Displacements", [...new Set([1, 10, 100, recording.magnification])].sort((a, b) => a - b)
       .map((times) => [times, times === 1 ? "true" : `${times} times`]));
     sizes.select.value = recording.magnification;
@@ -49,7 +45,7 @@ class View {
     this.bar.append(this.play, this.slider, this.clock, colors.place, sizes.place, home);
     this.slider.addEventListener("input", () => { this.pause(); this.seek(Number(this.slider.value)); });
     this.play.addEventListener("click", () => (this.playing ? this.pause() : this.start()));
-    colors.select.addEventListener("change", () => this.setQuantity(colors.select.value));
+    colors.select.addEventListener("change", () => this.setColour(colors.select.value));
     sizes.select.addEventListener("change", () => { this.magnification = Number(sizes.select.value); this.seek(this.time); });
     home.addEventListener("click", () => this.structure.home());
   }
@@ -88,43 +84,17 @@ class View {
     this.seek(this.time);
   }
 
-  setQuantity(quantity) {
-    const {recording} = this;
-    this.quantity = quantity;
-    this.largest = quantity === "group" ? 0 : recording.largest((stone, frame) => (quantity === "displacement"
-      ? recording.displacementIn(stone, frame)
-      : recording.largestJoint(quantity, stone, (joint) => recording.jointIn(quantity, joint, frame))));
-    this.describeColours();
+  setColour(name) {
+    this.colour = this.colours[name];
+    this.range = this.colour.range();
+    this.legend.replaceChildren(...this.colour.legend(this.range));
     if (this.time !== undefined) this.seek(this.time);
-  }
-
-  describeColours() {
-    const rows = [];
-    if (this.quantity === "group")
-      this.recording.groups.forEach((name, i) => {
-        if (!this.recording.groupOf.some((g, stone) => g === i && !this.recording.foundation[stone])) return;
-        const row = element("div"), swatch = element("span", "", {class: "view-swatch"});
-        swatch.style.background = `rgb(${groupColors[i % groupColors.length].map((c) => Math.round(255 * c)).join(",")})`;
-        row.append(swatch, element("span", name));
-        rows.push(row);
-      });
-    else
-      rows.push(element("span", "0"), element("span", "", {class: "view-scale"}), element("span", lengthInWords(this.largest)));
-    this.legend.replaceChildren(...rows.slice(0, 12));
-  }
-
-  shareOf(stone) {
-    const {recording, quantity} = this;
-    if (quantity === "group") return groupColors[recording.groupOf[stone] % groupColors.length];
-    const value = quantity === "displacement" ? recording.displacement(stone)
-      : recording.largestJoint(quantity, stone, (joint) => recording.joint(quantity, joint));
-    return this.largest > 0 ? value / this.largest : 0;
   }
 
   seek(time) {
     this.time = time;
     this.recording.seek(time);
-    this.structure.colour((stone) => this.shareOf(stone));
+    this.structure.colour((stone) => this.colour.of(stone, this.range));
     this.structure.place(this.magnification, this.chosen);
     this.panel.update(time);
     this.slider.value = time;

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/report/base64.h"
@@ -94,16 +97,63 @@ TEST_F(ViewData, HasTheMovesOfTheStones)
     }
 }
 
+/// What the script reads of one number in a frame.
+double read_back(const nlohmann::json& quantity, std::size_t index)
+{
+    const auto shares = unpacked<std::uint16_t>(quantity.at("shares").get<std::string>());
+    const double lowest = quantity.at("lowest"), largest = quantity.at("largest");
+    if (shares.at(index) == 65535) return std::numeric_limits<double>::quiet_NaN();
+    return lowest + (largest - lowest) * shares[index] / 65534;
+}
+
 TEST_F(ViewData, HasTheOpeningsAsSharesOfTheirLargest)
 {
     const RunRecord record = record_of("spatial_rigid");
     const nlohmann::json data = nlohmann::json::parse(view_data(record, 1));
-    const auto shares = unpacked<std::uint16_t>(data.at("opening").get<std::string>());
-    ASSERT_EQ(shares.size(), record.results.times.size()) << "one joint";
-    const double largest = data.at("largest").at("opening");
+    const nlohmann::json opening = data.at("of_joints").at("opening");
+    const double largest = opening.at("largest");
     EXPECT_NEAR(largest, record.course.joint_opening[0].value, 1e-9);
-    for (std::size_t i = 0; i < shares.size(); ++i)
-        EXPECT_NEAR(shares[i] * largest / 65535, record.results.frame(i).joints[0].motion.opening, 1e-5 * largest);
+    for (std::size_t i = 0; i < record.results.times.size(); ++i)
+        EXPECT_NEAR(read_back(opening, i), record.results.frame(i).joints[0].motion.opening, 1e-5 * largest);
+}
+
+TEST_F(ViewData, HasTheUseOfFrictionAndNoneOfAJointThatDoesNotPress)
+{
+    const RunRecord record = record_of("spatial_rigid");  // the stone is thrown up and sideways
+    const nlohmann::json friction = nlohmann::json::parse(view_data(record, 1)).at("of_joints").at("friction");
+    std::size_t pressing = 0, open = 0;
+    for (std::size_t i = 0; i < record.results.times.size(); ++i) {
+        const JointNow now = record.results.frame(i).joints[0];
+        const double use = read_back(friction, i);
+        EXPECT_EQ(std::isnan(use), !(now.area_in_use > 0)) << i;
+        ++(std::isnan(use) ? open : pressing);
+        if (std::isnan(use)) continue;
+        EXPECT_NEAR(use,
+                    std::min(1.0, now.shear_force / now.normal_force / record.results.model.bounds[0].friction),
+                    1e-4);
+    }
+    EXPECT_GT(open, 0U);
+    EXPECT_GT(pressing, 0U);
+}
+
+TEST_F(ViewData, HasSpeedsAndOfStonesThatDeformStressesAndStrains)
+{
+    const nlohmann::json rigid = nlohmann::json::parse(view_data(record_of("spatial_rigid"), 1));
+    EXPECT_FALSE(rigid.at("of_stones").contains("stress"));
+    const RunRecord record = record_of("spatial_deformable");
+    const nlohmann::json of_stones = nlohmann::json::parse(view_data(record, 1)).at("of_stones");
+    const std::size_t stones = record.results.model.block_names.size();
+    for (std::size_t i = 0; i < record.results.times.size(); ++i) {
+        const results::RecordedFrame frame = record.results.frame(i);
+        const double speed = velocity_of(record.results.model.kinematics, frame.state, 1).norm();
+        EXPECT_NEAR(read_back(of_stones.at("speed"), i * stones + 1), speed, 1e-4 * speed + 1e-4);
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(frame.stresses[1]);
+        const double range =
+            of_stones.at("stress").at("largest").get<double>() - of_stones.at("stress").at("lowest").get<double>();
+        EXPECT_GT(range, 0);
+        EXPECT_NEAR(read_back(of_stones.at("stress"), i * stones + 1), -solver.eigenvalues()[0], 1e-4 * range);
+    }
+    EXPECT_GT(of_stones.at("strain").at("largest"), 0);
 }
 
 TEST_F(ViewData, DrawsOutlinesOfJointsThatAreThere)

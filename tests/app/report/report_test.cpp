@@ -280,6 +280,30 @@ TEST_F(Report, TablesHaveTheFiguresOfTheRun)
     EXPECT_NEAR(std::stod(reactions.substr(reactions.rfind(',') + 1)), 2.4 * 9.80665, 0.02) << reactions;
 }
 
+// A stone of 1 x 1 x 1 m on the floor, a plate that reaches over its edge, and one that hangs in the air.
+TEST_F(Report, TheGeometryIsCertified)
+{
+    report_of(with(two_boxes, "foundation: {blocks",
+                   "  - {box: {name: plate, lower: [-0.5, -0.5, 1], upper: [4.5, 0.5, 1.25]}}\n"
+                   "  - {box: {name: bird, lower: [0, 0, 5], upper: [0.1, 0.1, 5.1]}}\nfoundation: {blocks"),
+              "--set stages[0]=null --set output.trust=never");
+    const auto has = [&](const std::string& row, const std::string& words) {
+        std::istringstream lines(contents("results/report/geometry.csv"));
+        for (std::string line; std::getline(lines, line);)
+            if (line.find(row) != std::string::npos) return line.find(words) != std::string::npos;
+        return false;
+    };
+    EXPECT_TRUE(has("extent", "5 x 1 x 5.1"));
+    EXPECT_TRUE(has("smallest stone", "0.001,bird"));
+    EXPECT_TRUE(has("largest stone", "1.25,plate"));
+    EXPECT_TRUE(has("not closed", ",0,"));
+    EXPECT_TRUE(has("encloses", ",0,"));
+    EXPECT_TRUE(has("contact area", ",2,2")) << "of 1 m2 each";
+    EXPECT_TRUE(has("without a joint", ",1,bird"));
+    EXPECT_TRUE(has("no chain", ",1,bird"));
+    EXPECT_TRUE(has("a quarter", ",0,"));
+}
+
 TEST_F(Report, BadInputIsOneSentence)
 {
     EXPECT_EQ(voussoir("report nowhere"), 2);
