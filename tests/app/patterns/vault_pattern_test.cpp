@@ -1,7 +1,10 @@
 // Domes and vaults from a case file: full and half domes, lanterns, barrel vaults, cross vaults and their ribs.
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <regex>
+#include <string>
 
 #include "tests/app/patterns/limit_thickness.h"
 
@@ -227,6 +230,30 @@ Section section(double from_radius, double to_radius, double from, double to)
 const std::string cross =
     "cross_vault: {span: 4 m, rise: 2 m, thickness: 0.4 m, margin: 0.3 m, courses: 7, stones: 3";
 constexpr int rings = 7;
+const std::regex course_in_quarter("(?:groin|web)_(ne|nw|se|sw)(?:_[xy])?(_c[0-9]+).*");
+
+/// The bond alternates from quarter to quarter, so that stones have no twins; the quarters as wholes do, course by
+/// course: same volume, mirrored centroid.
+void expect_equal_quarters(const Model& model)
+{
+    std::map<std::string, double> volumes;
+    std::map<std::string, Eigen::Vector3d> moments;  // m4, folded into one quarter
+    for (const Block& block : model.blocks) {
+        std::smatch found;
+        if (model.groups[block.group] != "vault" || !std::regex_match(block.name, found, course_in_quarter))
+            continue;
+        const std::string quarter = found[1].str() + found[2].str();
+        volumes[quarter] += block.moments.volume;
+        moments.try_emplace(quarter, Eigen::Vector3d::Zero());
+        moments[quarter] += block.moments.volume * (block.moments.centroid + model.origin).cwiseAbs();
+    }
+    ASSERT_EQ(volumes.size(), 4U * rings);
+    for (const auto& [quarter, volume] : volumes) {
+        const std::string first = "ne" + quarter.substr(2);
+        EXPECT_NEAR(volume, volumes[first], 1e-9) << quarter;
+        EXPECT_LT((moments[quarter] - moments[first]).norm(), 1e-9) << quarter;
+    }
+}
 
 /// Half a web is a section drawn along its axis from the groin, as far off as the section is, to the side.
 TEST(CrossVaultPattern, HasTheVolumeOfItsWebs)
@@ -243,6 +270,7 @@ TEST(CrossVaultPattern, HasTheVolumeOfItsWebs)
     const auto assembly = assembly_of(model);
     expect_sound(assembly);
     EXPECT_GT(joint_area(assembly, "groin_ne_c02", "groin_ne_c03"), 0.1);
+    expect_equal_quarters(model);
     expect_rest(read_pattern(cross + "}", rigid));
 }
 
@@ -277,6 +305,11 @@ TEST(CrossVaultPattern, RibsFitUnderItsGroins)
     EXPECT_NEAR(touching, 8 * rings * back, 1e-6);
     for (const char* name : {"rib_nw_c04", "rib_sw_c04", "rib_se_c04"})
         EXPECT_NEAR(block_of(model, name).moments.volume, block_of(model, "rib_ne_c04").moments.volume, 1e-9);
+    expect_equal_quarters(model);
+    Model ribs = model;
+    std::erase_if(ribs.blocks, [&](const Block& block) { return model.groups[block.group] != "ribs"; });
+    expect_symmetric(ribs, 0);
+    expect_symmetric(ribs, 1);
     expect_rest(read_pattern(ribbed, rigid));
 }
 
