@@ -175,7 +175,7 @@ std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const 
                               {"/frames/energy", values_of(energy_terms(report.energy))},
                               {"/frames/report", values_of(report_columns(report))}};
     if (is_deformable(model.kinematics)) add_stress_rows(model, mesh, state, rows);
-    const std::vector<JointResultant> contacts = joint_resultants(model, state);
+    const std::vector<JointResultant> contacts = joint_resultants(model, state, EdgeStress::left_out);
     add_contact_rows(model.kinematics, contacts, first_contact, rows);
     add_joint_rows(joints, joints_now(model, joints, state, contacts), rows);
     return rows;

@@ -105,7 +105,7 @@ void collect(const Model& model, const ContactSetIn<D>& contacts, Joints& joints
 
 }  // namespace
 
-std::vector<JointResultant> joint_resultants(const Model& model, const State& state)
+std::vector<JointResultant> joint_resultants(const Model& model, const State& state, EdgeStress edge_stress)
 {
     Joints joints;
     if (is_planar(model.kinematics))
@@ -115,6 +115,7 @@ std::vector<JointResultant> joint_resultants(const Model& model, const State& st
     std::vector<JointResultant> result;
     for (const auto& [pair, joint] : joints) {
         result.push_back(resultant(pair.first, pair.second, joint.points));
+        if (edge_stress == EdgeStress::left_out) continue;
         const double size = std::min(size_of(model, pair.first), size_of(model, pair.second));
         const Bearing hardest = hardest_bearing(joint.patches, size);
         result.back().edge_stress = hardest.stress;

@@ -26,7 +26,12 @@ struct JointResultant {
     Eigen::Vector3d pressure_centre = Eigen::Vector3d::Zero();  // m, where the normal force acts; centre if none
 };
 
+/// Whether the bed that bears most is looked for, which takes two thirds of the time.
+enum class EdgeStress { judged, left_out };
+
 /// One entry per pair of blocks in contact, in ascending order of the pair.
-std::vector<JointResultant> joint_resultants(const Model& model, const State& state);
+/// @param edge_stress left out: `edge_stress` and `bearing_area` stay 0
+std::vector<JointResultant> joint_resultants(const Model& model, const State& state,
+                                             EdgeStress edge_stress = EdgeStress::judged);
 
 }  // namespace voussoir

@@ -73,6 +73,10 @@ TEST_P(Crushing, EdgeStressIsTheResultantOverTheEffectiveArea)
         const double area = model.mass(1) * gravity / joints[0].normal_force * width;  // a strip if planar
         const double exact = model.mass(1) * gravity / (joints[0].area * (1 - 2 * eccentricity / width));
         EXPECT_NEAR(joints[0].edge_stress, exact, 0.02 * exact) << slope << " " << area;
+        const JointResultant without = joint_resultants(model, state, EdgeStress::left_out)[0];
+        EXPECT_EQ(without.edge_stress, 0);
+        EXPECT_EQ(without.force, joints[0].force);
+        EXPECT_EQ(without.pressure_centre, joints[0].pressure_centre);
     }
 }
 
