@@ -3,15 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <tuple>
 
 #include "app/reader/foundation.h"
+#include "app/reader/passage.h"
 #include "app/reader/plane.h"
 #include "app/reader/side_faces.h"
 #include "app/reader/side_ground.h"
 #include "app/words/nearest_word.h"
+#include "libdda/step/block_face.h"
 
 namespace voussoir::app::reader
 {
@@ -19,8 +20,6 @@ namespace
 {
 
 using Eigen::Vector3d;
-
-constexpr double slowest_wave = 1;  // m/s along the ground: less is a slip of the pen
 
 using TakenFaces = std::set<std::tuple<int, int, int>>;
 
@@ -68,23 +67,15 @@ double read_share(YamlCursor& map)
     return 1;
 }
 
-/// `passes: {speed: 2000 m/s, direction: [1, 0, 0], from: [0, 0, 0]}`: how the wave runs along the ground.
-void read_passage(YamlCursor& map, const Model& model, IncomingWave& wave)
+/// Middles of the faces of a boundary, as they are drawn; none if there is no such boundary.
+std::vector<Vector3d> middles_of(const Model& model, std::size_t boundary)
 {
-    if (!map.expect_map("passes {speed: 2000 m/s, direction: [1, 0, 0]}")) return;
-    const double speed = map.quantity("speed", words::dimension::velocity,
-                                      {slowest_wave, std::numeric_limits<double>::infinity(), true, true});
-    const auto direction = map.require("direction", "the way it goes, such as [1, 0, 0]");
-    if (direction) {
-        const Vector3d way = read_direction(*direction, model.kinematics);
-        if (way.norm() == 0) direction->fault("a direction of length 0", "give one such as [1, 0, 0]");
-        wave.slowness = way.normalized() / speed;
-    }
-    if (const auto from = map.find("from"))
-        wave.origin = read_place(*from, model.kinematics) - model.origin;
-    else
-        map.took_default("from", "the origin");
-    map.reject_unknown_keys();
+    std::vector<Vector3d> middles;
+    if (boundary >= model.boundaries.size()) return middles;
+    for (const BlockFace& face : model.boundaries[boundary].faces)
+        middles.push_back(is_planar(model.kinematics) ? step::middle_of<2>(model, face)
+                                                      : step::middle_of<3>(model, face));
+    return middles;
 }
 
 void read_wave(YamlCursor& map, const Model& model, std::optional<double> stage_duration, MotionContext& context,
@@ -107,7 +98,12 @@ void read_wave(YamlCursor& map, const Model& model, std::optional<double> stage_
         map.require("boundary", "the name of the boundary that it comes in through");
     }
     wave.share = read_share(map);
-    if (auto passage = map.find("passes")) read_passage(*passage, model, wave);
+    if (auto written = map.find("passes")) {
+        const Passage passage =
+            read_passage(*written, model, middles_of(model, static_cast<std::size_t>(wave.boundary)));
+        wave.slowness = passage.slowness;
+        wave.origin = passage.from;
+    }
     for (const AxisMotion& axis :
          read_axis_motions(map, stage.name + ": wave through " + name, stage_duration, context)) {
         wave.component = axis.component;

@@ -69,7 +69,7 @@ void read_everything(YamlCursor& top, Case& result, Findings& findings)
     result.title = top.find_text("title").value_or(result.file.stem().string());
     std::vector<FoundationEntry> foundations;
     read_model(top, result, findings, foundations);
-    MotionContext motions{result.file.parent_path(), result.model.kinematics, result.motions};
+    MotionContext motions{result.file.parent_path(), result.model, result.motions};
     result.stages = read_stages(top, result.model, foundations, motions);
     result.output = read_output(top, result.model, result.stages);
     refuse_rounded_stresses(result, findings);

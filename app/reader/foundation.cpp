@@ -1,8 +1,11 @@
 #include "app/reader/foundation.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
+#include "app/reader/passage.h"
 #include "app/reader/plane.h"
 #include "app/words/nearest_word.h"
 
@@ -36,18 +39,39 @@ FoundationEntry read_entry(YamlCursor& map, Model& model, std::set<int>& taken)
             break;
         }
         foundation.block = block;
+        entry.places.push_back(model.blocks[block].moments.centroid);
         entry.foundations.push_back(static_cast<int>(model.foundations.size()));
         model.foundations.push_back(foundation);
     }
     return entry;
 }
 
-void add_motion(const AxisMotion& axis, const FoundationEntry& entry, Stage& stage)
+/// A motion, and the same of other times: foundations as far away share one.
+class Delays
+{
+ public:
+    explicit Delays(std::shared_ptr<const GroundMotion> motion) : motion_(std::move(motion)) {}
+    std::shared_ptr<const GroundMotion> by(double delay)
+    {
+        if (!motion_ || delay <= 0) return motion_;
+        std::shared_ptr<const GroundMotion>& known = made_[delay];
+        if (!known) known = std::make_shared<const GroundMotion>(motion_->delayed(delay));
+        return known;
+    }
+
+ private:
+    std::shared_ptr<const GroundMotion> motion_;
+    std::map<double, std::shared_ptr<const GroundMotion>> made_;
+};
+
+void add_motion(const AxisMotion& axis, const FoundationEntry& entry, const std::optional<Passage>& passage,
+                Delays& delays, Stage& stage)
 {
     if (!entry.translation_held[axis.component])
         return axis.written.fault("a motion of a free component of group \"" + entry.group + "\"",
                                   "set the component to fixed, or use body_acceleration");
-    for (const int foundation : entry.foundations) {
+    for (std::size_t i = 0; i < entry.foundations.size(); ++i) {
+        const int foundation = entry.foundations[i];
         const bool taken =
             std::any_of(stage.motions.begin(), stage.motions.end(), [&](const FoundationMotion& other) {
                 return other.foundation == foundation && other.component == axis.component;
@@ -55,7 +79,8 @@ void add_motion(const AxisMotion& axis, const FoundationEntry& entry, Stage& sta
         if (taken)
             return axis.written.fault("a second motion of group \"" + entry.group + "\" along this axis",
                                       "keep one of them");
-        stage.motions.push_back({foundation, axis.component, axis.motion});
+        const double delay = passage ? passage->delay_at(entry.places[i]) : 0;
+        stage.motions.push_back({foundation, axis.component, delays.by(delay)});
     }
 }
 
@@ -97,9 +122,18 @@ void read_foundation_motions(YamlCursor& map, const std::vector<FoundationEntry>
     if (!map.expect_map("motions {x: ..., y: ..., z: ...}")) return;
     if (entries.empty()) map.fault("a motion without foundation", "add a foundation {blocks: group}");
     const std::string whose = stage.name + ": " + (entries.size() == 1 ? entries[0].group : "all foundations");
+    std::optional<Passage> passage;
+    if (auto written = map.find("passes")) {
+        std::vector<Eigen::Vector3d> places;
+        for (const FoundationEntry& entry : entries)
+            places.insert(places.end(), entry.places.begin(), entry.places.end());
+        passage = read_passage(*written, context.model, places);
+    }
     const std::vector<AxisMotion> motions = read_axis_motions(map, whose, stage_duration, context);
-    for (const AxisMotion& axis : motions)
-        for (const FoundationEntry& entry : entries) add_motion(axis, entry, stage);
+    for (const AxisMotion& axis : motions) {
+        Delays delays(axis.motion);
+        for (const FoundationEntry& entry : entries) add_motion(axis, entry, passage, delays, stage);
+    }
     map.reject_unknown_keys();
 }
 

@@ -198,7 +198,7 @@ std::vector<AxisMotion> read_joint_motions(YamlCursor& map, const std::string& w
 {
     std::string description = whose + ": ";
     const std::vector<records::Channel> channels = read_joint_records(map, context.folder, description);
-    const auto axes = axes_of(context.kinematics);
+    const auto axes = axes_of(context.model.kinematics);
     std::vector<AxisMotion> motions;
     for (const records::Channel& channel : channels) {
         const int component = channel.component[0] - 'x';
@@ -223,7 +223,7 @@ std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& wh
 {
     if (map.find("records")) return read_joint_motions(map, whose, context);
     std::vector<AxisMotion> motions;
-    for (const int component : axes_of(context.kinematics)) {
+    for (const int component : axes_of(context.model.kinematics)) {
         const std::string axis(1, static_cast<char>('x' + component));
         std::optional<YamlCursor> value = map.find(axis);
         if (!value) continue;
@@ -231,7 +231,7 @@ std::vector<AxisMotion> read_axis_motions(YamlCursor& map, const std::string& wh
             read_motion(*value, fmt::format("{} {}", whose, axis), stage_duration, context);
         motions.push_back({component, std::move(*value), std::move(motion)});
     }
-    if (is_planar(context.kinematics)) forbid_y(map);
+    if (is_planar(context.model.kinematics)) forbid_y(map);
     if (motions.empty()) map.fault("no motion", "give x, y or z, or records");
     return motions;
 }

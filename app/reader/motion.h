@@ -17,7 +17,7 @@ namespace voussoir::app::reader
 /// What every motion of a case needs to be read.
 struct MotionContext {
     std::filesystem::path folder;    // of the case file
-    Kinematics kinematics;           // a planar scene has no motion along y
+    const Model& model;              // whose motions they are; a planar scene has none along y
     std::vector<MotionNote>& notes;  // one is added per motion
 };
 

@@ -199,6 +199,7 @@ GroundMotion::Cubic GroundMotion::at(double time, double& since) const
 {
     DDA_ASSERT(!std::isnan(time));
     since = 0;
+    if (delay_ != 0) time -= delay_;
     if (intervals_.empty()) return time < 0 ? Cubic{0, 0, 0, 0} : sine_at(time, since);
     if (time < 0) return {intervals_.front().displacement, 0, 0, 0};
     const auto last = static_cast<double>(intervals_.size() - 1);
@@ -230,7 +231,8 @@ double GroundMotion::acceleration(double time) const
 
 double GroundMotion::duration() const
 {
-    return intervals_.empty() ? sine_duration_ : static_cast<double>(intervals_.size() - 1) * time_step_;
+    return delay_ +
+           (intervals_.empty() ? sine_duration_ : static_cast<double>(intervals_.size() - 1) * time_step_);
 }
 
 double GroundMotion::residual_velocity() const
@@ -261,11 +263,19 @@ GroundMotion GroundMotion::scaled(double factor) const
     return motion;
 }
 
+GroundMotion GroundMotion::delayed(double seconds) const
+{
+    DDA_ASSERT(std::isfinite(seconds) && seconds >= 0);
+    GroundMotion motion = *this;
+    motion.delay_ += seconds;
+    return motion;
+}
+
 /// The added acceleration p + q t solves p T + q T^2/2 = -v(T), p T^2/2 + q T^3/6 = -d(T).
 GroundMotion GroundMotion::with_end_correction() const
 {
-    if (!given_as_acceleration_) {
-        throw InputError(source_, "an end correction of a motion that is not a sampled acceleration",
+    if (!given_as_acceleration_ || delay_ != 0) {
+        throw InputError(source_, "an end correction of a motion that is not a sampled acceleration from 0 s",
                          "remove the correction or give the motion as samples of acceleration");
     }
     const double end = duration();

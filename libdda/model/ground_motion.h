@@ -34,7 +34,7 @@ class GroundMotion
     double velocity(double time) const;      // m/s
     double acceleration(double time) const;  // m/s2
 
-    double duration() const;               // s, the time of the last sample
+    double duration() const;               // s, the time of the last sample, a delay included
     double residual_velocity() const;      // m/s at and after the end
     double residual_displacement() const;  // m at the end
     double peak_acceleration() const;      // m/s2, largest |a| of the samples (of the wave for a sine)
@@ -43,9 +43,11 @@ class GroundMotion
 
     /// The same motion times `factor`.
     GroundMotion scaled(double factor) const;
+    /// The same motion, so much later [s], >= 0: the ground rests until then.
+    GroundMotion delayed(double seconds) const;
     /// The same motion after adding the acceleration, linear in time, that makes velocity and displacement end at
     /// zero: only if asked, and reported by the caller.
-    /// @throws InputError when the motion was not given as sampled acceleration
+    /// @throws InputError when the motion was not given as sampled acceleration, or is delayed
     GroundMotion with_end_correction() const;
 
  private:
@@ -59,6 +61,7 @@ class GroundMotion
     std::vector<Cubic> intervals_;  // empty for a closed-form sine; the last one holds for all later times
     bool given_as_acceleration_ = false;
     double time_step_ = 0;
+    double delay_ = 0;  // s
     double peak_acceleration_ = 0;
     double sine_amplitude_ = 0, sine_frequency_ = 0, sine_phase_ = 0, sine_duration_ = 0;
     std::string source_;

@@ -69,6 +69,7 @@ TEST(BoundaryCase, ReadsWavesAndTheirShare)
     EXPECT_EQ(half.stages[1].incoming_waves[0].share, 0.5);
     EXPECT_EQ(half.stages[1].incoming_waves[0].component, 2);
     EXPECT_TRUE(half.stages[1].incoming_waves[0].slowness.isApprox(Eigen::Vector3d(1.0 / 500, 0, 0)));
+    EXPECT_TRUE(half.stages[1].incoming_waves[0].origin.isApprox(Eigen::Vector3d(1.5, 0.5, -2)));  // its only face
 }
 
 TEST(BoundaryCase, ReadsTiedSides)
@@ -251,6 +252,10 @@ TEST(BoundaryCase, SaysWhatIsWrong)
     says(ground(base, wave + ", motion_is: within}"), "waves that go up and others that come back");
     says(ground(base, wave + ", motion_is: surface}"), "expected outcrop or upgoing");
     says(ground("", wave + ", motion_is: outcrop}"), "a wave without a boundary");
+    const std::string passes = wave + ", motion_is: outcrop, passes: {speed: 500 m/s, direction: [1, 0, 0]";
+    says(ground(base, passes + ", from: [2, 0, 0]}}"), "at [1.5, 0.5, -2] 0.001 s before its motion begins");
+    says(ground(base, wave + ", motion_is: outcrop, passes: {speed: 0 m/s, direction: [1, 0, 0]}}"), "speed");
+    says(ground(base, wave + ", motion_is: outcrop, passes: {speed: 500 m/s, direction: [0, 0, 0]}}"), "length 0");
     says(ground(base, wave + ", motion_is: outcrop, boundary: basis}"), "did you mean base");
     says(ground(base, ""), "rigid blocks, in which no wave runs", {"kinematics=spatial_rigid"});
     says(ground("boundaries: [{blocks: soil, side: below}]\n", ""), "expected bottom, top, left");

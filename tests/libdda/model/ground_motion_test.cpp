@@ -281,6 +281,29 @@ TEST(GroundMotion, ScalingScalesEverything)
 }
 
 // The ground is where it starts: a survey's own zero does not throw it there.
+// The ground rests until then, and all that it does comes as much later; twice delayed is delayed by the sum.
+TEST(GroundMotion, DelayMovesAllOfItInTime)
+{
+    const GroundMotion sampled = GroundMotion::from_acceleration({1, 3, -2, 0.5}, 0.1, "samples"),
+                       sine = GroundMotion::sine_acceleration(2, 3, 0.7, 0.8);
+    for (const GroundMotion& motion : {sampled, sine}) {
+        const GroundMotion late = motion.delayed(0.2).delayed(0.05);
+        for (const double time : {0.0, 0.1, 0.2499}) {
+            EXPECT_EQ(late.displacement(time), 0);
+            EXPECT_EQ(late.velocity(time), 0);
+            EXPECT_EQ(late.acceleration(time), 0);
+        }
+        for (const double time : {0.0, 0.03, 0.17, 0.9, 2.0}) {
+            EXPECT_NEAR(late.displacement(time + 0.25), motion.displacement(time), 1e-12);
+            EXPECT_NEAR(late.velocity(time + 0.25), motion.velocity(time), 1e-12);
+            EXPECT_NEAR(late.acceleration(time + 0.25 + 1e-9), motion.acceleration(time + 1e-9), 1e-6);
+        }
+        EXPECT_NEAR(late.duration(), motion.duration() + 0.25, 1e-12);
+        EXPECT_NEAR(late.residual_velocity(), motion.residual_velocity(), 1e-12);
+    }
+    EXPECT_THROW(sampled.delayed(0.1).with_end_correction(), InputError);
+}
+
 TEST(GroundMotion, CountsDisplacementsFromTheFirstOne)
 {
     const GroundMotion motion = GroundMotion::from_displacement({0.3, 0.3, 0.4, 0.5, 0.5}, 0.1, "survey");

@@ -4,10 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "libdda/analysis/energies.h"
-#include "libdda/step/energy_book.h"
-#include "libdda/step/newton.h"
-#include "libdda/step/update.h"
+#include "tests/libdda/step_by_hand.h"
 #include "tests/libdda/whole_scenes.h"
 
 namespace voussoir::testing
@@ -16,56 +13,20 @@ namespace voussoir::testing
 namespace
 {
 
-/// What may be done wrongly, at the place in the step where it would be.
+/// The scene of a few blocks that rock, slide and knock. @param in_model what else it has
 template <class K>
-struct Mistake {
-    std::function<void(Model&)> in_model = [](Model&) {};  // no mistake: what else the scene has
-    std::function<void(step::StepSystem<K>&)> in_equations = [](step::StepSystem<K>&) {
-    };  // between assembly and solution
-    std::function<void(step::StepSystem<K>&)> in_forces = [](step::StepSystem<K>&) {
-    };  // between solution and update
-    std::function<void(const step::StepSystem<K>&, State&)> in_update = [](const step::StepSystem<K>&, State&) {};
-    std::function<void(step::StepSystem<K>&)> in_the_book = [](step::StepSystem<K>&) {
-    };  // between update and audit
-};
-
-/// The step of libdda/step/advance.cpp without cutting and division, with a mistake in it.
-template <class K>
-EnergyLedger run_with(const Mistake<K>& mistake)
+EnergyLedger run_with(
+    const Mistake<K>& mistake, const std::function<void(Model&)>& in_model = [](Model&) {})
 {
     FewBlocks scene(K::kinematics, {});
     scene.model.joints[0].relaxation_time = 1e-4;
-    mistake.in_model(scene.model);
+    in_model(scene.model);
     const State anew = initial_state(scene.model);
     scene.state.boundary_reactions = anew.boundary_reactions;
     scene.state.branch_strains = anew.branch_strains;
     Stage stage = shaking(0.3, 1e-3);
     stage.control.force_tolerance = 1e-8;
-    EnergyLedger energy = open_ledger(scene.model, scene.state);
-    State& state = scene.state;
-    step::StepSystem<K> system;
-    std::vector<contact::PlacedPartIn<K::dimension>> parts;
-    ContactSetIn<K::dimension> contacts;
-    const double h = stage.control.time_step;
-    const std::vector<double> reach(scene.model.blocks.size(), 0.05);
-    StepReport report;
-    for (int step = 0; step < 300; ++step) {
-        contact::find_contacts(scene.model, state, reach, 1, parts, contacts,
-                               step > 0 ? contact::NewOverlap::forgiven : contact::NewOverlap::presses);
-        step::assemble_blocks<K>(scene.model, stage, state, contacts, h, {}, system);
-        mistake.in_equations(system);
-        EXPECT_TRUE(step::iterate_newton(scene.model, stage, contacts, system, report)) << "step " << step;
-        energy.redetection += energy.contact - contact::spring_energy(scene.model, contacts);
-        mistake.in_forces(system);
-        step::update_blocks(system, state);
-        mistake.in_update(system, state);
-        mistake.in_the_book(system);
-        step::book_step(state, system, contacts, energy);
-        step::update_contacts(scene.model, stage, system, contacts, state, report);
-        state.stage_time += h;
-        step::damp_velocities(scene.model, stage, system, state, energy);
-    }
-    return energy;
+    return step_by_hand<K>(scene.model, stage, 300, mistake, scene.state);
 }
 
 template <class K>
@@ -73,9 +34,10 @@ class BrokenStep : public ::testing::Test
 {
  protected:
     /// Above what a run warns of, and far above what a sound step leaves.
-    static void expect_noticed(const char* name, const Mistake<K>& mistake)
+    static void expect_noticed(
+        const char* name, const Mistake<K>& mistake, const std::function<void(Model&)>& in_model = [](Model&) {})
     {
-        const EnergyLedger energy = run_with<K>(mistake);
+        const EnergyLedger energy = run_with<K>(mistake, in_model);
         std::printf("%-40s residual %.1e\n", name, energy.relative_residual());
         EXPECT_GT(energy.relative_residual(), residual_worth_a_warning) << name;
     }
@@ -162,21 +124,39 @@ void damp_blocks(Model& model)
 
 TYPED_TEST(BrokenStep, WithDampedBlocksThatIsNotBrokenLeavesNothing)
 {
-    const EnergyLedger energy = run_with<TypeParam>({.in_model = damp_blocks});
+    const EnergyLedger energy = run_with<TypeParam>({}, damp_blocks);
     EXPECT_LT(energy.relative_residual(), 1e-6);
     EXPECT_GT(energy.damping_material, 0);
     EXPECT_EQ(energy.boundary_work != 0, TypeParam::deformable);
 }
 
-TYPED_TEST(BrokenStep, WithHalfTheForceOfDamping)
+/// Halves forces of one kind, or all of a matrix that couples blocks.
+template <class K>
+void halve(step::StepSystem<K>& system, typename step::AppliedForce<K>::Kind kind)
 {
-    this->expect_noticed("damping of blocks halved",
-                         {.in_model = damp_blocks, .in_the_book = [](step::StepSystem<TypeParam>& system) {
-                              for (auto& force : system.applied.own) {
-                                  force.constant *= 0.5;
-                                  force.resistance *= 0.5;
-                              }
-                          }});
+    for (step::AppliedForce<K>& force : system.applied.own) {
+        if (force.kind != kind) continue;
+        force.constant *= 0.5;
+        force.resistance *= 0.5;
+        if (force.coupling >= 0) system.applied.couplings[static_cast<std::size_t>(force.coupling)].matrix *= 0.5;
+    }
+}
+
+TYPED_TEST(BrokenStep, WithHalfTheDampingByMass)
+{
+    using Kind = typename step::AppliedForce<TypeParam>::Kind;
+    this->expect_noticed(
+        "damping by mass halved",
+        {.in_the_book = [](step::StepSystem<TypeParam>& system) { halve(system, Kind::damping); }}, damp_blocks);
+}
+
+TYPED_TEST(BrokenStep, WithHalfTheForceOfTheBoundary)
+{
+    if (!TypeParam::deformable) return;
+    using Kind = typename step::AppliedForce<TypeParam>::Kind;
+    this->expect_noticed(
+        "force of the boundary halved",
+        {.in_the_book = [](step::StepSystem<TypeParam>& system) { halve(system, Kind::boundary); }}, damp_blocks);
 }
 
 /// Memory of strain, sides that are tied and a side that a column of ground presses on, of blocks that move
@@ -191,7 +171,7 @@ void tie_and_remember(Model& model)
 
 TYPED_TEST(BrokenStep, WithTiesAndMemoryThatIsNotBrokenLeavesNothing)
 {
-    const EnergyLedger energy = run_with<TypeParam>({.in_model = tie_and_remember});
+    const EnergyLedger energy = run_with<TypeParam>({}, tie_and_remember);
     EXPECT_LT(energy.relative_residual(), 1e-6);
     EXPECT_EQ(energy.damping_material > 0, TypeParam::deformable);
     EXPECT_EQ(energy.boundary_work != 0, TypeParam::deformable);
@@ -201,36 +181,38 @@ TYPED_TEST(BrokenStep, WithATieThatPullsOneSideAlone)
 {
     if (!TypeParam::deformable) return;
     this->expect_noticed("tie of one side",
-                         {.in_model = tie_and_remember, .in_equations = [](step::StepSystem<TypeParam>& system) {
-                              using Kind = typename step::AppliedForce<TypeParam>::Kind;
-                              bool first = true;
-                              for (auto& force : system.applied.own) {
-                                  if (force.kind != Kind::tie) continue;
-                                  if (!first) force.constant.setZero();
-                                  first = false;
-                              }
-                          }});
+                         {.in_equations =
+                              [](step::StepSystem<TypeParam>& system) {
+                                  using Kind = typename step::AppliedForce<TypeParam>::Kind;
+                                  bool first = true;
+                                  for (auto& force : system.applied.own) {
+                                      if (force.kind != Kind::tie) continue;
+                                      if (!first) force.constant.setZero();
+                                      first = false;
+                                  }
+                              }},
+                         tie_and_remember);
 }
 
 TYPED_TEST(BrokenStep, WithHalfTheMemory)
 {
     if (!TypeParam::deformable) return;
-    this->expect_noticed(
-        "branches' strain halved",
-        {.in_model = tie_and_remember, .in_update = [](const step::StepSystem<TypeParam>&, State& state) {
-             for (double& strain : state.branch_strains) strain *= 0.5;
-         }});
+    this->expect_noticed("branches' strain halved",
+                         {.in_update =
+                              [](const step::StepSystem<TypeParam>&, State& state) {
+                                  for (double& strain : state.branch_strains) strain *= 0.5;
+                              }},
+                         tie_and_remember);
 }
 
 TYPED_TEST(BrokenStep, WithHalfTheForceOfTheFreeField)
 {
     if (!TypeParam::deformable) return;
-    this->expect_noticed("force of the free field halved",
-                         {.in_model = tie_and_remember, .in_the_book = [](step::StepSystem<TypeParam>& system) {
-                              using Kind = typename step::AppliedForce<TypeParam>::Kind;
-                              for (auto& force : system.applied.own)
-                                  if (force.kind == Kind::boundary) force.constant *= 0.5;
-                          }});
+    using Kind = typename step::AppliedForce<TypeParam>::Kind;
+    this->expect_noticed(
+        "force of the free field halved",
+        {.in_the_book = [](step::StepSystem<TypeParam>& system) { halve(system, Kind::boundary); }},
+        tie_and_remember);
 }
 
 }  // namespace voussoir::testing
