@@ -23,10 +23,6 @@ constexpr int rest_after_none = 2;  // iterations after such a step
 constexpr double crawl = 0.01;
 constexpr int most_crawls = 10;
 
-// A direction along which many states change anyway need not be followed to its third digit. On the way to rest it
-// must: steps are long there, and what is left of loose stones moves them far.
-constexpr double slack_of_changes = 10;  // x linear_tolerance
-
 // Many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
 constexpr double softness = 1.0 / 128;   // of the stiffness; a power of two, which rounds nothing
 constexpr double softest = 1.0 / 65536;  // the same in a static step, in which hardly any inertia helps
@@ -110,7 +106,7 @@ bool solve_with_states(const StepControl& control, StepSystem<K>& system, StepRe
 {
     evaluate_published(system.d, system.contacts);
     if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
-    if (!solve_direction(control, true, 1, system, report)) return fail(Trouble::singular_system, report);
+    if (!solve_direction(control, true, system, report)) return fail(Trouble::singular_system, report);
     ++report.open_close_iterations;
     return true;
 }
@@ -219,8 +215,8 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
 
         // On the way to rest the steps are long, and may have other solutions than the one that the potential
         // leads to.
-        const bool changes = note_changes(system) > few_changes;
-        if (!changes && rest <= 0 && is_motion(stage) && system.coupling.gather(system)) {
+        if (note_changes(system) <= few_changes && rest <= 0 && is_motion(stage) &&
+            system.coupling.gather(system)) {
             if (follow_whole_tangent(control, tolerance, now.worst, system, report)) {
                 known = Known::exact;
                 continue;
@@ -228,8 +224,7 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
             rest = rest_after_none;
         }
         --rest;
-        const double slack = changes && is_motion(stage) ? slack_of_changes : 1;
-        if (!solve_direction(control, false, slack, system, report)) return fail(Trouble::singular_system, report);
+        if (!solve_direction(control, false, system, report)) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;
         const double slope = system.residual.dot(system.direction);
         if (!(slope < 0)) return fail(Trouble::inaccurate_solution, report);
