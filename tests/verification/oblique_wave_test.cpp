@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/studies/verify/references/viscous_face.h"
 #include "tests/libdda/ground_scenes.h"
@@ -17,13 +18,20 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr double wave = 12, joints = 10;  // m, that is blocks; times E/L, see docs/ground.md, Waves that run askew
+// m, that is blocks; times E/L: stiffer ones keep S waves from running askew, see docs/ground.md, Waves that run
+// askew.
+constexpr double wave = 12, joints = 2;
 constexpr int rows = 84;
 
 /// A grid that repeats itself sideways after `columns` blocks.
 Model periodic_grid(int columns, bool viscous)
 {
     Model model = grid(Kinematics::planar_deformable, columns, rows, joints);
+    // Corners of blocks that lie askew of one another touch in a wave. With friction they slide, and while a block
+    // slides the integrator damps it (0.2 % of the energy of a P wave with joints of 10 E/L); by impulses they
+    // land (1.2 %, after the wave has met a free surface). Neither is the boundary's.
+    model.joints[0].restitution.reset();
+    model.joints[0].friction_angle = 0;
     const double stiffness = joints * ground.young;
     for (int j = 0; j < rows; ++j)
         model.side_ties.push_back({face_of_box(model, columns * (j + 1) - 1, Vector3d::UnitX()),
@@ -55,6 +63,24 @@ void push_packet(const Model& model, const Vector2d& k, bool pressure, State& st
     }
 }
 
+/// Closed form for the packet: its waves have one wave number across and many upwards, so that their angles
+/// differ.
+double closed_form(double degrees_to_normal, bool pressure)
+{
+    const double speeds = std::sqrt(modulus(false) / modulus(true));
+    const double across = 2 * pi / std::lround(wave / std::sin(degrees_to_normal * degrees));
+    const double upwards = across / std::tan(degrees_to_normal * degrees);
+    double sum = 0, weights = 0;
+    for (double away = -3; away < 3; away += 0.01) {
+        const double k = upwards + away / wave, weight = std::exp(-away * away);
+        if (k <= 0) continue;
+        sum +=
+            weight * app::studies::verify::references::reflected_energy(std::atan(across / k), speeds, pressure);
+        weights += weight;
+    }
+    return sum / weights;
+}
+
 /// Share of the energy of two packets that run onto viscous faces that is still there when both have come back.
 double energy_left(double degrees_to_normal, bool pressure, bool viscous)
 {
@@ -65,7 +91,8 @@ double energy_left(double degrees_to_normal, bool pressure, bool viscous)
     State state = initial_state(model);
     push_packet(model, {across, -across / std::tan(angle)}, pressure, state);
     const double speed = std::sqrt(modulus(pressure) / ground.density);
-    const double upwards = speed * std::cos(angle);  // m/s
+    // m/s, less for the joints, which are slack too.
+    const double upwards = speed * std::cos(angle) / std::sqrt(1 + modulus(pressure) / (joints * ground.young));
     Stage stage = dynamic_stage((0.5 * rows + 3 * wave) / upwards, 0.4 / speed, Vector3d::Zero());
     stage.control.dissipation = 0;
     const RunReport report = run_quietly(model, {stage}, state);
@@ -77,24 +104,22 @@ double energy_left(double degrees_to_normal, bool pressure, bool viscous)
 
 }  // namespace
 
-// What dashpots send back of P and S that come at 30 degrees, in a grid of blocks and not by the matrix alone.
-TEST(ObliqueWave, LeavesAGridAtThirtyDegrees)
+// What dashpots send back of P and S that come at 30 degrees, and of S at 60, of which a tenth must come back: in
+// a grid of blocks and not by the matrix alone. Of P at 30 degrees it is the joints that send back 2 %.
+TEST(ObliqueWave, LeavesAGridAsTheClosedFormSays)
 {
-    const double speeds = std::sqrt(modulus(false) / modulus(true));
-    for (const bool pressure : {true, false}) {
-        const double exact = app::studies::verify::references::reflected_energy(30 * degrees, speeds, pressure);
-        const double found = energy_left(30, pressure, true);
-        std::printf("%s at 30 degrees: %.4f of the energy comes back, closed form %.4f\n", pressure ? "P" : "S",
-                    found, exact);
-        EXPECT_NEAR(found, exact, 0.05);
+    for (const auto& [angle, pressure] : {std::pair{30.0, true}, {30.0, false}, {60.0, false}}) {
+        const double exact = closed_form(angle, pressure), found = energy_left(angle, pressure, true);
+        std::printf("%s at %g degrees: %.4f of the energy comes back, closed form of the packet %.4f\n",
+                    pressure ? "P" : "S", angle, found, exact);
+        EXPECT_NEAR(found, exact, 0.03);
     }
 }
 
-// Without dashpots all of it stays, but for 0.2 % that the energy book has as the integrator's: what the test
-// above misses has left through them.
+// Without dashpots all of it stays: what the test above misses has left through them.
 TEST(ObliqueWave, StaysInAGridWithoutDashpots)
 {
-    EXPECT_NEAR(energy_left(30, true, false), 1, 0.005);
+    EXPECT_NEAR(energy_left(30, true, false), 1, 1e-6);
 }
 
 }  // namespace voussoir::testing
