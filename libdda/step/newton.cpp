@@ -18,10 +18,6 @@ namespace
 constexpr int patience = 3;  // iterations that stall, or that overshoot, before the line search changes its ways
 constexpr double sound_gain = 0.5;  // of the residual: more is left by a step along a tangent that does not hold
 constexpr int rest_after_none = 2;  // iterations after such a step
-// A step that goes less than this part of its direction and gains nothing crawls. Where it has done so as often as
-// this, a hundred more would not help; a shorter time step does.
-constexpr double crawl = 0.01;
-constexpr int most_crawls = 10;
 
 // Many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
 constexpr double softness = 1.0 / 128;   // of the stiffness; a power of two, which rounds nothing
@@ -201,7 +197,7 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
     const StepControl& control = stage.control;
     double last = std::numeric_limits<double>::infinity();
     double last_slope = -std::numeric_limits<double>::infinity();
-    int stalled = 0, rises = 0, rest = 1, crawls = 0;
+    int stalled = 0, rises = 0, rest = 1;
     for (int iteration = 0;; ++iteration) {
         if (!evaluate_exactly(known, control.threads, system)) return fail_inverted(system, report);
         if (!system.residual.allFinite()) return fail(Trouble::inaccurate_solution, report);
@@ -233,8 +229,6 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
         last_slope = slope;
         const FrictionBound bound = rises >= patience ? FrictionBound::exact : FrictionBound::frozen;
         const Reach reach = line_search(slope, bound, stalled >= patience, control.threads, system);
-        crawls = stalled > 0 && reach.s < crawl ? crawls + 1 : 0;
-        if (crawls >= most_crawls) return fail(Trouble::chatter, report);
         system.d += reach.s * system.direction;
         known = !reach.at_hand ? Known::nothing : bound == FrictionBound::exact ? Known::exact : Known::frozen;
     }
