@@ -46,6 +46,7 @@ struct Ended {
     RunReport report;
     std::optional<TrustStart> trust;
     std::optional<results::ErrorEstimate> estimate;
+    std::vector<JointPeaks> joints;  // as the summary has them
 };
 
 /// Runs to the end, or as far as it goes, and closes the files. @param start its state becomes the last one
@@ -76,7 +77,7 @@ Ended run_and_write(const Case& the_case, Start& start, results::ResultsWriter& 
         ended.estimate =
             error_of(the_case, {std::move(*recorder), start.state, ended.report}, !start.is_resumed, quiet);
     if (ended.estimate) writer.note(*ended.estimate);
-    writer.finish(start.state, ended.report, saver.times());
+    ended.joints = writer.finish(start.state, ended.report, saver.times());
     return ended;
 }
 
@@ -130,7 +131,7 @@ void print_report(const Case& the_case, const Ended& ended, double wall_time)
         e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3, e.impact / 1e3,
         (e.damping_kinetic + e.damping_contact + e.damping_material + e.fracture) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3));
-    print_joints(report.joints);
+    print_joints(ended.joints);
     const std::vector<std::string> doubts = print_trust(the_case, ended.trust, report.energy);
     for (const std::string& warning : words::warnings_of(report, the_case.model, the_case.stages))
         say(fmt::format("  warning: {}", warning));

@@ -61,6 +61,25 @@ void refuse_rounded_stones(BlockReading& reading)
     }
 }
 
+/// A stone so long that its corners, counted from its middle, are rounded by more than a millionth of another
+/// stone.
+void refuse_stone_beyond_all(BlockReading& reading)
+{
+    const auto size = [](const Block& block) { return shape_of(block).sizes().maxCoeff(); };
+    const auto [small, large] =
+        std::minmax_element(reading.model.blocks.begin(), reading.model.blocks.end(),
+                            [&](const Block& a, const Block& b) { return size(a) < size(b); });
+    const double rounding = half_unit * size(*large) / 2;
+    if (!(rounding > rounded_share * size(*small)) || !reading.findings.faults.empty()) return;
+    reading.findings.faults.push_back(
+        {reading.places.at(large->name) + ": " + large->name,
+         fmt::format(
+             "{:.3g} m long, so that its corners are rounded by up to {:.2g} m, more than a millionth of the "
+             "size of {}",
+             size(*large), rounding, small->name),
+         "check the unit of its coordinates; ground need not reach farther than the structure"});
+}
+
 }  // namespace
 
 double coordinate_rounding(const Model& model)
@@ -83,6 +102,7 @@ void settle_origin(BlockReading& reading)
     const AlignedBox3d extent = extent_of(model);
     if (extent.isEmpty() || !extent.sizes().allFinite()) return;
     refuse_rounded_stones(reading);
+    refuse_stone_beyond_all(reading);
     if (!model.origin.isZero(0)) return;  // meshes far away have set it
     const Vector3d middle = (0.5 * extent.min() + 0.5 * extent.max()).array().round();
     if (middle.cwiseAbs().maxCoeff() <= std::max(plain_distance, extent.sizes().maxCoeff())) return;

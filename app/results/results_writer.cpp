@@ -211,12 +211,13 @@ void ResultsWriter::note(const ErrorEstimate& estimate)
     implementation_->estimate = estimate;
 }
 
-void ResultsWriter::finish(const State& state, const RunReport& report, const CommandTimes& times)
+std::vector<JointPeaks> ResultsWriter::finish(const State& state, const RunReport& report,
+                                              const CommandTimes& times)
 {
     Implementation& the = *implementation_;
     the.add_histories();
     the.histories.flush();
-    RunReport last = report;  // a run that stops on the way to rest has not noted its last state
+    RunReport last = report;
     if (last.joints.size() != the.joints.size()) last.joints = no_peaks(the.joints);
     note_joints(the.the_case.model, the.joints, state, last);
     RunQuality quality;
@@ -227,6 +228,7 @@ void ResultsWriter::finish(const State& state, const RunReport& report, const Co
     the.twins->finish(summary, last.joints);
     write_xdmf(results_file(), the.folder / "results.xdmf");
     write_atomically(the.folder / "summary.json", summary);
+    return last.joints;
 }
 
 void ResultsWriter::end(const RunReport& report)

@@ -42,7 +42,9 @@ class ResultsWriter
     /// What the summary is to say of runs beside this one.
     void note(const ErrorEstimate& estimate);
     /// Closes everything, writes results.xdmf and summary.json. @param times of all commands
-    void finish(const State& state, const RunReport& report, const CommandTimes& times);
+    /// @returns how far joints have opened and slid, the last state included, which a run that stops on the way to
+    /// rest has not noted
+    std::vector<JointPeaks> finish(const State& state, const RunReport& report, const CommandTimes& times);
     /// Nothing is left to go on with: the restart file says so from now on.
     void end(const RunReport& report);
 

@@ -72,6 +72,20 @@ TEST(LocalOrigin, StonesThatCoordinatesRoundAreRefused)
               std::string::npos);
 }
 
+// It was run, and gave up at its first step: about the middle of a stone longer than the way to the sun nothing is
+// small.
+TEST(LocalOrigin, StonesBesideOneSoLongThatItsCornersAreRoundedAreRefused)
+{
+    std::string text = incline(0);
+    const auto as_long_as = [&](const char* length) {
+        return std::string(text).replace(text.find("[10, 2, 0]"), 10, length);
+    };
+    EXPECT_EQ(faults_of(as_long_as("[1e9, 2, 0]")), "no fault");
+    EXPECT_NE(faults_of(as_long_as("[1e12, 2, 0]"))
+                  .find("plane: 8.66e+11 m long, so that its corners are rounded by up to"),
+              std::string::npos);
+}
+
 // A resting stone was told to gain energy, or to fall.
 TEST(LocalOrigin, StonesWhoseStressesAreRoundingAreRefused)
 {

@@ -87,6 +87,19 @@ TEST(Summary, HasEveryKeyOfTheDesign)
     }
 }
 
+// What a run prints is what its summary has: a run that ends before its first step has noted no joint.
+TEST(Summary, HandsOverTheJointsThatItTellsOf)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::arch(Kinematics::spatial_rigid);
+    ResultsWriter writer(the_case, folder.path());
+    const std::vector<JointPeaks> joints = writer.finish(synthetic::swaying(the_case, 1), {}, {2, 3});
+    int slid = 0;
+    for (const JointPeaks& joint : joints) slid += joint.slid.has_value();
+    EXPECT_GT(slid, 0);
+    EXPECT_EQ(summary_in(folder.path()).at("joints").at("slid").get<int>(), slid);
+}
+
 TEST(Summary, TellsWhatFellWasCrushedAndOverlapped)
 {
     const TemporaryFolder folder;
