@@ -64,18 +64,23 @@ double momentum_gain(const BlockStep<K>& block, const typename K::Unknowns& d, c
 
 /// What the finite rotation adds to the kinetic energy: the momentum balance measures displacement by h v^ + D,
 /// the forces work on the true one. Each force times the difference of the two, plus the steps of the kinetic
-/// energy from the start to the prediction and from the linear to the exact update [J].
+/// energy from the start to the prediction and from the linear to the exact update [J]. What the elastic force
+/// does is not taken from what it is booked to store and lose, or no error of those terms would ever show.
 template <class K>
 double rotation_gain(const BlockStep<K>& block, const InternalForce<K>& internal, const typename K::Unknowns& d,
                      const typename K::Spin& moment, double h)
 {
     double gain = block.predicted_kinetic - block.start_kinetic + momentum_gain(block, d, moment, h);
     if constexpr (K::deformable) {
-        constexpr int strains = K::unknowns - K::dimension;
+        using Matrix = typename K::Matrix;
+        using Flat = Eigen::Map<const Matrix>;
         if (block.rotation_held()) return gain;
         const typename K::Unknowns path = h * block.velocity + d;
-        gain += (block.steady - internal.force).template tail<strains>().dot(path.template tail<strains>());
-        gain += internal.energy - block.elasticity.energy(block.start_strain) + internal.loss + internal.damped;
+        const Matrix end = block.predicted.map + K::gradient(d) * block.predicted.map;
+        const Matrix way = (end - block.step_rotation * block.start.map) * block.predicted.map.inverse();
+        const Flat force(internal.force.data() + K::dimension), steady(block.steady.data() + K::dimension),
+            linear(path.data() + K::dimension);
+        gain += steady.cwiseProduct(linear).sum() + force.cwiseProduct(way - linear).sum();
     }
     return gain;
 }

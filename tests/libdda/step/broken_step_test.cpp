@@ -150,6 +150,19 @@ TYPED_TEST(BrokenStep, WithHalfTheDampingByMass)
         {.in_the_book = [](step::StepSystem<TypeParam>& system) { halve(system, Kind::damping); }}, damp_blocks);
 }
 
+/// What is booked of blocks' own deformation is not what their elastic force does.
+TYPED_TEST(BrokenStep, WithHalfTheDampingByStiffness)
+{
+    if (!TypeParam::deformable) return;
+    this->expect_noticed(
+        "damping by stiffness halved",
+        {.in_the_book =
+             [](step::StepSystem<TypeParam>& system) {
+                 for (step::InternalForce<TypeParam>& internal : system.internal) internal.damped *= 0.5;
+             }},
+        [](Model& model) { model.materials[0].rayleigh = {2, 3e-3}; });
+}
+
 TYPED_TEST(BrokenStep, WithHalfTheForceOfTheBoundary)
 {
     if (!TypeParam::deformable) return;
