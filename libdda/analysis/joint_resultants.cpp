@@ -73,33 +73,43 @@ FacePlane plane_of(const ConvexPolygon& outline, std::uint32_t edge)
     return {to_space(Eigen::Vector2d(along.y(), -along.x())), to_space(Eigen::Vector2d(0.5 * (p + q)))};
 }
 
+/// A patch as a bed that bears. @param sign of its forces on the block with the lower index
 template <int D>
-void collect(const Model& model, const ContactSetIn<D>& contacts, Joints& joints)
+BedPatch bed_of(const Model& model, const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch, double sign)
+{
+    BedPatch bed;
+    bed.normal = to_space(VectorIn<D>(sign * patch.normal));
+    bed.edge_edge = patch.edge_edge;
+    if (!patch.edge_edge) {
+        const FacePlane of_a =
+            plane_of(contact::ShapeIn<D>::of(model.blocks[patch.block_a])[patch.part_a], patch.feature_a);
+        const FacePlane of_b =
+            plane_of(contact::ShapeIn<D>::of(model.blocks[patch.block_b])[patch.part_b], patch.feature_b);
+        bed.faces = sign > 0 ? std::array{of_a, of_b} : std::array{of_b, of_a};
+    }
+    for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+        const ContactPointIn<D>& point = contacts.points[i];
+        bed.points.push_back({to_space(point.position), point.area, point.normal_force});
+    }
+    return bed;
+}
+
+template <int D>
+void collect(const Model& model, const ContactSetIn<D>& contacts, EdgeStress edge_stress, Joints& joints)
 {
     for (const ContactPatchIn<D>& patch : contacts.patches) {
         // The patch's forces act on its block a; ours on the block with the lower index.
-        const bool a_is_lower = patch.block_a < patch.block_b;
-        const double sign = a_is_lower ? 1 : -1;
+        const double sign = patch.block_a < patch.block_b ? 1 : -1;
+        const Vector3d normal = to_space(VectorIn<D>(sign * patch.normal));
         Joint& joint = joints[std::minmax(patch.block_a, patch.block_b)];
-        BedPatch bed;
-        bed.normal = to_space(VectorIn<D>(sign * patch.normal));
-        bed.edge_edge = patch.edge_edge;
-        if (!patch.edge_edge) {
-            const FacePlane of_a =
-                plane_of(contact::ShapeIn<D>::of(model.blocks[patch.block_a])[patch.part_a], patch.feature_a);
-            const FacePlane of_b =
-                plane_of(contact::ShapeIn<D>::of(model.blocks[patch.block_b])[patch.part_b], patch.feature_b);
-            bed.faces = a_is_lower ? std::array{of_a, of_b} : std::array{of_b, of_a};
-        }
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const ContactPointIn<D>& point = contacts.points[i];
             const VectorIn<D> force = sign * (point.normal_force * patch.normal - point.shear_force);
-            joint.points.push_back({bed.normal, to_space(force), to_space(point.position), point.area,
+            joint.points.push_back({normal, to_space(force), to_space(point.position), point.area,
                                     point.plastic_slip.norm(), point.normal_force, point.gap,
                                     point.status == ContactStatus::open});
-            bed.points.push_back({to_space(point.position), point.area, point.normal_force});
         }
-        joint.patches.push_back(std::move(bed));
+        if (edge_stress == EdgeStress::judged) joint.patches.push_back(bed_of(model, contacts, patch, sign));
     }
 }
 
@@ -109,9 +119,9 @@ std::vector<JointResultant> joint_resultants(const Model& model, const State& st
 {
     Joints joints;
     if (is_planar(model.kinematics))
-        collect(model, state.planar_contacts, joints);
+        collect(model, state.planar_contacts, edge_stress, joints);
     else
-        collect(model, state.contacts, joints);
+        collect(model, state.contacts, edge_stress, joints);
     std::vector<JointResultant> result;
     for (const auto& [pair, joint] : joints) {
         result.push_back(resultant(pair.first, pair.second, joint.points));

@@ -31,6 +31,7 @@ class ConjugateGradientSolver : public LinearSolver
     }
 
     void place(const RowPlaces& places) override { coarse_.place(places); }
+    void set_tolerance(double tolerance) override { tolerance_ = tolerance; }
 
     LinearReport solve(const BlockMatrix& matrix, const VectorXd& right_hand_side, VectorXd& solution) override
     {

@@ -16,6 +16,7 @@ class FallbackSolver : public LinearSolver
     explicit FallbackSolver(double tolerance) : iterative_(make_conjugate_gradient_solver(tolerance)) {}
 
     void place(const RowPlaces& places) override { iterative_->place(places); }
+    void set_tolerance(double tolerance) override { iterative_->set_tolerance(tolerance); }
 
     LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
                        Eigen::VectorXd& solution) override

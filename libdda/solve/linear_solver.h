@@ -26,6 +26,8 @@ class LinearSolver
     virtual ~LinearSolver() = default;
     /// Where the rows of the matrices to come are: of use to who looks at more than the numbers of a matrix.
     virtual void place(const RowPlaces& /*places*/) {}
+    /// Relative residual that is good enough from now on; nothing to a direct solver.
+    virtual void set_tolerance(double /*tolerance*/) {}
     /// @param matrix SPD; @param right_hand_side, solution (rows x block_size)
     virtual LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
                                Eigen::VectorXd& solution) = 0;

@@ -19,6 +19,10 @@ constexpr int patience = 3;  // iterations that stall, or that overshoot, before
 constexpr double sound_gain = 0.5;  // of the residual: more is left by a step along a tangent that does not hold
 constexpr int rest_after_none = 2;  // iterations after such a step
 
+// A direction along which many states change anyway need not be followed to its third digit. On the way to rest it
+// must: steps are long there, and what is left of loose stones moves them far.
+constexpr double slack_of_changes = 10;  // x linear_tolerance
+
 // Many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
 constexpr double softness = 1.0 / 128;   // of the stiffness; a power of two, which rounds nothing
 constexpr double softest = 1.0 / 65536;  // the same in a static step, in which hardly any inertia helps
@@ -102,7 +106,7 @@ bool solve_with_states(const StepControl& control, StepSystem<K>& system, StepRe
 {
     evaluate_published(system.d, system.contacts);
     if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
-    if (!solve_direction(control, true, system, report)) return fail(Trouble::singular_system, report);
+    if (!solve_direction(control, true, 1, system, report)) return fail(Trouble::singular_system, report);
     ++report.open_close_iterations;
     return true;
 }
@@ -211,8 +215,8 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
 
         // On the way to rest the steps are long, and may have other solutions than the one that the potential
         // leads to.
-        if (note_changes(system) <= few_changes && rest <= 0 && is_motion(stage) &&
-            system.coupling.gather(system)) {
+        const bool changes = note_changes(system) > few_changes;
+        if (!changes && rest <= 0 && is_motion(stage) && system.coupling.gather(system)) {
             if (follow_whole_tangent(control, tolerance, now.worst, system, report)) {
                 known = Known::exact;
                 continue;
@@ -220,7 +224,8 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
             rest = rest_after_none;
         }
         --rest;
-        if (!solve_direction(control, false, system, report)) return fail(Trouble::singular_system, report);
+        const double slack = changes && is_motion(stage) ? slack_of_changes : 1;
+        if (!solve_direction(control, false, slack, system, report)) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;
         const double slope = system.residual.dot(system.direction);
         if (!(slope < 0)) return fail(Trouble::inaccurate_solution, report);
@@ -267,6 +272,7 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
 {
     const StepControl& control = stage.control;
     report.trouble = Trouble::none;
+    system.states.clear();  // those of the step before are no part of the run's state: a resumed run has none
     Guess found;
     if (!system.contacts.patches.empty() && !guess(control, system, report, found)) return false;
     if (found.loose) {

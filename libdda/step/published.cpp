@@ -15,7 +15,7 @@ bool iterate_published(const Stage& stage, StepSystem<K>& system, StepReport& re
         // With the springs given the equations are linear but for finite strains: one solve.
         evaluate_published(system.d, system.contacts);
         if (!evaluate_residual(system.d, system)) return false;
-        if (!solve_direction(stage.control, true, system, report)) return false;
+        if (!solve_direction(stage.control, true, 1, system, report)) return false;
         ++report.open_close_iterations;
         system.d += system.direction;
         evaluate_published(system.d, system.contacts);

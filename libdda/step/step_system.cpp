@@ -250,13 +250,15 @@ void assemble_matrix(bool published, int threads, StepSystem<K>& system)
 }
 
 template <class K>
-bool solve_direction(const StepControl& control, bool published, StepSystem<K>& system, StepReport& report)
+bool solve_direction(const StepControl& control, bool published, double slack, StepSystem<K>& system,
+                     StepReport& report)
 {
     {
         const PartTimer timer(report.seconds, Part::assembly);
         assemble_matrix(published, control.threads, system);
     }
     const PartTimer timer(report.seconds, Part::linear_solve);
+    system.solver->set_tolerance(slack * control.linear_tolerance);
     const solve::LinearReport linear = system.solver->solve(system.matrix, system.residual, system.direction);
     system.direction = -system.direction;
     report.factorisations += linear.factorisations;
@@ -270,7 +272,7 @@ bool solve_direction(const StepControl& control, bool published, StepSystem<K>& 
                                   double, const std::vector<Jump<K>>&, StepSystem<K>&);                        \
     template void assemble_matrix(bool, int, StepSystem<K>&);                                                  \
     template bool evaluate_residual(const VectorXd&, StepSystem<K>&);                                          \
-    template bool solve_direction(const StepControl&, bool, StepSystem<K>&, StepReport&)
+    template bool solve_direction(const StepControl&, bool, double, StepSystem<K>&, StepReport&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

@@ -56,7 +56,9 @@ template <class K>
 bool evaluate_residual(const Eigen::VectorXd& d, StepSystem<K>& system);
 
 /// Solves K direction = -residual with the stiffness at the last evaluation.
+/// @param slack how many times `linear_tolerance` will do
 template <class K>
-bool solve_direction(const StepControl& control, bool published, StepSystem<K>& system, StepReport& report);
+bool solve_direction(const StepControl& control, bool published, double slack, StepSystem<K>& system,
+                     StepReport& report);
 
 }  // namespace voussoir::step

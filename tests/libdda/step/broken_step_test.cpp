@@ -154,13 +154,15 @@ TYPED_TEST(BrokenStep, WithHalfTheDampingByMass)
 TYPED_TEST(BrokenStep, WithHalfTheDampingByStiffness)
 {
     if (!TypeParam::deformable) return;
-    this->expect_noticed(
-        "damping by stiffness halved",
-        {.in_the_book =
-             [](step::StepSystem<TypeParam>& system) {
-                 for (step::InternalForce<TypeParam>& internal : system.internal) internal.damped *= 0.5;
-             }},
-        [](Model& model) { model.materials[0].rayleigh = {2, 3e-3}; });
+    this->expect_noticed("damping by stiffness halved",
+                         {.in_the_book =
+                              [](step::StepSystem<TypeParam>& system) {
+                                  for (step::InternalForce<TypeParam>& internal : system.internal)
+                                      internal.damped *= 0.5;
+                              }},
+                         [](Model& model) {
+                             model.materials[0].rayleigh = {2, 3e-3};
+                         });
 }
 
 TYPED_TEST(BrokenStep, WithHalfTheForceOfTheBoundary)
