@@ -58,7 +58,8 @@ pre { font-size: .78rem; line-height: 1.4; background: #f6f7f9; padding: 1rem; w
 @media print { body { max-width: none; padding: 0; font-size: 11pt; }
   nav, .film, section:has(> .film), section:has(> #view) { display: none; }
   table { font-size: 8.5pt; } th, td { padding-right: .4rem; }
-  h2 { break-after: avoid; } tr { break-inside: avoid; } figure img { max-height: 22cm; width: auto; max-width: 100%; } }
+  h2 { break-after: avoid; } tr { break-inside: avoid; }
+  tbody tr:first-child { break-before: avoid; } figure img { max-height: 22cm; width: auto; max-width: 100%; } }
 )";
 
 std::string bytes_of(const std::filesystem::path& file)
