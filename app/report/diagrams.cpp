@@ -122,14 +122,12 @@ std::vector<Curve> energy_curves(const RunRecord& record)
          {"gravity_work_J", "foundation_work_J", "boundary_work_J", "load_work_J", "start_kinetic_J",
           "start_strain_J", "start_contact_J"}},
         {"kinetic", {"kinetic_J"}},
-        {"strain of stones", {"strain_J"}},
-        {"springs of joints", {"contact_J"}},
+        {"strain, springs of joints", {"strain_J", "contact_J"}},
         {"friction", {"friction_J"}},
         {"impacts", {"impact_J"}},
-        {"damping, dashpots", {"damping_kinetic_J", "damping_material_J", "damping_contact_J"}},
-        {"static stages", {"damping_static_J"}},
-        {"fracture", {"fracture_J"}},
-        {"integrator", {"algorithmic_J", "algorithmic_rotation_J", "redetection_J"}},
+        {"damping, fracture",
+         {"damping_kinetic_J", "damping_material_J", "damping_contact_J", "damping_static_J", "fracture_J"}},
+        {"integrator, contacts found anew", {"algorithmic_J", "algorithmic_rotation_J", "redetection_J"}},
     };
     const std::vector<std::string>& names = record.energy.names;
     std::vector<Curve> curves;
@@ -141,7 +139,9 @@ std::vector<Curve> energy_curves(const RunRecord& record)
             for (std::size_t i = 0; i < std::min(sum.size(), of.size()); ++i) sum[i] += of[i];
         }
         const bool zero = std::all_of(sum.begin(), sum.end(), [](double value) { return value == 0; });
-        if (!zero) curves.push_back(thinned(words, record.course.times, sum, 1e3));
+        if (zero) continue;
+        curves.push_back(thinned(words, record.course.times, sum, 1e3));
+        curves.back().is_reference = words == parts.front().first;
     }
     return curves;
 }

@@ -27,6 +27,8 @@ constexpr const char* at_start = "at the start";
 constexpr const char* put_in = "put in";
 constexpr const char* lost = "lost";
 constexpr const char* at_end = "at the end";
+constexpr const char* no_term = "no term has it";
+constexpr double negligible = 1e-9;  // of the whole
 
 constexpr Term terms[] = {
     {"start_kinetic_J", at_start, "kinetic energy"},
@@ -49,7 +51,7 @@ constexpr Term terms[] = {
     {"kinetic_J", at_end, "kinetic energy"},
     {"strain_J", at_end, "strain of stones"},
     {"contact_J", at_end, "springs of joints"},
-    {"residual_J", "no term has it", "residual"},
+    {"residual_J", no_term, "residual"},
 };
 
 double sum_of(const Json& energy, const char* part)
@@ -76,12 +78,14 @@ Table energy_table(const std::string& summary)
     if (!all.contains("energy")) return table;
     const Json& energy = all.at("energy");
     const double scale = scale_of(energy);
-    table.title += ", without terms that are zero; shares of " + figure(scale / 1e3) +
-                   " kJ, the largest of what was put in, was lost and was stored at once";
+    table.title +=
+        "; shares of " + figure(scale / 1e3) +
+        " kJ, the largest of what was put in, was lost and was stored at once; terms below a billionth of it "
+        "are left out";
     for (const auto& [key, part, words] : terms) {
         if (!energy.contains(key) || !energy.at(key).is_number()) continue;
         const double value = energy.at(key).get<double>();
-        if (value == 0) continue;
+        if (std::abs(value) <= negligible * scale && part != no_term) continue;
         table.rows.push_back({part, words, figure(value / 1e3), scale > 0 ? figure(100 * value / scale) : "none"});
     }
     return table;

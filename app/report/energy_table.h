@@ -8,9 +8,9 @@
 namespace voussoir::app::report
 {
 
-/// Every term of the balance that is not zero, in the order in which energy passes through a structure. Shares are
-/// of what the balance is judged by: the largest of what was put in, lost, stored or there at the start.
-/// @param summary as in summary.json, which has the zeros too
+/// Every term of the balance above a billionth, in the order in which energy passes through a structure. Shares
+/// are of what the balance is judged by: the largest of what was put in, lost, stored or there at the start.
+/// @param summary as in summary.json, which has all of them
 Table energy_table(const std::string& summary);
 
 /// "Of 153 kJ put in by the motion: integrator 0.06 %, ..., and the rest is stored or was given back." Empty where

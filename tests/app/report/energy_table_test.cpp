@@ -25,6 +25,7 @@ EnergyLedger shaken()
     energy.algorithmic = 6e3;
     energy.kinetic = 50e3;
     energy.contact = 10e3;
+    energy.start_contact = 1e-20;
     energy.peak_stored = 75e3;
     return energy;
 }
@@ -36,7 +37,7 @@ std::string summary_of(const EnergyLedger& energy)
     return nlohmann::json{{"energy", terms}}.dump();
 }
 
-TEST(EnergyTable, HasTheTermsInTheirOrderAndNoZeros)
+TEST(EnergyTable, HasTheTermsInTheirOrderAndNoneThatIsNothing)
 {
     const Table table = energy_table(summary_of(shaken()));
     const std::vector<std::vector<std::string>> rows = {
@@ -48,6 +49,7 @@ TEST(EnergyTable, HasTheTermsInTheirOrderAndNoZeros)
         {"lost", "integrator", "6", "7.5"},
         {"at the end", "kinetic energy", "50", "62.5"},
         {"at the end", "springs of joints", "10", "12.5"},
+        {"no term has it", "residual", "0", "0"},
     };
     EXPECT_EQ(table.rows, rows);
     EXPECT_NE(table.title.find("shares of 80 kJ"), std::string::npos) << table.title;
