@@ -92,7 +92,8 @@ void add_course(const RunRecord& record, std::vector<NamedFigure>& figures)
               over_time("joints [mm]", {thinned("opening", course.times, course.opening, 1e-3),
                                         thinned("slip", course.times, course.slip, 1e-3)})}),
          "Histories",
-         "The largest displacement relative to the ground, opening and slip at every stored moment."});
+         "The largest displacement relative to the ground, opening and slip at every stored moment. Openings are "
+         "measured across the joint as it has turned: when a stone tumbles, that of its joint may fall again."});
     Diagram shear;
     shear.x_title = "drift of the highest stone [mm]";
     shear.y_title = "base shear [kN]";
