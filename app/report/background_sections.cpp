@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/report/energy_table.h"
 #include "app/report/geometry_table.h"
 #include "app/report/sections.h"
 #include "records/measures/measures.h"
@@ -64,20 +65,6 @@ std::string checksum(std::string_view bytes)
     std::uint64_t hash = 0xcbf29ce484222325ULL;
     for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
     return fmt::format("{:016x}", hash);
-}
-
-/// "damping_kinetic_J" as "damping kinetic"; what is no energy is said elsewhere.
-Table energy_table(const Json& summary)
-{
-    Table table{"energy", "Energy balance", {"term", "energy [kJ]"}, {}};
-    if (!summary.contains("energy")) return table;
-    for (const auto& [name, value] : summary.at("energy").items()) {
-        if (!name.ends_with("_J") || !value.is_number()) continue;
-        std::string words = name.substr(0, name.size() - 2);
-        std::replace(words.begin(), words.end(), '_', ' ');
-        table.rows.push_back({words, figure(value.get<double>() / 1e3)});
-    }
-    return table;
 }
 
 Table costs_table(const Json& summary)
@@ -213,13 +200,15 @@ Section how_well_computed(const RunRecord& record)
         section.paragraphs.push_back(fmt::format(
             "Energy that no term accounts for: {} of what was put in, stored or lost. Largest penetration: {} m.",
             figure(summary.at("energy").value("residual", 0.0)), figure(summary.value("max_penetration_m", 0.0))));
+    if (std::string words = energy_in_words(record.summary); !words.empty())
+        section.paragraphs.push_back(std::move(words));
     if (!summary.contains("error_estimate"))
         section.paragraphs.emplace_back(
             "No error estimate was asked for (output: {error_estimate: true}); how far the figures depend on the "
             "time step "
             "and on the contact stiffness is not known from this run alone.");
-    section.tables = {costs_table(summary), energy_table(summary), modes_table(summary), damping_table(summary),
-                      estimate_table(summary)};
+    section.tables = {costs_table(summary), energy_table(record.summary), modes_table(summary),
+                      damping_table(summary), estimate_table(summary)};
     std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
     for (Table& table : section.tables) table.shown = 40;
     return section;

@@ -1,4 +1,5 @@
 // The page: everything inside, texts escaped, a policy that forbids the browser to fetch anything.
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -58,7 +59,9 @@ pre { font-size: .78rem; line-height: 1.4; background: #f6f7f9; padding: 1rem; w
 @media print { body { max-width: none; padding: 0; font-size: 11pt; }
   nav, .film, section:has(> .film), section:has(> #view) { display: none; }
   table { font-size: 8.5pt; } th, td { padding-right: .4rem; }
-  h2 { break-after: avoid; } tr { break-inside: avoid; } figure img { max-height: 22cm; width: auto; max-width: 100%; } }
+  h2 { break-after: avoid; } tr { break-inside: avoid; }
+  .short { break-inside: avoid; } caption, thead { break-after: avoid; }
+  tbody tr:first-child { break-before: avoid; } figure img { max-height: 22cm; width: auto; max-width: 100%; } }
 )";
 
 std::string bytes_of(const std::filesystem::path& file)
@@ -88,7 +91,9 @@ bool is_number(const std::string& cell)
 
 std::string table(const Table& of, const std::string& folder)
 {
-    std::string text = "<table><caption>" + words::xml_text(of.title) + "</caption>\n<thead><tr>";
+    const bool is_short = std::min(of.rows.size(), of.shown) <= 12;  // stays on one sheet of paper
+    std::string text = std::string(is_short ? "<table class=\"short\">" : "<table>") + "<caption>" +
+                       words::xml_text(of.title) + "</caption>\n<thead><tr>";
     for (const std::string& column : of.columns) text += "<th>" + words::xml_text(column) + "</th>";
     text += "</tr></thead>\n<tbody>\n";
     for (std::size_t i = 0; i < of.rows.size() && i < of.shown; ++i) {

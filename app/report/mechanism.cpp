@@ -167,14 +167,29 @@ std::vector<Body> bodies_in(const results::RecordedModel& model, const results::
     return bodies;
 }
 
+/// Where stones have moved off by the end, bodies that are still near their places are no part of what failed: a
+/// wall that rocks on, of which one stone falls. @param far m, from where on a stone has moved off
+void mark_those_that_stay(double far, std::vector<Body>& bodies)
+{
+    constexpr double near = 0.1;  // of what moved most
+    double most = 0;
+    for (const Body& body : bodies) most = std::max(most, body.last_displacement);
+    if (!(most > far)) return;
+    for (Body& body : bodies) {
+        if (body.rests || body.last_displacement > std::min(far, near * most)) continue;
+        body.rests = body.stays = true;
+    }
+}
+
 /// What two bodies do at all joints between them.
 struct Interface {
     double opening = 0, slip = 0;
     bool presses = false;
 };
 
-/// Is every stone that moves above every stone that stays, and does one stay at all?
-bool comes_off_above(const results::RecordedModel& model, const std::vector<Body>& bodies)
+/// Is every stone that moves above every stone that stays, and does one stay at all? @param clearly m, of
+/// centroids
+bool comes_off_above(const results::RecordedModel& model, const std::vector<Body>& bodies, double clearly)
 {
     const std::vector<bool> foundation = foundation_marks(model);
     bool stays = false;
@@ -186,13 +201,13 @@ bool comes_off_above(const results::RecordedModel& model, const std::vector<Body
             if (body.rests && !foundation[block]) top = stays ? std::max(top, z) : z, stays = true;
             if (!body.rests) bottom = any ? std::min(bottom, z) : z, any = true;
         }
-    return stays && any && bottom > top;
+    return stays && any && bottom > top + clearly;
 }
 
-MechanismKind kind_of(const results::RecordedModel& model, const Mechanism& mechanism,
-                      const std::vector<int>& interfaces_of_body)
+MechanismKind kind_of(const results::RecordedModel& model, const Mechanism& mechanism, double clearly,
+                      const std::vector<int>& pressed_of_body)
 {
-    if (comes_off_above(model, mechanism.bodies)) return MechanismKind::sheds;
+    if (comes_off_above(model, mechanism.bodies, clearly)) return MechanismKind::sheds;
     const int turning = mechanism.hinges + mechanism.parted;
     constexpr double by_far = 3;
     if (mechanism.sliding > 0)
@@ -200,7 +215,7 @@ MechanismKind kind_of(const results::RecordedModel& model, const Mechanism& mech
                                                                           : MechanismKind::slides;
     bool chain = true;
     for (std::size_t i = 0; i < mechanism.bodies.size(); ++i)
-        chain = chain && (mechanism.bodies[i].rests || interfaces_of_body[i] >= 2);
+        chain = chain && (mechanism.bodies[i].rests || pressed_of_body[i] >= 2);
     return chain ? MechanismKind::hinges : MechanismKind::overturns;
 }
 
@@ -218,12 +233,14 @@ Mechanism mechanism_in(const results::ResultsReader& results, const Course& cour
     mechanism.joints = moved_joints(model, frame);
     std::vector<int> body_of;
     mechanism.bodies = bodies_in(model, frame, results.frame(results.times.size() - 1), mechanism.joints, body_of);
+    if (failed) mark_those_that_stay(far, mechanism.bodies);
 
     std::map<std::pair<int, int>, Interface> interfaces;
     for (const MovedJoint& joint : mechanism.joints) {
         const WatchedJoint& of = model.joints[joint.joint];
         const auto ends = std::minmax(body_of[of.block_a], body_of[of.block_b]);
         if (ends.first == ends.second) continue;
+        if (failed && mechanism.bodies[ends.first].rests && mechanism.bodies[ends.second].rests) continue;
         mechanism.opening += joint.opening;
         mechanism.slip += joint.slip;
         Interface& between = interfaces[ends];
@@ -231,17 +248,20 @@ Mechanism mechanism_in(const results::ResultsReader& results, const Course& cour
         between.slip += joint.slip;
         between.presses = between.presses || !joint.parted;
     }
-    std::vector<int> interfaces_of_body(mechanism.bodies.size(), 0);
+    std::vector<int> pressed_of_body(mechanism.bodies.size(), 0);
     for (const auto& [ends, between] : interfaces) {
-        ++interfaces_of_body[ends.first];
-        ++interfaces_of_body[ends.second];
+        if (between.presses) {
+            ++pressed_of_body[ends.first];
+            ++pressed_of_body[ends.second];
+        }
         if (between.slip > between.opening)
             ++mechanism.sliding;
         else
             ++(between.presses ? mechanism.hinges : mechanism.parted);
     }
     if (failed)
-        mechanism.kind = interfaces.empty() ? MechanismKind::loose : kind_of(model, mechanism, interfaces_of_body);
+        mechanism.kind =
+            interfaces.empty() ? MechanismKind::loose : kind_of(model, mechanism, far, pressed_of_body);
     return mechanism;
 }
 

@@ -21,7 +21,8 @@ struct MovedJoint {
 /// Stones between which no joint opened or slid worth mentioning.
 struct Body {
     std::vector<int> blocks;
-    bool rests = false;            // holds a foundation, or is the largest where there is none
+    bool rests = false;            // holds a foundation, or is the largest where there is none, or stays
+    bool stays = false;            // moved, but at the end is near its place while others have moved off
     double displacement = 0;       // m, the largest of its stones
     double last_displacement = 0;  // m, at the end of the run
     double turn = 0;               // rad, the largest of its stones

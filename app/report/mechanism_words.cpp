@@ -26,7 +26,8 @@ std::string number(int n)
 
 std::string degrees(double radians)
 {
-    return fmt::format("{:.2g}°", radians * 180 / std::numbers::pi);
+    const double degrees = radians * 180 / std::numbers::pi;
+    return degrees < 100 ? fmt::format("{:.2g}°", degrees) : fmt::format("{:.0f}°", degrees);
 }
 
 /// "upper edge", or "edge towards -x" in a joint that lies flat.
@@ -104,9 +105,23 @@ std::string also(const char* before, int n, const char* one, const char* several
     return n == 0 ? "" : before + count_of(n, one, several);
 }
 
-std::string of_what_fails(const Mechanism& mechanism, const results::RecordedModel& model)
+/// " What else moved stays, ..."; empty where all that moved has moved off.
+std::string of_what_stays(const Mechanism& mechanism)
+{
+    double most = 0;
+    for (const Body& body : mechanism.bodies)
+        if (body.stays) most = std::max(most, body.last_displacement);
+    return most > 0
+               ? fmt::format(" What else moved stays, up to {} from its place at the end.", length_in_words(most))
+               : "";
+}
+
+std::string of_what_moves_off(const Mechanism& mechanism, const results::RecordedModel& model)
 {
     const Moving moving = moving_in(mechanism);
+    const bool partly =
+        std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) { return body.stays; });
+    const char* subject = partly ? "Part of the structure" : "The structure";
     const std::string names = names_in_words(moving.blocks, model.block_names);
     const int turning = mechanism.hinges + mechanism.parted, stones = static_cast<int>(moving.blocks.size());
     const std::string bodies = count_of(moving.bodies, "body of stones moves", "bodies of stones move"),
@@ -114,19 +129,20 @@ std::string of_what_fails(const Mechanism& mechanism, const results::RecordedMod
                       places = count_of(mechanism.sliding, "place", "places");
     switch (mechanism.kind) {
         case MechanismKind::hinges:
-            return fmt::format("The structure fails as a mechanism of {}: {} ({}).", hinges, bodies, names);
+            return fmt::format("{} fails as a mechanism of {}: {} ({}).", subject, hinges, bodies, names);
         case MechanismKind::slides:
-            return fmt::format("The structure fails by sliding at {}{}: {} ({}).", places,
+            return fmt::format("{} fails by sliding at {}{}: {} ({}).", subject, places,
                                also(", while it turns at ", turning, "other", "others"), bodies, names);
         case MechanismKind::overturns:
-            return fmt::format("The structure overturns about {}: {} ({}); turned by up to {} at the end.",
-                               count_of(turning, "edge", "edges"), who, names, degrees(moving.last_turn));
+            return fmt::format("{} overturns about {}: {} ({}); turned by up to {} at the end.", subject,
+                               count_of(mechanism.hinges > 0 ? mechanism.hinges : turning, "edge", "edges"), who,
+                               names, degrees(moving.last_turn));
         case MechanismKind::sheds:
             return fmt::format("The structure sheds its upper part by {}: {} off ({}), what is below stays.",
                                mechanism.slip > mechanism.opening ? "sliding" : "turning over",
                                count_of(stones, "stone comes", "stones come"), names);
         case MechanismKind::mixed:
-            return fmt::format("The structure fails by turning and sliding together: {}, sliding at {}; {} ({}).",
+            return fmt::format("{} fails by turning and sliding together: {}, sliding at {}; {} ({}).", subject,
                                hinges, places, bodies, names);
         case MechanismKind::loose:
             if (stones == 0)
@@ -177,8 +193,9 @@ std::string names_in_words(const std::vector<int>& blocks, const std::vector<std
 MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course)
 {
     MechanismWords words;
-    words.headline = mechanism.kind == MechanismKind::stands ? of_what_stands(mechanism, model, course)
-                                                             : of_what_fails(mechanism, model);
+    words.headline = mechanism.kind == MechanismKind::stands
+                         ? of_what_stands(mechanism, model, course)
+                         : of_what_moves_off(mechanism, model) + of_what_stays(mechanism);
     for (const MovedJoint& joint : mechanism.joints) {
         if (words.joints.size() == most_told) {
             words.joints.push_back(fmt::format("and {} others", mechanism.joints.size() - most_told));

@@ -97,15 +97,27 @@ export class Structure {
     return {low: new Vector3(...low), high: new Vector3(...high)};
   }
 
+  /// How far from the middle of a box of this size all of it is seen. @param back unit vector towards the viewer
+  distanceToSee(size, back) {
+    const right = new Vector3().crossVectors(this.camera.up, back).normalize(), up = new Vector3().crossVectors(back, right);
+    const rises = Math.tan(this.camera.fov * Math.PI / 360);  // half a height of the picture at distance 1
+    let distance = 0;
+    for (const corner of [0, 1, 2, 3, 4, 5, 6, 7]) {
+      const place = new Vector3(...size.toArray().map((length, k) => (corner >> k & 1 ? 0.5 : -0.5) * length));
+      distance = Math.max(distance, place.dot(back) + Math.max(Math.abs(place.dot(up)) / rises,
+                                                               Math.abs(place.dot(right)) / (rises * this.camera.aspect)));
+    }
+    return distance;
+  }
+
   /// The view of the pictures: the longer horizontal side across, from aside and slightly above.
   home() {
     const {low, high} = this.bounds(), size = high.clone().sub(low), middle = high.clone().add(low).multiplyScalar(0.5);
     const turn = (this.recording.planar ? 0 : 25) * Math.PI / 180, rise = (this.recording.planar ? 0 : 18) * Math.PI / 180;
     const angle = (size.x >= size.y ? -Math.PI / 2 : 0) + turn;
-    const radius = Math.max(size.length() / 2, 1e-6);
-    const distance = 1.15 * radius / Math.sin(8 * Math.PI / 180) / Math.min(1, this.camera.aspect);
-    this.camera.position.set(Math.cos(rise) * Math.cos(angle), Math.cos(rise) * Math.sin(angle), Math.sin(rise));
-    this.camera.position.multiplyScalar(distance).add(middle);
+    const back = new Vector3(Math.cos(rise) * Math.cos(angle), Math.cos(rise) * Math.sin(angle), Math.sin(rise));
+    const distance = 1.25 * Math.max(this.distanceToSee(size, back), 1e-6);  // room for stones that move
+    this.camera.position.copy(back).multiplyScalar(distance).add(middle);
     this.camera.near = 0.02 * distance;
     this.camera.far = 20 * distance;
     this.camera.updateProjectionMatrix();

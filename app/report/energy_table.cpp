@@ -1,0 +1,116 @@
+#include "app/report/energy_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/report/sections.h"
+#include "app/words/trust_words.h"
+
+namespace voussoir::app::report
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+/// A term of the balance, and what it is called.
+struct Term {
+    const char* key;
+    const char* part;
+    const char* words;
+};
+
+constexpr const char* at_start = "at the start";
+constexpr const char* put_in = "put in";
+constexpr const char* lost = "lost";
+constexpr const char* at_end = "at the end";
+constexpr const char* no_term = "no term has it";
+constexpr double negligible = 1e-9;  // of the whole
+
+constexpr Term terms[] = {
+    {"start_kinetic_J", at_start, "kinetic energy"},
+    {"start_strain_J", at_start, "strain of stones"},
+    {"start_contact_J", at_start, "springs of joints"},
+    {"foundation_work_J", put_in, "motion of the ground"},
+    {"boundary_work_J", put_in, "viscous boundaries"},
+    {"gravity_work_J", put_in, "gravity"},
+    {"load_work_J", put_in, "body accelerations"},
+    {"friction_J", lost, "friction"},
+    {"impact_J", lost, "impacts of stones that landed"},
+    {"damping_material_J", lost, "damping of materials"},
+    {"damping_kinetic_J", lost, "damping of velocities"},
+    {"damping_contact_J", lost, "dashpots of joints"},
+    {"fracture_J", lost, "bonds that broke"},
+    {"damping_static_J", lost, "on the way to rest in static stages"},
+    {"algorithmic_J", lost, "integrator"},
+    {"algorithmic_rotation_J", lost, "integrator: turns and stretches of stones"},
+    {"redetection_J", lost, "contacts that were found anew"},
+    {"kinetic_J", at_end, "kinetic energy"},
+    {"strain_J", at_end, "strain of stones"},
+    {"contact_J", at_end, "springs of joints"},
+    {"residual_J", no_term, "residual"},
+};
+
+double sum_of(const Json& energy, const char* part)
+{
+    double sum = 0;
+    for (const Term& term : terms)
+        if (std::string_view(term.part) == part) sum += energy.value(term.key, 0.0);
+    return sum;
+}
+
+/// What the balance is judged by [J].
+double scale_of(const Json& energy)
+{
+    return std::max({std::abs(sum_of(energy, put_in)), sum_of(energy, lost), sum_of(energy, at_start),
+                     energy.value("peak_stored_J", 0.0)});
+}
+
+}  // namespace
+
+Table energy_table(const std::string& summary)
+{
+    const Json all = Json::parse(summary);
+    Table table{"energy", "Energy balance", {"part", "term", "energy [kJ]", "share [%]"}, {}};
+    if (!all.contains("energy")) return table;
+    const Json& energy = all.at("energy");
+    const double scale = scale_of(energy);
+    table.title +=
+        "; shares of " + figure(scale / 1e3) +
+        " kJ, the largest of what was put in, was lost and was stored at once; terms below a billionth of it "
+        "are left out";
+    for (const auto& [key, part, words] : terms) {
+        if (!energy.contains(key) || !energy.at(key).is_number()) continue;
+        const double value = energy.at(key).get<double>();
+        if (std::abs(value) <= negligible * scale && part != no_term) continue;
+        table.rows.push_back({part, words, figure(value / 1e3), scale > 0 ? figure(100 * value / scale) : "none"});
+    }
+    return table;
+}
+
+std::string energy_in_words(const std::string& summary)
+{
+    const Json all = Json::parse(summary);
+    if (!all.contains("trust") || !all.at("trust").contains("energy_fractions")) return "";
+    const Json& fractions = all.at("trust").at("energy_fractions");
+    const auto of = [&](const char* key) { return fractions.value(key, 0.0); };
+    EnergyShares shares;
+    shares.put_in = of("put_in_J");
+    shares.integrator = of("integrator");
+    shares.contacts = of("redetection");
+    shares.friction = of("friction");
+    shares.impact = of("impact");
+    shares.damping = of("damping");
+    shares.dashpots = of("dashpots");
+    shares.fracture = of("fracture");
+    std::string words = words::shares_in_words(shares);
+    if (words.empty()) return words;
+    words.front() = 'O';
+    return words +
+           "; the rest is stored or was given back. What the integrator takes is no damping of the structure.";
+}
+
+}  // namespace voussoir::app::report
