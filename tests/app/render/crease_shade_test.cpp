@@ -74,8 +74,9 @@ double wall_on_ground(const Vector3d& eye, const Vector3d& ray)
 std::vector<float> middle_of(const Shade& shade)
 {
     std::vector<float> light;
+    light.reserve(static_cast<std::size_t>(shade.height));
     for (int y = 0; y < shade.height; ++y)
-        light.push_back(shade.light[static_cast<std::size_t>(y * shade.width + shade.width / 2)]);
+        light.push_back(shade.light[static_cast<std::size_t>(y) * shade.width + shade.width / 2]);
     return light;
 }
 

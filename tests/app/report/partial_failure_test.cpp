@@ -1,7 +1,9 @@
 // What is said of a structure of which a part fails while the rest moves and stays.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "tests/app/command_test.h"
 
