@@ -76,6 +76,16 @@ TEST(LimitSpringing, OfHalfADomeWithoutFriction)
         25, 50, {"joints.dry.friction=0 deg"});
 }
 
+/// With friction its bonded courses hold themselves between the sides of the arch: no thickness is too small.
+TEST(LimitThickness, OfHalfADomeThatIsBondedIsNone)
+{
+    const std::string thin =
+        "{dome: {radius: 4 m, thickness: 0.05 m, half: true, front: 0.6 m, oculus: 12 deg, courses: 5, stones: 4, "
+        "springing: 90 deg}, groups: {foundation: \"front*\"}}";
+    EXPECT_TRUE(bears_itself(studies::verify::limit_problem(read_pattern(thin, under_own_weight).model)));
+    EXPECT_TRUE(stands(thin));
+}
+
 /// Stones of ribs and of webs lock one another, at angles, so that friction decides, and the linear program, in
 /// which joints that slide open, is a bound from above. Rough ribs make it bear webs of any thickness; on ribs
 /// without friction there is one below which nothing stands.
