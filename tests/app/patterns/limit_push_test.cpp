@@ -63,5 +63,52 @@ TEST(LimitThickness, OfAGroinVault)
         0.06, 0.4);
 }
 
+/// Joints without friction cannot dilate: there the linear program is exact. A dome of them stands if it begins
+/// high enough, for all its courses press along themselves; half of it does so between the two sides of its arch.
+TEST(LimitSpringing, OfHalfADomeWithoutFriction)
+{
+    expect_limit_thickness(
+        [](double elevation) {
+            return "{dome: {radius: 4 m, thickness: 0.3 m, half: true, front: 0.6 m, oculus: 12 deg, courses: 5, "
+                   "stones: 4, springing: " +
+                   std::to_string(90 - elevation) + " deg}, groups: {foundation: \"front*\"}}";
+        },
+        25, 50, {"joints.dry.friction=0 deg"});
+}
+
+/// With friction its bonded courses hold themselves between the sides of the arch: no thickness is too small.
+TEST(LimitThickness, OfHalfADomeThatIsBondedIsNone)
+{
+    const std::string thin =
+        "{dome: {radius: 4 m, thickness: 0.05 m, half: true, front: 0.6 m, oculus: 12 deg, courses: 5, stones: 4, "
+        "springing: 90 deg}, groups: {foundation: \"front*\"}}";
+    EXPECT_TRUE(bears_itself(studies::verify::limit_problem(read_pattern(thin, under_own_weight).model)));
+    EXPECT_TRUE(stands(thin));
+}
+
+/// Stones of ribs and of webs lock one another, at angles, so that friction decides, and the linear program, in
+/// which joints that slide open, is a bound from above. Rough ribs make it bear webs of any thickness; on ribs
+/// without friction there is one below which nothing stands.
+TEST(LimitThickness, OfARibbedVaultIsBoundedByTheLinearProgram)
+{
+    const auto ribbed = [](double thickness) {
+        return "cross_vault: {span: 4 m, rise: 2 m, margin: 0.3 m, courses: 5, stones: 1, ribs: {width: 0.1 m, "
+               "depth: 0.05 m}, thickness: " +
+               std::to_string(thickness) + " m}";
+    };
+    const std::vector<std::string> smooth{"joints={dry: {friction: 40 deg}, smooth: {friction: 0 deg}}",
+                                          "default_joint=dry",
+                                          "joint_rules=[{between: [ribs, vault], joint: smooth}]"};
+    const auto by_program = [&](double thickness, std::vector<std::string> overrides) {
+        overrides.insert(overrides.end(), under_own_weight.begin(), under_own_weight.end());
+        return bears_itself(studies::verify::limit_problem(read_pattern(ribbed(thickness), overrides).model));
+    };
+    EXPECT_TRUE(by_program(0.015, {}));
+    EXPECT_FALSE(by_program(0.02, smooth));
+    EXPECT_FALSE(stands(ribbed(0.02), smooth));
+    EXPECT_TRUE(by_program(0.08, smooth));
+    EXPECT_TRUE(stands(ribbed(0.08), smooth));
+}
+
 }  // namespace
 }  // namespace voussoir::app::patterns_test

@@ -63,12 +63,16 @@ inline bool bears_itself(const studies::verify::references::LimitProblem& proble
 }
 
 /// Expects the engine to agree 0.4 % beside the least thickness of the linear program, which is found to 0.1 %.
-/// @param entry of a thickness [m]; @param falls, stands_at thicknesses that certainly do
-inline void expect_limit_thickness(const std::function<std::string(double)>& entry, double falls, double stands_at)
+/// @param entry of a thickness, or of another measure that makes it safer; @param falls, stands_at such measures
+/// that certainly do; @param overrides of the case
+inline void expect_limit_thickness(const std::function<std::string(double)>& entry, double falls, double stands_at,
+                                   const std::vector<std::string>& overrides = {})
 {
     using studies::verify::limit_problem;
+    std::vector<std::string> at_rest = overrides;
+    at_rest.insert(at_rest.end(), under_own_weight.begin(), under_own_weight.end());
     const auto by_program = [&](double thickness) {
-        return bears_itself(limit_problem(read_pattern(entry(thickness), under_own_weight).model));
+        return bears_itself(limit_problem(read_pattern(entry(thickness), at_rest).model));
     };
     ASSERT_TRUE(by_program(stands_at));
     ASSERT_FALSE(by_program(falls));
@@ -76,8 +80,8 @@ inline void expect_limit_thickness(const std::function<std::string(double)>& ent
         const double middle = (stands_at + falls) / 2;
         (by_program(middle) ? stands_at : falls) = middle;
     }
-    EXPECT_TRUE(stands(entry(stands_at * 1.004))) << stands_at;
-    EXPECT_FALSE(stands(entry(falls * 0.996))) << falls;
+    EXPECT_TRUE(stands(entry(stands_at * 1.004), overrides)) << stands_at;
+    EXPECT_FALSE(stands(entry(falls * 0.996), overrides)) << falls;
 }
 
 /// Under the weight and `share` of it along x.
