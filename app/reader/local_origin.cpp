@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "libdda/geometry/plane.h"
@@ -67,6 +68,9 @@ void refuse_rounded_stones(BlockReading& reading)
 void refuse_stone_beyond_all(BlockReading& reading)
 {
     const auto size = [](const Block& block) { return shape_of(block).sizes().maxCoeff(); };
+    const bool all_finite = std::all_of(reading.model.blocks.begin(), reading.model.blocks.end(),
+                                        [](const Block& block) { return std::isfinite(block.moments.volume); });
+    if (!all_finite) return;  // others tell of that
     const auto [small, large] =
         std::minmax_element(reading.model.blocks.begin(), reading.model.blocks.end(),
                             [&](const Block& a, const Block& b) { return size(a) < size(b); });

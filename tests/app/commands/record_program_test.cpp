@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "tests/app/program_start.h"
 #include "tests/app/test_files.h"
@@ -29,9 +30,20 @@ std::string sine(double amplitude, double frequency, double step, int count)
     return text;
 }
 
+/// What was complained of: on a busy machine also a record of a minute takes longer than the second after which
+/// the program tells how far it is.
+std::string errors_of(const Ended& ended)
+{
+    std::istringstream lines(ended.errors);
+    std::string errors;
+    for (std::string line; std::getline(lines, line);)
+        if (line.find(": measuring, ") == std::string::npos) errors += line + "\n";
+    return errors;
+}
+
 json listed(const Ended& ended)
 {
-    EXPECT_EQ(ended.errors, "");
+    EXPECT_EQ(errors_of(ended), "");
     return json::parse(ended.output);
 }
 
