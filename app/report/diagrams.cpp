@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/report/curves.h"
+#include "app/report/energy_table.h"
 #include "records/measures/response_spectrum.h"
 
 namespace voussoir::app::report
@@ -114,35 +115,22 @@ void add_course(const RunRecord& record, std::vector<NamedFigure>& figures)
                        "What the structure exerts on its foundations, against the drift of its highest stone."});
 }
 
-/// Every term of the balance, some of them together; those that stay zero are left out. What is put in is at every
-/// moment the sum of the others.
-std::vector<Curve> energy_curves(const RunRecord& record)
+/// The balance of the energy; what stays zero is left out.
+std::vector<Curve> balance_curves(const RunRecord& record)
 {
-    const std::vector<std::pair<const char*, std::vector<const char*>>> parts = {
-        {"put in",
-         {"gravity_work_J", "foundation_work_J", "boundary_work_J", "load_work_J", "start_kinetic_J",
-          "start_strain_J", "start_contact_J"}},
-        {"kinetic", {"kinetic_J"}},
-        {"strain, springs of joints", {"strain_J", "contact_J"}},
-        {"friction", {"friction_J"}},
-        {"impacts", {"impact_J"}},
-        {"damping, fracture",
-         {"damping_kinetic_J", "damping_material_J", "damping_contact_J", "damping_static_J", "fracture_J"}},
-        {"integrator, contacts found anew", {"algorithmic_J", "algorithmic_rotation_J", "redetection_J"}},
-    };
     const std::vector<std::string>& names = record.energy.names;
+    const std::vector<EnergyCurve> parts = energy_curves();
     std::vector<Curve> curves;
     for (const auto& [words, terms] : parts) {
         std::vector<double> sum(record.course.times.size(), 0.0);
-        for (const char* term : terms) {
+        for (const std::string& term : terms) {
             if (std::find(names.begin(), names.end(), term) == names.end()) continue;
             const std::vector<double> of = record.energy.column(term);
             for (std::size_t i = 0; i < std::min(sum.size(), of.size()); ++i) sum[i] += of[i];
         }
-        const bool zero = std::all_of(sum.begin(), sum.end(), [](double value) { return value == 0; });
-        if (zero) continue;
+        if (std::all_of(sum.begin(), sum.end(), [](double value) { return value == 0; })) continue;
         curves.push_back(thinned(words, record.course.times, sum, 1e3));
-        curves.back().is_reference = words == parts.front().first;
+        curves.back().is_reference = words == parts.front().words;
     }
     return curves;
 }
@@ -151,7 +139,7 @@ void add_computation(const RunRecord& record, std::vector<NamedFigure>& figures)
 {
     const std::vector<double>& times = record.course.times;
     if (times.size() < 3 || !(times.back() > times.front())) return;
-    figures.push_back({figure_of("energies", "Energies", {over_time("energy [kJ]", energy_curves(record))}),
+    figures.push_back({figure_of("energies", "Energies", {over_time("energy [kJ]", balance_curves(record))}),
                        "How well it was computed",
                        "Energies put in (with what was there at the start), stored and lost."});
     const std::vector<double> steps = record.steps.column("steps"),

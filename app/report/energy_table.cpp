@@ -17,11 +17,12 @@ namespace
 
 using Json = nlohmann::json;
 
-/// A term of the balance, and what it is called.
+/// A term of the balance, what it is called, and the curve of the diagram that it is a part of.
 struct Term {
     const char* key;
     const char* part;
     const char* words;
+    const char* curve;
 };
 
 constexpr const char* at_start = "at the start";
@@ -29,30 +30,33 @@ constexpr const char* put_in = "put in";
 constexpr const char* lost = "lost";
 constexpr const char* at_end = "at the end";
 constexpr const char* no_term = "no term has it";
+constexpr const char* damped = "damping, fracture";
+constexpr const char* computed = "integrator, contacts found anew";
+constexpr const char* stored = "strain, springs of joints";
 constexpr double negligible = 1e-9;  // of the whole
 
 constexpr Term terms[] = {
-    {"start_kinetic_J", at_start, "kinetic energy"},
-    {"start_strain_J", at_start, "strain of stones"},
-    {"start_contact_J", at_start, "springs of joints"},
-    {"foundation_work_J", put_in, "motion of the ground"},
-    {"boundary_work_J", put_in, "viscous boundaries"},
-    {"gravity_work_J", put_in, "gravity"},
-    {"load_work_J", put_in, "body accelerations"},
-    {"friction_J", lost, "friction"},
-    {"impact_J", lost, "impacts of stones that landed"},
-    {"damping_material_J", lost, "damping of materials"},
-    {"damping_kinetic_J", lost, "damping of velocities"},
-    {"damping_contact_J", lost, "dashpots of joints"},
-    {"fracture_J", lost, "bonds that broke"},
-    {"damping_static_J", lost, "on the way to rest in static stages"},
-    {"algorithmic_J", lost, "integrator"},
-    {"algorithmic_rotation_J", lost, "integrator: turns and stretches of stones"},
-    {"redetection_J", lost, "contacts that were found anew"},
-    {"kinetic_J", at_end, "kinetic energy"},
-    {"strain_J", at_end, "strain of stones"},
-    {"contact_J", at_end, "springs of joints"},
-    {"residual_J", no_term, "residual"},
+    {"start_kinetic_J", at_start, "kinetic energy", put_in},
+    {"start_strain_J", at_start, "strain of stones", put_in},
+    {"start_contact_J", at_start, "springs of joints", put_in},
+    {"foundation_work_J", put_in, "motion of the ground", put_in},
+    {"boundary_work_J", put_in, "viscous boundaries", put_in},
+    {"gravity_work_J", put_in, "gravity", put_in},
+    {"load_work_J", put_in, "body accelerations", put_in},
+    {"friction_J", lost, "friction", "friction"},
+    {"impact_J", lost, "impacts of stones that landed", "impacts"},
+    {"damping_material_J", lost, "damping of materials", damped},
+    {"damping_kinetic_J", lost, "damping of velocities", damped},
+    {"damping_contact_J", lost, "dashpots of joints", damped},
+    {"fracture_J", lost, "bonds that broke", damped},
+    {"damping_static_J", lost, "on the way to rest in static stages", damped},
+    {"algorithmic_J", lost, "integrator", computed},
+    {"algorithmic_rotation_J", lost, "integrator: turns and stretches of stones", computed},
+    {"redetection_J", lost, "contacts that were found anew", computed},
+    {"kinetic_J", at_end, "kinetic energy", "kinetic"},
+    {"strain_J", at_end, "strain of stones", stored},
+    {"contact_J", at_end, "springs of joints", stored},
+    {"residual_J", no_term, "residual", nullptr},
 };
 
 double sum_of(const Json& energy, const char* part)
@@ -72,6 +76,19 @@ double scale_of(const Json& energy)
 
 }  // namespace
 
+std::vector<EnergyCurve> energy_curves()
+{
+    std::vector<EnergyCurve> curves;
+    for (const Term& term : terms) {
+        if (term.curve == nullptr) continue;
+        const auto known = std::find_if(curves.begin(), curves.end(),
+                                        [&](const EnergyCurve& curve) { return curve.words == term.curve; });
+        EnergyCurve& curve = known != curves.end() ? *known : curves.emplace_back(EnergyCurve{term.curve, {}});
+        curve.terms.emplace_back(term.key);
+    }
+    return curves;
+}
+
 Table energy_table(const std::string& summary)
 {
     const Json all = Json::parse(summary);
@@ -83,7 +100,7 @@ Table energy_table(const std::string& summary)
         "; shares of " + figure(scale / 1e3) +
         " kJ, the largest of what was put in, was lost and was stored at once; terms below a billionth of it "
         "are left out";
-    for (const auto& [key, part, words] : terms) {
+    for (const auto& [key, part, words, curve] : terms) {
         if (!energy.contains(key) || !energy.at(key).is_number()) continue;
         const double value = energy.at(key).get<double>();
         if (std::abs(value) <= negligible * scale && part != no_term) continue;

@@ -247,6 +247,7 @@ void Hdf5File::flush()
 void Hdf5File::close()
 {
     if (file_.get() < 0) return;
+    opened_.clear();
     flush();
     check(file_.close(), "what was written could not be stored");
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -154,11 +155,14 @@ class Hdf5File
     void read_values(const std::string& name, ElementType type, std::uint64_t first, std::uint64_t count,
                      void* values) const;
     Hdf5Id open_dataset(const std::string& name) const;
+    const Hdf5Id& dataset(const std::string& name) const;
     std::int64_t check(std::int64_t result, const std::string& what) const;
 
     std::filesystem::path path_;
     bool writing_ = false;
     Hdf5Id file_;
+    // What was read from stays open: a run's frames are read one by one, and to open is dearer than to read.
+    mutable std::map<std::string, Hdf5Id> opened_;
 };
 
 }  // namespace voussoir::app::results

@@ -53,9 +53,15 @@ Hdf5Id Hdf5File::open_dataset(const std::string& name) const
     return dataset;
 }
 
+const Hdf5Id& Hdf5File::dataset(const std::string& name) const
+{
+    const auto known = opened_.find(name);
+    return known != opened_.end() ? known->second : opened_.emplace(name, open_dataset(name)).first->second;
+}
+
 Extents Hdf5File::extents(const std::string& name) const
 {
-    const Hdf5Id dataset = open_dataset(name), space(check(H5Dget_space(dataset.get()), name));
+    const Hdf5Id space(check(H5Dget_space(dataset(name).get()), name));
     std::vector<hsize_t> size(static_cast<std::size_t>(check(H5Sget_simple_extent_ndims(space.get()), name)));
     check(H5Sget_simple_extent_dims(space.get(), size.data(), nullptr), name);
     return {size.begin(), size.end()};
@@ -65,9 +71,10 @@ RowsInFile Hdf5File::rows_in_file(const std::string& name, std::uint64_t first, 
 {
     const Extents all = extents(name);
     if (all.empty() || first >= all[0]) check(-1, name + " is shorter than it should be");
-    const Hdf5Id dataset = open_dataset(name), made(check(H5Dget_create_plist(dataset.get()), name));
+    const Hdf5Id& opened = dataset(name);
+    const Hdf5Id made(check(H5Dget_create_plist(opened.get()), name));
     if (H5Pget_layout(made.get()) == H5D_CONTIGUOUS)
-        return {H5Dget_offset(dataset.get()) + first * row_bytes, all[0] - first};
+        return {H5Dget_offset(opened.get()) + first * row_bytes, all[0] - first};
     std::vector<hsize_t> chunk(all.size()), corner(all.size(), 0);
     check(H5Pget_chunk(made.get(), static_cast<int>(chunk.size()), chunk.data()), name);
     if (chunk[0] == 0) check(-1, name + " has chunks without rows");
@@ -75,7 +82,7 @@ RowsInFile Hdf5File::rows_in_file(const std::string& name, std::uint64_t first, 
     unsigned filters = 0;
     haddr_t address = 0;
     hsize_t size = 0;
-    check(H5Dget_chunk_info_by_coord(dataset.get(), corner.data(), &filters, &address, &size), name);
+    check(H5Dget_chunk_info_by_coord(opened.get(), corner.data(), &filters, &address, &size), name);
     if (address == HADDR_UNDEF) check(-1, name + " has rows that were never written");
     return {address + (first - corner[0]) * row_bytes,
             std::min<std::uint64_t>(chunk[0] - (first - corner[0]), all[0] - first)};
@@ -100,12 +107,13 @@ std::uint64_t Hdf5File::values_in_rows(const std::string& name, std::uint64_t fi
 void Hdf5File::read_values(const std::string& name, ElementType type, std::uint64_t first, std::uint64_t count,
                            void* values) const
 {
-    const Hdf5Id dataset = open_dataset(name), kept_as(check(H5Dget_type(dataset.get()), name));
+    const Hdf5Id& opened = dataset(name);
+    const Hdf5Id kept_as(check(H5Dget_type(opened.get()), name));
     const H5T_class_t kind = H5Tget_class(kept_as.get());
     if (kind != H5T_INTEGER && kind != H5T_FLOAT) check(-1, name + " holds no numbers");
     const Extents all = extents(name);
     if (all.empty()) {
-        check(H5Dread(dataset.get(), native(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+        check(H5Dread(opened.get(), native(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
         return;
     }
     std::vector<hsize_t> start(all.size(), 0), size(all.begin(), all.end());
@@ -113,9 +121,9 @@ void Hdf5File::read_values(const std::string& name, ElementType type, std::uint6
     size[0] = count;
     if (count * product(all, 1) == 0) return;
     const Hdf5Id memory(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr));
-    const Hdf5Id space(H5Dget_space(dataset.get()));
+    const Hdf5Id space(H5Dget_space(opened.get()));
     H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr);
-    check(H5Dread(dataset.get(), native(type), memory.get(), space.get(), H5P_DEFAULT, values), name);
+    check(H5Dread(opened.get(), native(type), memory.get(), space.get(), H5P_DEFAULT, values), name);
 }
 
 namespace
@@ -136,8 +144,8 @@ std::string Hdf5File::read_text(const std::string& name) const
 
 std::vector<std::string> Hdf5File::read_texts(const std::string& name) const
 {
-    const Hdf5Id dataset = open_dataset(name), type(check(H5Dget_type(dataset.get()), name)),
-                 space(check(H5Dget_space(dataset.get()), name));
+    const Hdf5Id& opened = dataset(name);
+    const Hdf5Id type(check(H5Dget_type(opened.get()), name)), space(check(H5Dget_space(opened.get()), name));
     const auto count = static_cast<std::uint64_t>(check(H5Sget_simple_extent_npoints(space.get()), name));
     const std::size_t length = text_length(type);
     std::error_code error;
@@ -145,7 +153,7 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& name) const
     if (count > std::filesystem::file_size(path_, error) / length) check(-1, name + " is larger than the file");
     std::string bytes(length * count, '\0');
     if (count > 0) {
-        check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), name);
+        check(H5Dread(opened.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), name);
     }
     return unpack(bytes, length);
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
-#include <unordered_map>
 
 #include "app/results/atomic_file.h"
 #include "app/results/results_reader.h"
@@ -17,46 +16,11 @@ namespace voussoir::app::results
 namespace
 {
 
-/// Where rows lie in the file. A dataset is opened once for all rows that follow each other there, and not for
-/// each of them: that took longer than to write them.
-class Places
-{
- public:
-    explicit Places(const Hdf5File& file) : file_(file) {}
-
-    const Extents& extents(const std::string& dataset)
-    {
-        const auto known = extents_.find(dataset);
-        if (known != extents_.end()) return known->second;
-        return extents_.emplace(dataset, file_.extents(dataset)).first->second;
-    }
-
-    RowsInFile rows(const std::string& dataset, std::uint64_t first, std::uint64_t row_bytes)
-    {
-        Run& run = runs_[dataset];
-        if (first < run.first || first - run.first >= run.rows.count)
-            run = {first, file_.rows_in_file(dataset, first, row_bytes)};
-        const std::uint64_t passed = first - run.first;
-        return {run.rows.address + passed * row_bytes, run.rows.count - passed};
-    }
-
- private:
-    struct Run {
-        std::uint64_t first = 0;
-        RowsInFile rows{};
-    };
-
-    const Hdf5File& file_;
-    std::unordered_map<std::string, Extents> extents_;
-    std::unordered_map<std::string, Run> runs_;
-};
-
 /// The file that is described, and its name as XML.
 struct Described {
-    Places& places;
+    const Hdf5File& file;
     std::string name;
-    std::vector<std::int64_t> contact_rows;  // of each frame the first, and how many
-    bool planar = false, deformable = false, joints = false;
+    bool planar = false, deformable = false;
 };
 
 struct Element {
@@ -80,21 +44,21 @@ std::string values_at(const Described& of, std::uint64_t address, const std::str
 /// Row `frame` of a dataset that grows frame by frame.
 std::string row(const Described& of, const std::string& dataset, std::size_t frame, Element element)
 {
-    const Extents& all = of.places.extents(dataset);
+    const Extents all = of.file.extents(dataset);
     std::string dimensions;
     std::uint64_t bytes = element.bytes;
     for (std::size_t axis = 1; axis < all.size(); ++axis) {
         dimensions += fmt::format("{}{}", axis > 1 ? " " : "", all[axis]);
         bytes *= all[axis];
     }
-    return values_at(of, of.places.rows(dataset, frame, bytes).address, dimensions, element);
+    return values_at(of, of.file.rows_in_file(dataset, frame, bytes).address, dimensions, element);
 }
 
 /// A dataset as a whole.
 std::string whole(const Described& of, const std::string& dataset, Element element)
 {
     std::string dimensions;
-    for (const std::uint64_t extent : of.places.extents(dataset))
+    for (const std::uint64_t extent : of.file.extents(dataset))
         dimensions += (dimensions.empty() ? "" : " ") + std::to_string(extent);
     return fmt::format(
         "          <DataItem Dimensions=\"{}\" NumberType=\"{}\" Precision=\"{}\" "
@@ -128,7 +92,7 @@ std::string uniform_grid(const std::string& name, double time, const std::string
 std::string blocks_grid(const Described& of, double time, std::size_t frame)
 {
     std::string text = fmt::format("        <Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">\n",
-                                   of.places.extents("/model/mesh/face_block")[0]);
+                                   of.file.extents("/model/mesh/face_block")[0]);
     text += whole(of, "/model/mesh/xdmf_topology", integer) + "        </Topology>\n";
     text += geometry(of, row(of, "/frames/positions", frame, single));
     text += attribute("block", whole(of, "/model/mesh/face_block", integer), "Cell");
@@ -146,7 +110,7 @@ std::string blocks_grid(const Described& of, double time, std::size_t frame)
 /// `count` points, each its own cell.
 std::string points(const Described& of, std::uint64_t count)
 {
-    const RowsInFile indices = of.places.rows("/frames/contacts/indices", 0, integer.bytes);
+    const RowsInFile indices = of.file.rows_in_file("/frames/contacts/indices", 0, integer.bytes);
     return fmt::format(
                "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\">\n",
                count) +
@@ -157,7 +121,7 @@ std::string points(const Described& of, std::uint64_t count)
 std::string joints_grid(const Described& of, double time, std::size_t frame)
 {
     std::string text =
-        points(of, of.places.extents("/joints/area")[0]) + geometry(of, whole(of, "/joints/centre", real));
+        points(of, of.file.extents("/joints/area")[0]) + geometry(of, whole(of, "/joints/centre", real));
     for (const auto& [name, dataset] : {std::pair{"opening [m]", "opening"},
                                         {"largest slip [m]", "largest_slip"},
                                         {"normal force [N]", "normal_force"},
@@ -169,19 +133,19 @@ std::string joints_grid(const Described& of, double time, std::size_t frame)
 /// The contacts of a frame; where their rows do not follow each other in the file, in several pieces.
 std::string contacts_grids(const Described& of, double time, std::size_t frame)
 {
-    const std::uint64_t dimension = of.planar ? 2 : 3,
-                        first = static_cast<std::uint64_t>(of.contact_rows.at(2 * frame)),
-                        end = first + static_cast<std::uint64_t>(of.contact_rows.at(2 * frame + 1));
+    const auto span = of.file.read_rows<std::int64_t>("/frames/contacts/rows", frame, 1);
+    const std::uint64_t dimension = of.planar ? 2 : 3, first = static_cast<std::uint64_t>(span.at(0)),
+                        end = first + static_cast<std::uint64_t>(span.at(1));
     std::string grids;
     for (std::uint64_t at = first; at < end;) {
         std::uint64_t count = end - at;
         for (const char* name : {"centre", "force", "normal"})
-            count =
-                std::min(count, of.places.rows(std::string("/frames/contacts/") + name, at, 8 * dimension).count);
+            count = std::min(
+                count, of.file.rows_in_file(std::string("/frames/contacts/") + name, at, 8 * dimension).count);
         for (const char* name : {"normal_force", "area", "closed_area"})
-            count = std::min(count, of.places.rows(std::string("/frames/contacts/") + name, at, 8).count);
+            count = std::min(count, of.file.rows_in_file(std::string("/frames/contacts/") + name, at, 8).count);
         const auto data = [&](const char* name, std::uint64_t columns) {
-            const RowsInFile rows = of.places.rows(std::string("/frames/contacts/") + name, at, 8 * columns);
+            const RowsInFile rows = of.file.rows_in_file(std::string("/frames/contacts/") + name, at, 8 * columns);
             return values_at(of, rows.address,
                              columns == 1 ? std::to_string(count) : fmt::format("{} {}", count, columns), real);
         };
@@ -206,7 +170,7 @@ std::string moment(const Described& of, double time, std::size_t frame)
         "Value=\"{}\"/>\n",
         frame, time);
     text += blocks_grid(of, time, frame);
-    if (of.joints) text += joints_grid(of, time, frame);
+    if (of.file.has("/joints")) text += joints_grid(of, time, frame);
     return text + contacts_grids(of, time, frame) + "    </Grid>\n";
 }
 
@@ -220,13 +184,8 @@ void write_xdmf(const std::filesystem::path& results_file, const std::filesystem
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n";
     text += fmt::format("    <Information Name=\"title\" Value=\"{}\"/>\n", words::xml_text(reader.model.title));
     text += "    <Grid Name=\"voussoir\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-    Places places(file);
-    const Described described{places,
-                              results,
-                              file.read_rows<std::int64_t>("/frames/contacts/rows", 0, reader.times.size()),
-                              is_planar(reader.model.kinematics),
-                              is_deformable(reader.model.kinematics),
-                              file.has("/joints")};
+    const Described described{file, results, is_planar(reader.model.kinematics),
+                              is_deformable(reader.model.kinematics)};
     for (std::size_t frame = 0; frame < reader.times.size(); ++frame) {
         // Of one time, before and after a static stage, ParaView would show both states in each other.
         if (frame + 1 < reader.times.size() && !(reader.times[frame] < reader.times[frame + 1])) continue;

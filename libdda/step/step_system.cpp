@@ -109,11 +109,9 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     system.contact_force.setZero(rows * K::unknowns);
     system.internal.resize(rows);
     system.load.assign(rows, 0.0);
-    if (!system.solver || system.solver_kind != stage.control.linear_solver ||
-        system.solver_tolerance != stage.control.linear_tolerance) {
+    if (!system.solver || system.solver_kind != stage.control.linear_solver) {
         system.solver = solve::make_linear_solver(stage.control.linear_solver, stage.control.linear_tolerance);
         system.solver_kind = stage.control.linear_solver;
-        system.solver_tolerance = stage.control.linear_tolerance;
     }
     place_rows(system);
 }

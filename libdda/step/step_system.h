@@ -38,7 +38,6 @@ struct StepSystem {
     FrictionCoupling<K> coupling;
     std::unique_ptr<solve::LinearSolver> solver;
     LinearSolverKind solver_kind = LinearSolverKind::automatic;
-    double solver_tolerance = 0;
 };
 
 /// Sets up blocks, contacts and pattern for a step of length h. @param jumps of blocks that land in it, ascending

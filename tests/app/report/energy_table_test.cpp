@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/results/energy_terms.h"
 
@@ -73,6 +75,26 @@ TEST(EnergyTable, SharesAreOfWhatTheBalanceIsJudgedBy)
         const Table table = energy_table(summary_of(energy));
         EXPECT_NEAR(std::stod(table.rows[3][3]), 100 * energy.friction / energy.scale(), 0.005) << peak;
     }
+}
+
+// What was put in is what became of it, also in the diagram.
+TEST(EnergyTable, CurvesAddUp)
+{
+    const EnergyLedger energy = shaken();
+    std::map<std::string, double> terms;
+    for (const auto& [name, value] : results::energy_terms(energy)) terms[name] = value;
+    std::vector<double> sums;
+    for (const EnergyCurve& curve : energy_curves()) {
+        sums.push_back(0);
+        for (const std::string& term : curve.terms) sums.back() += terms.at(term);
+    }
+    EXPECT_EQ(energy_curves().front().words, "put in");
+    EXPECT_NEAR(sums.front(), 120e3, 1);
+    EXPECT_NEAR(std::accumulate(sums.begin() + 1, sums.end(), 0.0), sums.front(), 1);
+    std::size_t count = 0;
+    for (const EnergyCurve& curve : energy_curves()) count += curve.terms.size();
+    for (const auto& [name, value] : terms) count -= name.rfind("peak", 0) != 0 && name != "residual_J";
+    EXPECT_EQ(count, 0U) << "every term is in a curve";
 }
 
 TEST(EnergyInWords, NamesTheSharesAndWhatIsLeft)
