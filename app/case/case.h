@@ -20,6 +20,12 @@ struct HistoryPoint {
     std::optional<Eigen::Vector3d> point;  // m, user's coordinates; the centroid if absent
 };
 
+/// A bar whose forces are written.
+struct BarHistory {
+    std::string name;
+    int bar = 0;  // index into Model::bars
+};
+
 /// What the colours of a picture show: of each vertex its displacement relative to the ground; of each stone its
 /// largest compressive principal stress or strain, its speed, the largest opening or slip of its joints, the
 /// largest share of friction that one of them uses, or its group.
@@ -82,6 +88,7 @@ struct OutputOptions {
     TrustFigures trust = TrustFigures::automatic;
     bool error_estimate = false;  // the run is repeated with half the time step and with twice the stiffness
     std::vector<HistoryPoint> histories;
+    std::vector<BarHistory> bar_histories;
     std::optional<SnapshotOptions> snapshots;  // absent: no renderer is started
     std::optional<FilmOptions> film;           // absent: none, and ffmpeg is not started
     bool report = false;                       // report.html and its companions at the end of the run

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "app/commands/say.h"
@@ -105,6 +106,31 @@ void print_damping(const Case& the_case)
     }
 }
 
+/// Metal between stones: a line for those that are alike.
+void print_bars(const Model& model)
+{
+    const auto limit = [](double force) {
+        return std::isinf(force) ? "elastic" : fmt::format("{:.4g} kN", force / 1e3);
+    };
+    const auto line = [&](const Bar& bar) {
+        const std::string axial = bar.axial > 0
+                                      ? fmt::format("tension {}, compression {}, {:.3g} N/m along it",
+                                                    limit(bar.tension), limit(bar.compression), bar.axial)
+                                      : "";
+        const std::string shear =
+            bar.lateral > 0 ? fmt::format("shear {}, {:.3g} N/m across it", limit(bar.shear), bar.lateral) : "";
+        return axial + (axial.empty() || shear.empty() ? "" : "; ") + shear +
+               (bar.prestress > 0 ? fmt::format("; {:.4g} kN at the start", bar.prestress / 1e3) : "");
+    };
+    for (std::size_t i = 0; i < model.bars.size();) {
+        std::size_t end = i + 1;
+        while (end < model.bars.size() && line(model.bars[end]) == line(model.bars[i])) ++end;
+        const std::string others = end - i > 1 ? fmt::format(" and {} like it", end - i - 1) : "";
+        print_wrapped(fmt::format("bar {}{}: {}", model.bars[i].name, others, line(model.bars[i])), "");
+        i = end;
+    }
+}
+
 /// Where the model ends in the ground.
 void print_boundaries(const Model& model)
 {
@@ -116,7 +142,9 @@ void print_boundaries(const Model& model)
                             ? ""
                             : "; free field " + model.blocks[boundary.free_field[0]].name + " ..."));
     if (!model.tied_sides.empty()) say(fmt::format("tied sides: {} blocks", model.tied_sides.size()));
-    if (!model.side_ties.empty()) say(fmt::format("periodic sides: {} pairs of faces", model.side_ties.size()));
+    if (!model.side_ties.empty())
+        say(fmt::format("periodic sides: {} of faces",
+                        model.side_ties.size() == 1 ? "1 pair" : fmt::format("{} pairs", model.side_ties.size())));
 }
 
 }  // namespace
@@ -158,6 +186,7 @@ void print_case(const Case& the_case)
                     model.blocks.size(), mass / 1000, in_words(model), unknowns_per_block(model.kinematics),
                     model.foundations.size()));
     print_wrapped("left out: " + joined(results::left_out(the_case)), "");
+    print_bars(model);
     print_boundaries(model);
     print_damping(the_case);
     std::vector<std::string> motions;

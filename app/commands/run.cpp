@@ -113,6 +113,20 @@ void print_joints(const std::vector<JointPeaks>& joints)
         joints.size(), opened, slid, 1e3 * noteworthy_opening, 1e3 * opening, 1e3 * slip));
 }
 
+void print_bars(const RunReport& report)
+{
+    if (report.bars.empty()) return;
+    std::size_t yielded = 0;
+    double tension = 0, shear = 0;
+    for (const BarPeaks& bar : report.bars) {
+        yielded += bar.yielded.has_value();
+        tension = std::max(tension, bar.tension);
+        shear = std::max(shear, bar.shear);
+    }
+    say(fmt::format("  of {} bars {} yielded; at most {:.4g} kN of tension, {:.4g} kN of shear",
+                    report.bars.size(), yielded, tension / 1e3, shear / 1e3));
+}
+
 void print_report(const Case& the_case, const Ended& ended, double wall_time)
 {
     const RunReport& report = ended.report;
@@ -129,9 +143,10 @@ void print_report(const Case& the_case, const Ended& ended, double wall_time)
         "  energy: {:.4g} kJ put in; {:.4g} stored, {:.4g} removed in static stages, {:.4g} friction, {:.4g} "
         "impacts, {:.4g} damping, {:.4g} loss of the integrator",
         e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3, e.impact / 1e3,
-        (e.damping_kinetic + e.damping_contact + e.damping_material + e.fracture) / 1e3,
+        (e.damping_kinetic + e.damping_contact + e.damping_material + e.fracture + e.yielding) / 1e3,
         (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3));
     print_joints(ended.joints);
+    print_bars(report);
     const std::vector<std::string> doubts = print_trust(the_case, ended.trust, report.energy);
     for (const std::string& warning : words::warnings_of(report, the_case.model, the_case.stages))
         say(fmt::format("  warning: {}", warning));

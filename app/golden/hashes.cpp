@@ -44,6 +44,7 @@ void add(const EnergyLedger& energy, Hash& hash)
           energy.redetection, energy.peak_stored, energy.peak_given})
         hash.add(joules);
     if (energy.damping_material != 0) hash.add(energy.damping_material);  // scenes without it keep their hashes
+    if (energy.yielding != 0) hash.add(energy.yielding);
 }
 
 }  // namespace

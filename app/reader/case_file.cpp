@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/reader/attached_masses.h"
+#include "app/reader/bars.h"
 #include "app/reader/blocks.h"
 #include "app/reader/boundaries.h"
 #include "app/reader/drawn_fit.h"
@@ -62,6 +63,7 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
     give_initial_motions(initial_state, model);
     findings.apart = blocks_named_in(initial_state, model);
     settle_fit(top, fit_tolerance, result, findings);
+    read_bars(top, model);  // dowels in the joints that the run will have
 }
 
 void read_everything(YamlCursor& top, Case& result, Findings& findings)

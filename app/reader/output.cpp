@@ -19,6 +19,25 @@ constexpr double max_intervals = 1e12;  // in a stage; they are counted in 64 bi
 
 constexpr double most_film_frames = 1e5;
 
+/// `{bar: name}`. @returns whether it is one
+bool read_bar_history(const std::string& name, YamlCursor& map, const Model& model, OutputOptions& output)
+{
+    if (!map.is_map()) return false;
+    const std::optional<YamlCursor> given = map.find("bar");
+    if (!given) return false;
+    std::vector<std::string> names;
+    for (const Bar& bar : model.bars) names.push_back(bar.name);
+    const std::string wanted = given->as_text();
+    const auto found = std::find(names.begin(), names.end(), wanted);
+    if (found == names.end() && !wanted.empty())
+        given->fault("no bar \"" + wanted + "\"",
+                     names.empty() ? "the case has no bars" : words::suggestion(wanted, names));
+    else
+        output.bar_histories.push_back({name, static_cast<int>(found - names.begin())});
+    map.reject_unknown_keys();
+    return true;
+}
+
 HistoryPoint read_history(const std::string& name, YamlCursor& map, const Model& model,
                           const std::vector<std::string>& blocks)
 {
@@ -190,7 +209,8 @@ OutputOptions read_output(YamlCursor& top, const Model& model, const std::vector
     const std::vector<std::string> blocks = sorted_block_names(model);
     if (std::optional<YamlCursor> histories = map->find("histories"))
         for (auto& [name, history] : histories->named_entries("histories by name, {crown: {block: voussoir_47}}"))
-            output.histories.push_back(read_history(name, history, model, blocks));
+            if (!read_bar_history(name, history, model, output))
+                output.histories.push_back(read_history(name, history, model, blocks));
     if (std::optional<YamlCursor> snapshots = map->find("snapshots"))
         output.snapshots = read_snapshots(*snapshots, model, stages);
     read_video(*map, model, stages, output);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/reader/bars.h"
 #include "app/reader/boundaries.h"
 #include "app/reader/gravity.h"
 #include "app/reader/step_control.h"
@@ -233,6 +234,7 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
         has_rested = has_rested || !is_dynamic(entry.stage);
         refuse_unsupported(entry.written, model, entry.stage, has_rested);
         refuse_published_iteration_of(model.joints, entry);
+        refuse_bars(entry.written, model, entry.stage);
         refuse_rebound_by_newmark(model.joints, entry);
         if (entry.motion)
             read_foundation_motions(*entry.motion, foundations, entry.duration, context, entry.stage);

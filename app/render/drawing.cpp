@@ -141,6 +141,7 @@ Image Drawing::draw(const Scene& scene, const Camera& camera, const drawing::Col
     const double fine = scene.edges.size() > 20000 ? 0.6 : 1.1;
     draw_lines(scene.edges, {0.10F, 0.11F, 0.14F}, std::max(1.0, fine * stroke));
     glDepthRange(0, 0.99995);  // marks in front of the edges they follow
+    draw_lines(scene.rods, {0.10F, 0.11F, 0.14F}, 4 * stroke);
     draw_lines(scene.slid, slid_color(), 3 * stroke);
     draw_lines(scene.opened, opened_color(), 3 * stroke);
     glDisable(GL_DEPTH_TEST);  // forces are seen through the stones

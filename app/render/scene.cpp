@@ -157,6 +157,25 @@ void add_forces(const results::RecordedModel& model, const results::RecordedFram
         if (two.size() == 2) scene.thrust.push_back({two[0], two[1]});
 }
 
+/// From end to end, as the stones are drawn.
+void add_rods(const results::RecordedModel& model, const results::RecordedFrame& frame,
+              const SceneOptions& options, Scene& scene)
+{
+    for (const results::RecordedRod& rod : model.rods) {
+        std::array<Vector3d, 2> ends;
+        bool hidden = false;
+        for (int k = 0; k < 2; ++k) {
+            const int block = rod.blocks[k];
+            const Pose pose = pose_of(model.kinematics, frame.state, block);
+            const Vector3d reference = model.centroids[block] + rod.anchors[k];
+            const Vector3d moved = pose.centroid + pose.map * rod.anchors[k] - reference - frame.ground;
+            ends[k] = reference + options.deformation_scale * moved;
+            hidden = hidden || is_hidden(options.look, block);
+        }
+        if (!hidden) scene.rods.push_back({ends[0], ends[1]});
+    }
+}
+
 /// A line with four barbs at its end.
 void add_arrow(const Vector3d& from, const Vector3d& along, std::vector<Segment>& lines)
 {
@@ -230,6 +249,7 @@ Scene make_scene(const results::RecordedModel& model, const results::RecordedFra
         if (is_hidden(options.look, model.mesh.face_block[face])) continue;
         add_face(model.mesh, static_cast<int>(face), vertices, foundation[model.mesh.face_block[face]], scene);
     }
+    add_rods(model, frame, options, scene);
     add_labels(model, vertices, options.look, scene);
     if (options.look.largest_force > 0) add_forces(model, frame, options.look, scene);
     add_ground_arrows(model, frame.time, options.look, scene);

@@ -43,6 +43,7 @@ struct Scene {
     Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement of the ground
     std::vector<Triangle> triangles;
     std::vector<Segment> edges, opened, slid;  // outlines of faces, and of the faces of marked joints
+    std::vector<Segment> rods;                 // tie rods from end to end
     std::vector<Segment> forces, thrust;  // contact forces, a sixth of the structure for the largest of the run
     std::vector<Segment> ground_arrows;   // acceleration of the ground, the largest of the run as long
     double ground_acceleration = 0;       // m/s2, the largest that they show

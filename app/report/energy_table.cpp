@@ -30,7 +30,7 @@ constexpr const char* put_in = "put in";
 constexpr const char* lost = "lost";
 constexpr const char* at_end = "at the end";
 constexpr const char* no_term = "no term has it";
-constexpr const char* damped = "damping, fracture";
+constexpr const char* damped = "damping, fracture, yielding";
 constexpr const char* computed = "integrator, contacts found anew";
 constexpr const char* stored = "strain, springs of joints";
 constexpr double negligible = 1e-9;  // of the whole
@@ -49,6 +49,7 @@ constexpr Term terms[] = {
     {"damping_kinetic_J", lost, "damping of velocities", damped},
     {"damping_contact_J", lost, "dashpots of joints", damped},
     {"fracture_J", lost, "bonds that broke", damped},
+    {"yielding_J", lost, "bars that yielded", damped},
     {"damping_static_J", lost, "on the way to rest in static stages", damped},
     {"algorithmic_J", lost, "integrator", computed},
     {"algorithmic_rotation_J", lost, "integrator: turns and stretches of stones", computed},
@@ -124,6 +125,7 @@ std::string energy_in_words(const std::string& summary)
     shares.damping = of("damping");
     shares.dashpots = of("dashpots");
     shares.fracture = of("fracture");
+    shares.yielding = of("yielding");
     std::string words = words::shares_in_words(shares);
     if (words.empty()) return words;
     words.front() = 'O';

@@ -18,6 +18,7 @@ std::vector<std::pair<std::string, double>> energy_terms(const EnergyLedger& ene
             {"damping_contact_J", energy.damping_contact},
             {"damping_material_J", energy.damping_material},
             {"fracture_J", energy.fracture},
+            {"yielding_J", energy.yielding},
             {"impact_J", energy.impact},
             {"algorithmic_J", energy.algorithmic},
             {"algorithmic_rotation_J", energy.algorithmic_rotation},

@@ -11,6 +11,7 @@
 #include "app/results/scene_vectors.h"
 #include "app/results/surface_mesh.h"
 #include "app/words/csv_cell.h"
+#include "libdda/analysis/bar_forces.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::results
@@ -60,14 +61,22 @@ MaterialPoint material_point(const Model& model, const HistoryPoint& history)
 
 Histories::Histories(const Case& the_case) : model_(the_case.model)
 {
-    if (the_case.output.histories.empty()) return;
+    const OutputOptions& output = the_case.output;
+    if (output.histories.empty() && output.bar_histories.empty()) return;
     columns = {"time [s]"};
     const std::vector<std::string> axes = axis_names(model_.kinematics);
-    for (const HistoryPoint& point : the_case.output.histories) {
+    for (const HistoryPoint& point : output.histories) {
         points_.push_back(material_point(model_, point));
         const std::string name = csv_safe(point.name);
         for (const std::string& axis : axes) columns.push_back(fmt::format("{} u{} [m]", name, axis));
         for (const std::string& axis : axes) columns.push_back(fmt::format("{} v{} [m/s]", name, axis));
+    }
+    for (const BarHistory& history : output.bar_histories) {
+        bars_.push_back(history.bar);
+        const std::string name = csv_safe(history.name);
+        columns.push_back(name + " tension [N]");
+        columns.push_back(name + " shear [N]");
+        columns.push_back(name + " elongation [m]");
     }
     if (!model_.foundations.empty()) {
         for (const std::string& axis : axes) columns.push_back(fmt::format("ground u{} [m]", axis));
@@ -92,6 +101,11 @@ void Histories::line(const State& state)
     for (const MaterialPoint& point : points_) {
         append_vector(pending_, displacement_of(model_, state, point), model_.kinematics);
         append_vector(pending_, velocity_of(model_, state, point), model_.kinematics);
+    }
+    if (!bars_.empty()) {
+        const std::vector<BarNow> bars = bars_now(model_, state);
+        for (const int bar : bars_)
+            pending_.insert(pending_.end(), {bars[bar].axial, bars[bar].shear, bars[bar].elongation});
     }
     if (!model_.foundations.empty())
         append_vector(pending_, ground_displacement(model_, state), model_.kinematics);

@@ -41,6 +41,7 @@ class Histories
     const Model& model_;
     std::filesystem::path path_;
     std::vector<MaterialPoint> points_;
+    std::vector<int> bars_;  // indices into Model::bars
     std::vector<double> pending_, taken_;
     std::ofstream stream_;
 };

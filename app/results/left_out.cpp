@@ -60,8 +60,10 @@ std::vector<std::string> left_out(const Case& the_case)
               "Rayleigh damping (no material has any)");
     leave_out(!any_material(the_case, [](const BlockMaterial& m) { return !m.branches.empty(); }),
               "hysteretic damping (no material has any)");
+    leave_out(the_case.model.bars.empty(), "bars (no metal is between stones)");
     leave_out(the_case.model.boundaries.empty(), "viscous boundaries (no face of a block is one)");
-    leave_out(the_case.output.histories.empty(), "histories (no points are requested)");
+    leave_out(the_case.output.histories.empty() && the_case.output.bar_histories.empty(),
+              "histories (no points are requested)");
     leave_out(!the_case.output.snapshots && !the_case.output.film && !the_case.output.report,
               "renderer (no snapshots are requested)");
     return words;

@@ -208,6 +208,34 @@ void write_foundations(const Model& model, Hdf5File& file)
     file.attribute("/model/foundations/held", "columns", columns);
 }
 
+/// Only if there are any. A strength that is not given is infinite.
+void write_bars(const Model& model, Hdf5File& file)
+{
+    if (model.bars.empty()) return;
+    std::vector<std::string> names;
+    std::vector<std::int32_t> blocks, is_rod;
+    std::vector<double> ends, springs;
+    for (const Bar& bar : model.bars) {
+        names.push_back(bar.name);
+        blocks.insert(blocks.end(), {bar.block_a, bar.block_b});
+        is_rod.push_back(bar.is_rod);
+        for (const Eigen::Vector3d& anchor : {bar.anchor_a, bar.anchor_b})
+            for (const int axis : axes_of(model.kinematics)) ends.push_back(anchor[axis]);
+        springs.insert(springs.end(),
+                       {bar.axial, bar.lateral, bar.tension, bar.compression, bar.shear, bar.prestress});
+    }
+    const std::size_t dimension = axes_of(model.kinematics).size();
+    file.make_group("/model/bars");
+    file.write_texts("/model/bars/name", names);
+    file.write("/model/bars/blocks", blocks, {names.size(), 2});
+    file.write("/model/bars/is_rod", is_rod);
+    file.write("/model/bars/anchors", ends, {names.size(), 2 * dimension});
+    file.write("/model/bars/springs", springs, {names.size(), 6});
+    file.attribute("/model/bars/springs", "columns",
+                   std::vector<std::string>{"axial_N_m", "lateral_N_m", "tension_N", "compression_N", "shear_N",
+                                            "prestress_N"});
+}
+
 /// Only if there are any.
 void write_boundaries(const Model& model, Hdf5File& file)
 {
@@ -353,6 +381,7 @@ void write_model_records(const Case& the_case, const SurfaceMesh& mesh, Hdf5File
     write_materials(model, file);
     write_joints(model, file);
     write_foundations(model, file);
+    write_bars(model, file);
     write_boundaries(model, file);
     write_mesh(mesh, file);
     write_motions(the_case, file);

@@ -100,7 +100,7 @@ bool fits(const RunReport& report, const Model& model)
     const DeepestOverlap& deepest = report.deepest;
     const bool no_overlap = deepest.share == 0 && deepest.block_a == -1 && deepest.block_b == -1;
     if (!no_overlap && (!is_block(deepest.block_a) || !is_block(deepest.block_b))) return false;
-    if (!are_joints_of(report.joints, model)) return false;
+    if (!are_joints_of(report.joints, model) || report.bars.size() != model.bars.size()) return false;
     return std::all_of(report.fallen.begin(), report.fallen.end(),
                        [&](const FallenBlock& fallen) { return is_block(fallen.block); }) &&
            std::all_of(report.crushed.begin(), report.crushed.end(), [&](const CrushedJoint& crushed) {

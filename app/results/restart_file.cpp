@@ -15,7 +15,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 17\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 18\n";  // its number rises when the layout changes
 constexpr const char* what = "a restart file";
 constexpr std::size_t head_bytes = 1 + 8 + 8;  // whether it ended, its time, the bytes of what follows
 
@@ -25,10 +25,11 @@ template <typename Archive, typename Ledger>
 void ledger_fields(Archive& archive, Ledger& ledger)
 {
     auto& [kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
-           damping_static, damping_contact, damping_material, fracture, impact, algorithmic, algorithmic_rotation,
-           redetection, start_kinetic, start_strain, start_contact, peak_stored, peak_taken, peak_given] = ledger;
+           damping_static, damping_contact, damping_material, fracture, yielding, impact, algorithmic,
+           algorithmic_rotation, redetection, start_kinetic, start_strain, start_contact, peak_stored, peak_taken,
+           peak_given] = ledger;
     archive.fields(kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
-                   damping_static, damping_contact, damping_material, fracture, impact, algorithmic,
+                   damping_static, damping_contact, damping_material, fracture, yielding, impact, algorithmic,
                    algorithmic_rotation, redetection, start_kinetic, start_strain, start_contact, peak_stored,
                    peak_taken, peak_given);
 }
@@ -47,7 +48,7 @@ void report_fields(Archive& archive, Report& report)
 {
     auto& [outcome, diagnosis, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
            factorisations, linear_iterations, factor_entries, simulated_time, max_penetration, deepest,
-           static_unbalanced, energy, fallen, crushed, joints, seconds, warnings] = report;
+           static_unbalanced, energy, fallen, crushed, joints, bars, seconds, warnings] = report;
     archive.fields(outcome, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
                    factorisations, linear_iterations, factor_entries, simulated_time, max_penetration,
                    static_unbalanced, seconds);
@@ -70,6 +71,12 @@ void report_fields(Archive& archive, Report& report)
         to.fields(block_a, block_b, opening, slip);
         to.maybe(opened, time);
         to.maybe(slid, time);
+    });
+    archive.list(bars, [&](auto& to, auto& entry) {
+        auto& [tension, compression, shear, yielded, out] = entry;
+        to.fields(tension, compression, shear);
+        to.maybe(yielded, time);
+        to.maybe(out, time);
     });
     const auto told = [](auto& to, auto& entry) { diagnosis_fields(to, entry); };
     archive.maybe(diagnosis, told);

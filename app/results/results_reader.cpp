@@ -113,6 +113,27 @@ std::vector<JointBound> read_bounds(const Hdf5File& file, const RecordedModel& m
     return bounds;
 }
 
+std::vector<RecordedRod> read_rods(const Hdf5File& file, const RecordedModel& model, const std::string& place)
+{
+    if (!file.has("/model/bars")) return {};
+    const std::vector<std::int32_t> blocks = file.read<std::int32_t>("/model/bars/blocks"),
+                                    is_rod = file.read<std::int32_t>("/model/bars/is_rod");
+    const std::size_t count = is_rod.size(), dimension = axes_of(model.kinematics).size();
+    const std::vector<double> anchors = read_for_each(file, "/model/bars/anchors", 2 * dimension * count, place);
+    const auto is_block = [&](std::int32_t block) {
+        return block >= 0 && static_cast<std::size_t>(block) < model.block_names.size();
+    };
+    if (blocks.size() != 2 * count || !std::all_of(blocks.begin(), blocks.end(), is_block))
+        throw InputError(place, "a bar without its blocks", "the file is damaged: run the case again");
+    std::vector<RecordedRod> rods;
+    for (std::size_t i = 0; i < count; ++i)
+        if (is_rod[i] != 0)
+            rods.push_back(
+                {{blocks[2 * i], blocks[2 * i + 1]},
+                 {vector_at(anchors, 2 * i, model.kinematics), vector_at(anchors, 2 * i + 1, model.kinematics)}});
+    return rods;
+}
+
 RecordedModel read_model(const Hdf5File& file, const std::string& place)
 {
     RecordedModel model;
@@ -133,6 +154,7 @@ RecordedModel read_model(const Hdf5File& file, const std::string& place)
     model.joints = read_joints(file, model.kinematics, place);
     check_recorded(model, place);
     model.bounds = read_bounds(file, model, place);
+    model.rods = read_rods(file, model, place);
     for (std::size_t b = 0; b + 1 < model.mesh.block_first_vertex.size(); ++b)
         model.mesh.vertex_block.resize(model.mesh.block_first_vertex[b + 1], static_cast<std::int32_t>(b));
     return model;

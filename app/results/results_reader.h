@@ -1,6 +1,7 @@
 // Reads results.h5 back into plain structs: for pictures, reports and tests.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -14,6 +15,12 @@
 namespace voussoir::app::results
 {
 
+/// A tie rod.
+struct RecordedRod {
+    std::array<std::int32_t, 2> blocks{};
+    std::array<Eigen::Vector3d, 2> anchors;  // m, in space, from the centroids at the start
+};
+
 /// What is constant in a results file.
 struct RecordedModel {
     std::string title, version;
@@ -26,6 +33,7 @@ struct RecordedModel {
     SurfaceMesh mesh;
     std::vector<WatchedJoint> joints;  // of the start, without their patches
     std::vector<JointBound> bounds;    // (joints)
+    std::vector<RecordedRod> rods;
 };
 
 /// What one frame holds, vectors and tensors in space.

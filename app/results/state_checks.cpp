@@ -72,10 +72,12 @@ bool fits(const State& state, const Model& model)
                       velocities = blocks * static_cast<std::size_t>(unknowns_per_block(model.kinematics)),
                       anchors = model.foundations.size() * axes_of(model.kinematics).size(),
                       reactions = initial_state(model).boundary_reactions.size(),
-                      branches = initial_state(model).branch_strains.size();
+                      branches = initial_state(model).branch_strains.size(),
+                      bars = model.bars.size() * (axes_of(model.kinematics).size() + 1);
     return state.coordinates.size() == coordinates && state.velocities.size() == velocities &&
            state.foundation_anchors.size() == anchors && state.boundary_reactions.size() == reactions &&
            state.branch_strains.size() == branches && are_finite(state.branch_strains) &&
+           state.bars.size() == bars && are_finite(state.bars) &&
            are_finite(state.boundary_reactions) && are_finite(state.coordinates) && are_finite(state.velocities) &&
            are_finite(state.foundation_anchors) && fits(state.contacts, model) &&
            fits(state.planar_contacts, model);

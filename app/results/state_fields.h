@@ -56,7 +56,7 @@ void state_fields(Archive& archive, SomeState& state)
     archive.field(state.grid);
     archive.field(state.next_time_step);
     for (auto* list : {&state.coordinates, &state.velocities, &state.foundation_anchors, &state.boundary_reactions,
-                       &state.branch_strains})
+                       &state.branch_strains, &state.bars})
         archive.list(*list);
     contact_fields(archive, state.contacts);
     contact_fields(archive, state.planar_contacts);

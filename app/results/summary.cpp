@@ -11,6 +11,7 @@
 #include "app/version/version.h"
 #include "app/words/diagnosis_words.h"
 #include "app/words/trust_words.h"
+#include "libdda/analysis/bar_forces.h"
 #include "libdda/analysis/crushing.h"
 
 namespace voussoir::app::results
@@ -50,6 +51,28 @@ Json crushed_joints(const Model& model, const std::vector<CrushedJoint>& crushed
                         {"longest_s", joint.longest},
                         {"at_rest", joint.at_rest},
                         {"lasting", is_lasting(joint)}});
+    }
+    return json;
+}
+
+Json bars(const Model& model, const State& state, const RunReport& report)
+{
+    Json json = Json::array();
+    const std::vector<BarNow> now = bars_now(model, state);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const BarPeaks peaks = i < report.bars.size() ? report.bars[i] : BarPeaks{};
+        json.push_back(
+            {{"name", model.bars[i].name},
+             {"blocks", {model.blocks[model.bars[i].block_a].name, model.blocks[model.bars[i].block_b].name}},
+             {"tension_N", now[i].axial},
+             {"shear_N", now[i].shear},
+             {"elongation_m", now[i].elongation},
+             {"yielded_m", now[i].yielded},
+             {"largest_tension_N", peaks.tension},
+             {"largest_compression_N", peaks.compression},
+             {"largest_shear_N", peaks.shear},
+             {"yielded_time_s", peaks.yielded ? Json(*peaks.yielded) : Json(nullptr)},
+             {"out_time_s", peaks.out ? Json(*peaks.out) : Json(nullptr)}});
     }
     return json;
 }
@@ -170,6 +193,7 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
     if (has_compressive_strength(model)) json["crushed_joints"] = crushed_joints(model, report.crushed);
     const std::vector<JointNow> now = joints_now(model, joints, state, joint_resultants(model, state));
     json["joints"] = Json::parse(joint_counts(report.joints, now));
+    if (!model.bars.empty()) json["bars"] = bars(model, state, report);
     json["motions"] = motions(the_case.motions);
     json["overrides"] = the_case.overrides;
     json["defaults"] = the_case.defaults;

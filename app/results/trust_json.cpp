@@ -50,7 +50,7 @@ Json shares(const EnergyShares& shares)
 {
     return {{"put_in_J", shares.put_in},   {"integrator", shares.integrator}, {"redetection", shares.contacts},
             {"friction", shares.friction}, {"impact", shares.impact},         {"damping", shares.damping},
-            {"dashpots", shares.dashpots}, {"fracture", shares.fracture}};
+            {"dashpots", shares.dashpots}, {"fracture", shares.fracture},     {"yielding", shares.yielding}};
 }
 
 }  // namespace

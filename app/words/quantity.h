@@ -21,6 +21,7 @@ namespace dimension
 {
 inline constexpr Dimension number{{0, 0, 0, 0}, "a number without unit", "", "0.25"};
 inline constexpr Dimension length{{1, 0, 0, 0}, "a length", "m", "1.5 m"};
+inline constexpr Dimension area{{2, 0, 0, 0}, "an area", "m2", "5 cm2"};
 inline constexpr Dimension time{{0, 0, 1, 0}, "a time", "s", "2 ms"};
 inline constexpr Dimension angle{{0, 0, 0, 1}, "an angle", "rad", "30 deg"};
 inline constexpr Dimension frequency{{0, 0, -1, 0}, "a frequency", "Hz", "2.5 Hz"};

@@ -156,13 +156,10 @@ std::string shares_in_words(const EnergyShares& shares)
 {
     if (!(shares.put_in > 0)) return "";
     std::string words = fmt::format("of {:.4g} kJ put in by the motion:", shares.put_in / 1e3);
-    const std::pair<const char*, double> terms[] = {{"integrator", shares.integrator},
-                                                    {"friction", shares.friction},
-                                                    {"impacts", shares.impact},
-                                                    {"damping", shares.damping},
-                                                    {"dashpots", shares.dashpots},
-                                                    {"fracture", shares.fracture},
-                                                    {"contacts found anew", shares.contacts}};
+    const std::pair<const char*, double> terms[] = {
+        {"integrator", shares.integrator}, {"friction", shares.friction},           {"impacts", shares.impact},
+        {"damping", shares.damping},       {"dashpots", shares.dashpots},           {"fracture", shares.fracture},
+        {"yielding", shares.yielding},     {"contacts found anew", shares.contacts}};
     for (const auto& [name, share] : terms)
         if (share >= worth_naming || name == terms[0].first)
             words += fmt::format(" {} {},", name, share >= worth_naming ? percent(share) : "< 0.01 %");

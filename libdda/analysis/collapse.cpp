@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "libdda/analysis/bar_forces.h"
 #include "libdda/contact/initial_contacts.h"
 
 namespace voussoir
@@ -36,13 +37,23 @@ void join(const ContactSetIn<D>& contacts, std::vector<int>& parent)
                 parent[root_of(patch.block_a, parent)] = root_of(patch.block_b, parent);
 }
 
-/// Whether a chain of closed contacts joins each block to one that the ground holds, or goes on beyond.
+/// What hangs from a bar does not fall as long as the bar carries it.
+void join_bars(const Model& model, const State& state, std::vector<int>& parent)
+{
+    const std::vector<BarNow> bars = bars_now(model, state);
+    for (std::size_t i = 0; i < bars.size(); ++i)
+        if (bars[i].axial != 0 || bars[i].shear != 0)
+            parent[root_of(model.bars[i].block_a, parent)] = root_of(model.bars[i].block_b, parent);
+}
+
+/// Whether a chain of closed contacts and bars joins each block to one that the ground holds, or goes on beyond.
 std::vector<bool> supported(const Model& model, const State& state)
 {
     std::vector<int> parent(model.blocks.size());
     std::iota(parent.begin(), parent.end(), 0);
     join(state.contacts, parent);
     join(state.planar_contacts, parent);
+    join_bars(model, state, parent);
     std::vector<bool> holds(parent.size(), false), result(parent.size());
     for (const Foundation& foundation : model.foundations) holds[root_of(foundation.block, parent)] = true;
     for (const ViscousBoundary& boundary : model.boundaries)

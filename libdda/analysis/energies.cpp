@@ -1,6 +1,7 @@
 #include "libdda/analysis/energies.h"
 
 #include "libdda/contact/find_contacts.h"
+#include "libdda/step/bar_law.h"
 #include "libdda/step/block_step.h"
 #include "libdda/step/side_ties.h"
 
@@ -62,7 +63,8 @@ EnergyLedger open_ledger(const Model& model, const State& state)
 {
     EnergyLedger ledger;
     ledger.kinetic = ledger.start_kinetic = kinetic_energy(model, state);
-    ledger.strain = ledger.start_strain = strain_energy(model, state) + step::side_tie_energy(model, state);
+    ledger.strain = ledger.start_strain =
+        strain_energy(model, state) + step::side_tie_energy(model, state) + step::bars_energy(model, state);
     ledger.contact = ledger.start_contact = is_planar(model.kinematics)
                                                 ? contact::spring_energy(model, state.planar_contacts)
                                                 : contact::spring_energy(model, state.contacts);

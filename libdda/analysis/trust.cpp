@@ -139,6 +139,7 @@ EnergyShares shares_of(const EnergyLedger& now, const TrustStart& start)
     shares.damping = share(&EnergyLedger::damping_kinetic) + share(&EnergyLedger::damping_material);
     shares.dashpots = share(&EnergyLedger::damping_contact);
     shares.fracture = share(&EnergyLedger::fracture);
+    shares.yielding = share(&EnergyLedger::yielding);
     return shares;
 }
 

@@ -50,6 +50,7 @@ struct EnergyShares {
     double damping = 0;     // of the stage and of materials
     double dashpots = 0;    // of joints
     double fracture = 0;    // of joints
+    double yielding = 0;    // of bars
 };
 
 /// A limit that is exceeded.

@@ -8,6 +8,7 @@
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/contact/placed_part.h"
 #include "libdda/step/applied_forces.h"
+#include "libdda/step/bars.h"
 #include "libdda/step/block_step.h"
 
 namespace voussoir
@@ -36,6 +37,20 @@ std::vector<step::BlockStep<K>> blocks_at_rest(const Model& model, const State& 
     }
     step::find_applied_forces(model, stage, rest, 1.0, 1.0, blocks, applied);
     return blocks;
+}
+
+/// The bars with the stiffness that they have at rest: a slack one has none.
+template <class K>
+std::vector<step::BarStep<K>> bars_at_rest(const Model& model, const State& state, int rows,
+                                           const std::vector<step::BlockStep<K>>& blocks)
+{
+    std::vector<step::BarStep<K>> bars;
+    step::begin_bars(model, state, blocks, bars);
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(rows * K::unknowns);
+    std::vector<double> load(rows, 0.0);
+    const Eigen::VectorXd unmoved = forces;
+    step::add_bar_forces(unmoved, 1, blocks, bars, forces, load);
+    return bars;
 }
 
 template <class K>
@@ -122,12 +137,14 @@ class ClosedJoints
     int patch_ = 0;
 };
 
-/// Gives rows to the blocks that move and that a closed joint holds, and puts them into the points.
+/// Gives rows to the blocks that move and that a closed joint or a bar holds, and puts them into the points.
 /// @returns the block of each row
 template <class K>
-std::vector<int> number_rows(ClosedJoints<K>& joints, std::vector<step::BlockStep<K>>& blocks)
+std::vector<int> number_rows(const std::vector<Bar>& bars, ClosedJoints<K>& joints,
+                             std::vector<step::BlockStep<K>>& blocks)
 {
     std::vector<bool> touched(blocks.size(), false);
+    for (const Bar& bar : bars) touched[bar.block_a] = touched[bar.block_b] = true;
     for (const auto& [a, b] : joints.blocks_of_points) touched[a] = touched[b] = true;
     std::vector<int> block_of_row;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -157,14 +174,15 @@ void for_each_tie(const step::AppliedForces<K>& applied, const std::vector<step:
 }
 
 template <class K>
-void set_pattern(int rows, const step::AppliedForces<K>& applied, const std::vector<step::BlockStep<K>>& blocks,
-                 Vibration<K>& vibration)
+void set_pattern(int rows, const step::AppliedForces<K>& applied, const std::vector<step::BarStep<K>>& bars,
+                 const std::vector<step::BlockStep<K>>& blocks, Vibration<K>& vibration)
 {
     std::vector<std::pair<int, int>> pairs;
     for (const VibratingPoint<K>& p : vibration.points)
         if (p.row_a >= 0 && p.row_b >= 0)
             pairs.emplace_back(std::max(p.row_a, p.row_b), std::min(p.row_a, p.row_b));
     for_each_tie(applied, blocks, [&](int row, int column, const auto&) { pairs.emplace_back(row, column); });
+    step::add_bar_pairs(blocks, bars, pairs);
     solve::set_pattern(vibration.stiffness, K::unknowns, rows, pairs);
 }
 
@@ -236,18 +254,20 @@ Vibration<K> vibration_about(const Model& model, const State& state)
     std::vector<step::BlockStep<K>> blocks = blocks_at_rest<K>(model, with_contacts, applied);
     ClosedJoints<K> joints(model, with_contacts, blocks);
     Vibration<K> vibration;
-    vibration.block_of_row = number_rows(joints, blocks);
+    vibration.block_of_row = number_rows(model.bars, joints, blocks);
     const int rows = static_cast<int>(vibration.block_of_row.size());
+    const std::vector<step::BarStep<K>> bars = bars_at_rest(model, with_contacts, rows, blocks);
     vibration.points = std::move(joints.points);
     vibration.mass.assign(static_cast<std::size_t>(rows) * n * n, 0.0);
     vibration.translating_mass.assign(static_cast<std::size_t>(rows) * K::dimension, 0.0);
-    set_pattern(rows, applied, blocks, vibration);
+    set_pattern(rows, applied, bars, blocks, vibration);
     for (const step::BlockStep<K>& block : blocks)
         if (block.row >= 0) add_block(block, vibration);
     for (const VibratingPoint<K>& point : vibration.points) add_joint(point, vibration.stiffness);
     for_each_tie(applied, blocks, [&](int row, int column, const auto& matrix) {
         BlockView<K>(vibration.stiffness.block(vibration.stiffness.position(row, column))) -= matrix;
     });
+    step::add_bar_stiffness(blocks, bars, vibration.stiffness);
     hold(blocks, vibration.stiffness);
     return vibration;
 }

@@ -10,6 +10,7 @@
 #include "libdda/geometry/convex_polygon.h"
 #include "libdda/geometry/convex_polyhedron.h"
 #include "libdda/geometry/moments.h"
+#include "libdda/model/bar.h"
 #include "libdda/model/boundary.h"
 #include "libdda/model/hysteresis.h"
 #include "libdda/model/kinematics.h"
@@ -131,6 +132,7 @@ struct Model {
     // Ascending: deformable blocks whose opposite sides move alike, so that they are ground that goes on for ever
     // sideways. Neither their horizontal lines nor they themselves turn or stretch; what is left is c and dx/dZ.
     std::vector<int> tied_sides;
+    std::vector<Bar> bars;           // tie rods, cramps, dowels
     std::vector<SideTie> side_ties;  // sides of the model that are one and the same: it goes on for ever
     // m: what two stones share or lack at a corner of their contact when the run begins, up to this much, is the
     // error of the drawing and the zero of their contact. 0: stones are what is drawn

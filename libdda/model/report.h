@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "libdda/model/bar.h"
 #include "libdda/model/diagnosis.h"
 
 namespace voussoir
@@ -28,6 +29,7 @@ struct EnergyLedger {
     double damping_contact = 0;       // dissipated by contact dashpots
     double damping_material = 0;      // dissipated by the Rayleigh damping of blocks
     double fracture = 0;              // elastic energy lost when an intact joint breaks
+    double yielding = 0;              // dissipated by bars that yield
     double impact = 0;                // taken by the impulses of landing stones
     double algorithmic = 0;           // loss of the integrator, from its own identity
     double algorithmic_rotation = 0;  // of the finite rotation and shape update
@@ -44,7 +46,7 @@ struct EnergyLedger {
     double dissipated() const
     {
         return friction + damping_kinetic + damping_static + damping_contact + damping_material + fracture +
-               impact + algorithmic + algorithmic_rotation + redetection;
+               yielding + impact + algorithmic + algorithmic_rotation + redetection;
     }
     /// What kinetic, strain and contact energy have grown by since the start [J].
     double stored_change() const
@@ -176,6 +178,7 @@ struct RunReport {
     std::vector<FallenBlock> fallen;                              // in the order in which they fell
     std::vector<CrushedJoint> crushed;                            // in the order in which they were first crushed
     std::vector<JointPeaks> joints;                               // in ascending order of the pair
+    std::vector<BarPeaks> bars;                                   // in the order of Model::bars
     std::array<double, static_cast<int>(Part::count)> seconds{};  // wall time by part
     std::vector<Diagnosis> warnings;                              // in the order in which they arose
 };

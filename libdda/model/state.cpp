@@ -205,6 +205,10 @@ State initial_state(const Model& model)
     for (const ViscousBoundary& boundary : model.boundaries) faces += boundary.faces.size();
     state.boundary_reactions.assign(faces * dimension * (1 + dimension), 0.0);
     state.branch_strains.assign(model.blocks.size() * most_branches(model) * dimension * dimension, 0.0);
+    state.bars.assign(model.bars.size() * (dimension + 1), 0.0);
+    for (std::size_t i = 0; i < model.bars.size(); ++i)
+        if (model.bars[i].prestress != 0)
+            state.bars[i * (dimension + 1)] = -model.bars[i].prestress / model.bars[i].axial;
     set_in_motion(model, state);
     begin_stage(model, 0, state);
     return state;
@@ -237,6 +241,7 @@ std::uint64_t hash_of(const State& state)
     fnv.add(std::span<const double>(state.foundation_anchors));
     fnv.add(std::span<const double>(state.boundary_reactions));
     fnv.add(std::span<const double>(state.branch_strains));
+    fnv.add(std::span<const double>(state.bars));
     add_contacts(state.contacts, fnv);
     add_contacts(state.planar_contacts, fnv);
     return fnv.hash();

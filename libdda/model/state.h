@@ -76,6 +76,8 @@ struct State {
     // (blocks x the most branches of a material x dimension x dimension): strain of their dashpots (Green, column
     // major); empty without branches
     std::vector<double> branch_strains;
+    std::vector<double>
+        bars;  // (bars x (dimension + 1)) m: plastic stretch in the frame of each; 1: out of its hole
     ContactSetIn<3> contacts;         // of a spatial scene
     ContactSetIn<2> planar_contacts;  // of a planar one
 };

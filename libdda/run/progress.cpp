@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "libdda/analysis/bar_forces.h"
 #include "libdda/analysis/crushing.h"
 #include "libdda/analysis/diagnosis.h"
 #include "libdda/step/advance.h"
@@ -47,6 +48,7 @@ void note_damage(const Stage& stage, double elapsed, RunProgress& progress)
     note_fallen(progress.model, progress.watch, mean_gravity(stage.gravity_ramp, stage.gravity, now, now),
                 progress.state, progress.report);
     note_joints(progress.model, progress.joints, progress.state, progress.report);
+    note_bars(progress.model, progress.state, progress.report);
 }
 
 void frame(RunProgress& progress)

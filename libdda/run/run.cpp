@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "libdda/analysis/bar_forces.h"
 #include "libdda/analysis/crushing.h"
 #include "libdda/analysis/diagnosis.h"
 #include "libdda/analysis/dry_joints.h"
@@ -27,6 +28,7 @@ void begin_run(driver::RunProgress& progress)
     progress.watch = CollapseWatch(model, start);
     progress.joints = joints_at_start(model, start);
     if (report.joints.size() != progress.joints.size()) report.joints = no_peaks(progress.joints);
+    report.bars.resize(model.bars.size());
     const bool has_moved = progress.state.step > 0;
     progress.overlaps = OverlapWatch(model, has_moved ? initial_state(model) : progress.state);
     progress.judges_crushing = has_compressive_strength(model);
@@ -107,8 +109,10 @@ bool run_stage(const Stage& stage, driver::RunProgress& progress)
         is_static(stage) ? driver::run_static(stage, progress) : driver::run_dynamic(stage, progress);
     progress.position.stage_done = done;
     // How far joints are open on the way to rest is no result, nor may it matter that a run was stopped there.
-    if (is_static(stage) && progress.report.outcome != Outcome::interrupted)
+    if (is_static(stage) && progress.report.outcome != Outcome::interrupted) {
         note_joints(progress.model, progress.joints, progress.state, progress.report);
+        note_bars(progress.model, progress.state, progress.report);
+    }
     if (done && is_static(stage)) {
         if (progress.judges_crushing) note_crushing(progress.model, progress.state, 0, progress.report);
         driver::show(progress);

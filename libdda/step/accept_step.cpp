@@ -87,6 +87,7 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
     const EnergyLedger before = energy;
     book_step(state, system, work.contacts, energy);
     if (stage.type == StageType::static_equilibrium) book_with_what_the_stage_takes(system, before, energy);
+    update_bars(system.bars, state);
     update_contacts(model, stage, system, work.contacts, state, report);
     advance_clocks(stage, system.h, state);
     damp_velocities(model, stage, system, state, energy);

@@ -143,6 +143,7 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
         }
     }
     book_applied_forces(state, system.blocks, system.d, system.h, system.applied, energy);
+    book_bars(state, system.blocks, system.bars, system.d, system.h, energy);
     energy.note_peaks();
 }
 

@@ -91,6 +91,8 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     }
     damp_sliding_blocks<K>(model, stage, contacts, system.blocks);
     find_applied_forces(model, stage, state, h, end_time, system.blocks, system.applied);
+    begin_bars(model, state, system.blocks, system.bars);
+    system.end_share = end_share(stage);
     add_body_accelerations(stage, h, end_time, system.blocks);
     begin_contacts(model, stage, h, contacts, system.blocks, system.contacts);
 
@@ -103,6 +105,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         const int row = system.blocks[coupling.block].row, column = system.blocks[coupling.other].row;
         if (coupling.mutual && row > column && column >= 0) system.pairs.emplace_back(row, column);
     }
+    add_bar_pairs(system.blocks, system.bars, system.pairs);
     solve::set_pattern(system.matrix, K::unknowns, rows, system.pairs);
     system.d.setZero(rows * K::unknowns);
     system.residual.setZero(rows * K::unknowns);
@@ -173,6 +176,7 @@ bool evaluate_residual(const VectorXd& d, StepSystem<K>& system)
     constexpr int n = K::unknowns;
     gather_contact_forces(system);
     gather_applied_forces(d, system);
+    add_bar_forces(d, system.end_share, system.blocks, system.bars, system.contact_force, system.load);
     bool admissible = true;
     for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
         const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
@@ -244,6 +248,7 @@ void assemble_matrix(bool published, int threads, StepSystem<K>& system)
         if (coupling.mutual && row > column && column >= 0)
             Block(matrix.block(matrix.position(row, column))) -= coupling.matrix;
     }
+    add_bar_stiffness(system.blocks, system.bars, matrix);
     if (any_held) hold_components(system);
 }
 

@@ -8,6 +8,7 @@
 #include "libdda/contact/find_contacts.h"
 #include "libdda/solve/linear_solver.h"
 #include "libdda/step/applied_forces.h"
+#include "libdda/step/bars.h"
 #include "libdda/step/block_step.h"
 #include "libdda/step/contact_step.h"
 #include "libdda/step/friction_coupling.h"
@@ -23,6 +24,8 @@ struct StepSystem {
     std::vector<int> block_of_row;     // blocks that have unknowns
     ContactStep<K> contacts;
     AppliedForces<K> applied;                // of viscous boundaries, tied sides, mass damping; empty without
+    std::vector<BarStep<K>> bars;            // of the model
+    double end_share = 0;                    // of the forces of bars, taken at the end of the step
     double fracture = 0;                     // J, tension energy lost by joints that broke in this step
     Eigen::VectorXd d;                       // unknowns, the accepted ones after the iteration
     Eigen::VectorXd residual;                // inertia + internal - external

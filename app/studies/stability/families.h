@@ -34,6 +34,8 @@ StabilityScene landing_scene();  // a rocking block comes down
 
 StabilityScene ground_scene();  // waves through boundaries, damped ground
 
+StabilityScene bar_scene();  // rods and dowels
+
 StabilityScene many_scene();  // 1,000 blocks stand
 StabilityScene heap_scene();  // hundreds fall
 

@@ -43,6 +43,9 @@ std::vector<Benchmark> vibration_benchmarks();
 /// Waves through viscous boundaries, layers on rock, and Rayleigh's damping.
 std::vector<Benchmark> ground_benchmarks();
 
+/// Rods and dowels.
+std::vector<Benchmark> bar_benchmarks();
+
 /// A slender tower of 100 courses. Source: [Ma1996].
 std::vector<Benchmark> tower_benchmarks();
 

@@ -115,6 +115,51 @@ TEST(ColumnPattern, DowelsThatHoldTensionCarryBeyondOverturning)
     EXPECT_FALSE(doweled_shaft_stands(1, height, tension, tension, limit * 1.005));
 }
 
+/// A square shaft of three drums with a bar in each joint, under its weight and `push` of it along x.
+bool shaft_with_bars_stands(double width, double height, const std::string& bar, double push)
+{
+    const std::string shaft = "column: {height: " + std::to_string(height) +
+                              " m, diameter: " + std::to_string(width) + " m, drums: 3, sides: 4}";
+    const std::string between[] = {"foundation, drums", "drums, drums"};
+    std::string bars;
+    for (const std::string& groups : between)
+        bars +=
+            (bars.empty() ? "" : ", ") + std::string("{between: [") + groups + "], length: 20 cm, " + bar + "}";
+    return run_to_rest(read_pattern(shaft, {"kinematics=spatial_rigid", "stages[1]=null",
+                                            "joints={dry: {friction: 35 deg}}", "bars=[" + bars + "]",
+                                            "gravity={direction: [" + std::to_string(push) + ", 0, -1]}"}))
+               .report.outcome == Outcome::completed;
+}
+
+/// The same statics as of DoweledDrumsSlideWhereTheirSteelYields, with dowels in the place of a strength of
+/// joints.
+TEST(ColumnPattern, DrumsSlideWhereTheirBarsYield)
+{
+    constexpr double width = 3, height = 0.9;
+    constexpr double steel = 2e-4, yield = 240e6;  // m2 in each joint, Pa
+    const double weight = 2400 * 9.80665 * width * width * height, mu = std::tan(35 * std::numbers::pi / 180);
+    double limit = mu;
+    for (int i = 0; i < 100; ++i) limit = mu + steel * yield / std::sqrt(3.0) / weight * std::hypot(limit, 1.0);
+    const std::string bar = "area: 2 cm2, yield_strength: 240 MPa";
+    EXPECT_TRUE(shaft_with_bars_stands(width, height, bar, limit * 0.995));
+    EXPECT_FALSE(shaft_with_bars_stands(width, height, bar, limit * 1.005));
+}
+
+/// Statics: a bar in the middle of the lowest joint that holds the force T when the shaft turns about its edge:
+/// push N H / 2 = (N + T) w / 2. A joint further up has as strong a bar and less above it.
+TEST(ColumnPattern, BarsThatHoldTensionCarryBeyondOverturning)
+{
+    constexpr double height = 4, area = 1e-4, yield = 100e6;
+    const double tension = area * yield;
+    double limit = 0.25;  // dry
+    for (int i = 0; i < 100; ++i)
+        limit = (1 + tension * std::hypot(limit, 1.0) / (2400 * 9.80665 * height)) / height;
+    ASSERT_GT(limit, 1.1 * 0.25);
+    const std::string bar = "area: 1 cm2, yield_strength: 100 MPa, carries: [tension, shear]";
+    EXPECT_TRUE(shaft_with_bars_stands(1, height, bar, limit * 0.995));
+    EXPECT_FALSE(shaft_with_bars_stands(1, height, bar, limit * 1.005));
+}
+
 TEST(TempleFrontPattern, HasTheNamesVolumesAndSymmetryOfMasonry)
 {
     const Model model = read_pattern(front).model;

@@ -95,10 +95,11 @@ TEST_F(CaseSchema, HasNoKeyThatTheReaderRefusesAsUnknown)
     EXPECT_FALSE(faults_.empty()) << "the samples make no sense";
 }
 
-/// Where the words are no choice of YamlCursor, the tests below, those of joint records and those of joints in
-/// case files hold them.
-const std::set<std::string> read_by_hand{"processing[]", "integrate",   "differentiate", "type",    "azimuths[]",
-                                         "axes[]",       "restitution", "side",          "sides[]", "motion_is"};
+/// Where the words are no choice of YamlCursor, the tests below, those of joint records, of joints and of bars
+/// in case files hold them.
+const std::set<std::string> read_by_hand{"processing[]", "integrate", "differentiate", "type",
+                                         "azimuths[]",   "axes[]",    "restitution",   "side",
+                                         "sides[]",      "motion_is", "carries",       "carries[]"};
 
 std::string end_of(const std::string& path)
 {

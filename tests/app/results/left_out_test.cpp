@@ -42,12 +42,14 @@ TEST(LeftOut, WhatACaseListsIsNotLeftOut)
     full.model.joints.push_back(full.model.joints[0]);  // a joint has a dashpot or a law of impacts
     full.model.joints[1].relaxation_time = 0;
     full.output.snapshots.emplace();
-    EXPECT_EQ(left_out(full), (std::vector<std::string>{"Rayleigh damping (no material has any)",
-                                                        "hysteretic damping (no material has any)",
-                                                        "viscous boundaries (no face of a block is one)"}));
+    EXPECT_EQ(left_out(full),
+              (std::vector<std::string>{
+                  "Rayleigh damping (no material has any)", "hysteretic damping (no material has any)",
+                  "bars (no metal is between stones)", "viscous boundaries (no face of a block is one)"}));
     full.model.materials[0].rayleigh.of_mass = 1;
     full.model.materials[0].branches = {{0.1, 1}};
     full.model.boundaries.push_back({"base", {{0, 0, 0}}, RestSupport::full});
+    full.model.bars.emplace_back();
     EXPECT_TRUE(left_out(full).empty());
     full.model.foundations.clear();
     EXPECT_TRUE(names(left_out(full), "foundations"));

@@ -96,6 +96,32 @@ TEST(Resume, SoilOnAViscousBaseStoppedAfterEverySevenSteps)
         7);
 }
 
+// What bars have yielded is in the state: without it they would be as long again as they were drawn.
+TEST(Resume, ABlockWhoseBarsYieldStoppedAfterEverySevenSteps)
+{
+    stop_again_and_again(
+        "kinematics: spatial_rigid\n"
+        "materials: {stone: {density: 2000 kg/m3, young: 3 GPa, poisson: 0.2}}\n"
+        "joints: {dry: {friction: 20 deg}}\n"
+        "blocks:\n"
+        "  - {box: {name: base, lower: [-3, -1, -1], upper: [3, 1, 0]}, group: foundation}\n"
+        "  - {box: {name: block, lower: [-0.5, -0.5, 0], upper: [0.5, 0.5, 0.5]}, group: block}\n"
+        "bars:\n"
+        "  - {name: dowel, between: [foundation, block], diameter: 5 mm, length: 10 cm, yield_strength: 200 MPa}\n"
+        "  - {name: tie, from: {block: base, at: [-3, 0, 0]}, to: {block: block, at: [-0.5, 0, 0.25]}, diameter: "
+        "5 "
+        "mm,\n"
+        "     yield_strength: 200 MPa, prestress: 20 MPa}\n"
+        "foundation:\n"
+        "  blocks: foundation\n"
+        "  motion: {x: {sine: {acceleration: 9 m/s2, frequency: 4 Hz, duration: 0.4 s}}}\n"
+        "stages:\n"
+        "  - {name: self-weight, type: static}\n"
+        "  - {name: earthquake, type: dynamic, time_step: 2 ms, duration: 0.4 s}\n"
+        "output: {every: 20 ms, histories: {tie: {bar: tie}, block: {block: block}}}\n",
+        7);
+}
+
 // The engine is the same after all, so the numbers are those of the run that was never stopped.
 TEST(Resume, AnotherEngineGoesOnIfAskedAndTheResultsSayWhich)
 {
