@@ -77,10 +77,9 @@ bool fits(const State& state, const Model& model)
     return state.coordinates.size() == coordinates && state.velocities.size() == velocities &&
            state.foundation_anchors.size() == anchors && state.boundary_reactions.size() == reactions &&
            state.branch_strains.size() == branches && are_finite(state.branch_strains) &&
-           state.bars.size() == bars && are_finite(state.bars) &&
-           are_finite(state.boundary_reactions) && are_finite(state.coordinates) && are_finite(state.velocities) &&
-           are_finite(state.foundation_anchors) && fits(state.contacts, model) &&
-           fits(state.planar_contacts, model);
+           state.bars.size() == bars && are_finite(state.bars) && are_finite(state.boundary_reactions) &&
+           are_finite(state.coordinates) && are_finite(state.velocities) && are_finite(state.foundation_anchors) &&
+           fits(state.contacts, model) && fits(state.planar_contacts, model);
 }
 
 }  // namespace voussoir::app::results

@@ -10,7 +10,7 @@ namespace voussoir::app::results
 
 namespace
 {
-constexpr std::string_view mark = "voussoir state 5\n";  // its digit rises when the layout changes
+constexpr std::string_view mark = "voussoir state 6\n";  // its digit rises when the layout changes
 }
 
 void save_state(const State& state, const std::filesystem::path& path)

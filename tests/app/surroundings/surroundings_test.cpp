@@ -82,7 +82,7 @@ TEST_F(Surroundings, WhatIsReplacedIsNotReadIntoMemory)
     fs::create_directory(at("link"));
     fs::create_symlink("/dev/zero", at("link") / "restart.bin");
     fs::create_directory(at("sparse"));
-    std::ofstream(at("sparse") / "restart.bin") << "voussoir restart 17\n";
+    std::ofstream(at("sparse") / "restart.bin") << "voussoir restart 18\n";
     fs::resize_file(at("sparse") / "restart.bin", std::uintmax_t{1} << 40);
     for (const char* results : {"link", "sparse"}) {
         const std::string run = std::string("ulimit -t 20; $V run case.yaml -q -o ") + results;
