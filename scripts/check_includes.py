@@ -83,6 +83,9 @@ FOLDER_RULES = {
 # A test may use the library of the module it tests.
 FOREIGN_RULES = (
     ("Eigen", r"(unsupported/)?Eigen/", ("libdda/", "importers/", "records/", "app/", "tests/"), True),
+    ("Google Benchmark", r"benchmark/", ("tests/bench/",), False),
+    ("Bullet", r"(BulletDynamics/|btBulletDynamicsCommon\.h$)", ("tests/peers/run_bullet.cpp",), False),
+    ("ODE", r"ode/", ("tests/peers/run_ode.cpp",), False),
     ("GoogleTest", r"g(test|mock)/", ("tests/",), True),
     ("SuiteSparse", r"(suitesparse/|cholmod|umfpack|amd|camd|colamd|ccolamd|SuiteSparse)", ("libdda/solve/",), False),
     ("OpenMP", r"omp\.h$", (), False),
