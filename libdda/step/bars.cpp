@@ -33,7 +33,7 @@ template <class K>
 typename K::Vector balanced_way(const Eigen::VectorXd& d, double h, const BlockStep<K>& block,
                                 const typename K::Vector& lever)
 {
-    const typename K::Vector centroid = block.predicted.centroid - block.start.centroid;
+    typename K::Vector centroid = block.predicted.centroid - block.start.centroid;
     if (block.row < 0) return centroid;
     typename K::Unknowns path = h * block.velocity + d.segment<K::unknowns>(K::unknowns * block.row);
     path.template head<K::dimension>() =

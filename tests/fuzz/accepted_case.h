@@ -38,6 +38,16 @@ inline void check_accepted_model(const Model& model)
     }
     for (const Foundation& foundation : model.foundations)
         require_of_case(has(foundation.block, model.blocks.size()), "has a foundation without block");
+    for (const Bar& bar : model.bars) {
+        require_of_case(has(bar.block_a, model.blocks.size()) && has(bar.block_b, model.blocks.size()) &&
+                            bar.block_a != bar.block_b,
+                        "has a bar without two blocks");
+        require_of_case(std::isfinite(bar.axial) && std::isfinite(bar.lateral) && bar.axial + bar.lateral > 0,
+                        "has a bar without stiffness");
+        require_of_case(bar.anchor_a.allFinite() && bar.anchor_b.allFinite() && std::isfinite(bar.length) &&
+                            std::isfinite(bar.prestress) && std::abs(bar.axis.norm() - 1) < 1e-9,
+                        "has a bar that lies nowhere");
+    }
 }
 
 inline void check_accepted_stage(const Stage& stage)
@@ -61,6 +71,9 @@ inline void check_accepted(const app::Case& the_case)
     require_of_case(the_case.output.every > 0 && std::isfinite(the_case.output.every), "never shows a frame");
     for (const app::HistoryPoint& history : the_case.output.histories)
         require_of_case(!history.point || history.point->allFinite(), "follows a point that is nowhere");
+    for (const app::BarHistory& history : the_case.output.bar_histories)
+        require_of_case(history.bar >= 0 && history.bar < static_cast<int>(the_case.model.bars.size()),
+                        "follows a bar that is not there");
 }
 
 }  // namespace voussoir
