@@ -151,7 +151,7 @@ void add_rod(YamlCursor& map, const std::string& name, Model& model)
     const double prestress =
         map.quantity_or("prestress", words::dimension::pressure, words::Range::non_negative(), 0);
     map.reject_unknown_keys();
-    if (map.fault_count() != faults) return;
+    if (map.fault_count() != faults || from.block < 0 || to.block < 0) return;
     Bar bar;
     bar.name = name;
     bar.block_a = from.block;

@@ -166,6 +166,11 @@ GroundMotion GroundMotion::sine_acceleration(double amplitude, double frequency,
     require(std::isfinite(frequency) && frequency > 0, "frequency [Hz]", frequency, "must be finite and > 0");
     require(std::isfinite(phase), "phase [rad]", phase, "must be finite");
     require(std::isfinite(duration) && duration > 0, "duration [s]", duration, "must be finite and > 0");
+    // Of a shorter piece of a period the closed form is the difference of numbers that are nearly the same.
+    constexpr double shortest = 1e-4;  // of a period
+    if (faults.empty())
+        require(frequency * duration >= shortest, "frequency [Hz]", frequency,
+                "must be at least 1e-4 / duration: of a longer period there is no wave to see");
     if (!faults.empty()) throw InputError(std::move(faults));
 
     GroundMotion motion;

@@ -331,6 +331,8 @@ TEST(GroundMotion, BadSamplesAreRefusedWithEveryFault)
     EXPECT_THROW(GroundMotion::from_acceleration({1e308, 1e308}, 1e3, ""), InputError);
     EXPECT_THROW(GroundMotion::from_velocity({1, 1, 1}, 1e308, ""), InputError);  // lasts for ever
     EXPECT_THROW(GroundMotion::sine_acceleration(nan, 0, nan, -1), InputError);
+    EXPECT_THROW(GroundMotion::sine_acceleration(1, 1e-320, 0, 0.5), InputError);  // its displacement is none
+    EXPECT_NO_THROW(GroundMotion::sine_acceleration(1, 1e-3, 0, 0.5));
 }
 
 }  // namespace
