@@ -13,22 +13,20 @@ namespace voussoir
 /// it, each by itself. A rod pulls along the line between its ends, wherever they go. A dowel sits in a joint:
 /// both ends are at the same place, and its axis turns with block a.
 struct Bar {
-    std::string name;                                    // as in the case file, or of the two blocks
-    int block_a = 0, block_b = 0;                        // indices into Model::blocks
-    Eigen::Vector3d anchor_a = Eigen::Vector3d::Zero();  // m, from the centroid of block a as it is drawn
-    Eigen::Vector3d anchor_b = Eigen::Vector3d::Zero();  // m, the same of block b
-    bool is_rod = true;
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // of a dowel, as it is drawn; unit
-    double length = 0;                                // m, of a rod as it is drawn
-    double hold =
-        std::numeric_limits<double>::infinity();  // m, pulled out so far along its axis it is out for good
-    double axial = 0;                             // N/m
-    double lateral = 0;                           // N/m, of a dowel
-    // N at which it yields; 0: it carries none, and is slack
-    double tension = std::numeric_limits<double>::infinity();
-    double compression = 0;
-    double shear = std::numeric_limits<double>::infinity();  // > 0
-    double prestress = 0;                                    // N, tension at the start of the run
+    std::string name;                                          // as in the case file, or of the two blocks
+    int block_a = 0, block_b = 0;                              // indices into Model::blocks
+    Eigen::Vector3d anchor_a = Eigen::Vector3d::Zero();        // m, from the centroid of block a as it is drawn
+    Eigen::Vector3d anchor_b = Eigen::Vector3d::Zero();        // m, the same of block b
+    bool is_rod = true;                                        // else a dowel
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();           // of a dowel, as it is drawn; unit
+    double length = 0;                                         // m, of a rod as it is drawn
+    double hold = std::numeric_limits<double>::infinity();     // m, pulled out so far it is out for good
+    double axial = 0;                                          // N/m
+    double lateral = 0;                                        // N/m, of a dowel
+    double tension = std::numeric_limits<double>::infinity();  // N at which it yields; 0: none, it is slack
+    double compression = 0;                                    // N, the same
+    double shear = std::numeric_limits<double>::infinity();    // N, > 0
+    double prestress = 0;                                      // N, tension at the start of the run
 };
 
 /// The most that a bar has carried.
