@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -19,10 +20,11 @@ namespace
 
 using Eigen::Vector3d;
 
-constexpr double steel = 2e11;             // Pa, the default of `young`
-constexpr double shear_modulus = 1 / 2.6;  // of Young's modulus, of steel: 1 / (2 (1 + 0.3))
-constexpr double beside = 1e-3;            // of a block's size: how far an end may lie outside of what is drawn
-constexpr double shortest = 1e-6;          // of a block's size: a shorter rod has no direction
+constexpr double steel = 2e11;              // Pa, the default of `young`
+constexpr double shear_modulus = 1 / 2.6;   // of Young's modulus, of steel: 1 / (2 (1 + 0.3))
+constexpr double beside = 1e-3;             // of a block's size: how far an end may lie outside of what is drawn
+constexpr std::size_t most_bars = 200'000;  // as of blocks
+constexpr double shortest = 1e-6;           // of a block's size: a shorter rod has no direction
 
 /// Metal, and what of its forces a bar has.
 struct Metal {
@@ -77,6 +79,26 @@ Metal read_metal(YamlCursor& map, bool is_rod)
     return metal;
 }
 
+/// What entries look up in the model, found once for all of them.
+struct Lookup {
+    explicit Lookup(const Model& model)
+    {
+        for (std::size_t b = 0; b < model.blocks.size(); ++b)
+            block_of_name.emplace(model.blocks[b].name, static_cast<int>(b));
+        for (const Foundation& foundation : model.foundations)
+            if (foundation.fully_held()) held.insert(foundation.block);
+    }
+    const std::vector<WatchedJoint>& joints_of(const Model& model)
+    {
+        if (!joints) joints = joints_at_start(model, initial_state(model));
+        return *joints;
+    }
+
+    std::map<std::string, int> block_of_name;
+    std::set<int> held;
+    std::optional<std::vector<WatchedJoint>> joints;
+};
+
 /// An end of a rod.
 struct End {
     int block = -1;
@@ -101,7 +123,7 @@ bool is_at(const Model& model, int block, const Vector3d& lever)
     return true;
 }
 
-End read_end(YamlCursor& map, const std::string& key, const Model& model)
+End read_end(YamlCursor& map, const std::string& key, const Model& model, const Lookup& lookup)
 {
     End end;
     std::optional<YamlCursor> given = map.require(key, "an end of the rod, {block: pier, at: [x, y, z]}");
@@ -112,27 +134,25 @@ End read_end(YamlCursor& map, const std::string& key, const Model& model)
     if (!block || !at) return end;
     const Vector3d place = read_place(*at, model.kinematics) - model.origin;
     const std::string name = block->as_text();
-    std::vector<std::string> names;
-    for (const Block& known : model.blocks) names.push_back(known.name);
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
+    const auto found = lookup.block_of_name.find(name);
+    if (found == lookup.block_of_name.end()) {
+        std::vector<std::string> names;
+        for (const Block& known : model.blocks) names.push_back(known.name);
         // Without blocks there are faults already, and a missing one is only their echo.
         if (!names.empty() && !name.empty())
             block->fault("no block \"" + name + "\"", words::suggestion(name, names));
         return end;
     }
-    end.block = static_cast<int>(found - names.begin());
+    end.block = found->second;
     end.lever = place - model.blocks[end.block].moments.centroid;
     if (!is_at(model, end.block, end.lever))
         at->fault("a point outside of block " + name, "give a point within it, or on its surface");
     return end;
 }
 
-bool is_held(const Model& model, int block)
+void refuse_more(const YamlCursor& entry)
 {
-    return std::any_of(model.foundations.begin(), model.foundations.end(), [&](const Foundation& foundation) {
-        return foundation.block == block && foundation.fully_held();
-    });
+    entry.fault(fmt::format("more than {} bars in all", most_bars), "use fewer, or a strength of joints");
 }
 
 /// Neither zero nor infinite by the sizes that were given.
@@ -143,10 +163,10 @@ bool is_usable(const Bar& bar)
            std::isfinite(bar.prestress);
 }
 
-void add_rod(YamlCursor& map, const std::string& name, Model& model)
+void add_rod(YamlCursor& map, const std::string& name, const Lookup& lookup, Model& model)
 {
     const std::size_t faults = map.fault_count();
-    const End from = read_end(map, "from", model), to = read_end(map, "to", model);
+    const End from = read_end(map, "from", model, lookup), to = read_end(map, "to", model, lookup);
     const Metal metal = read_metal(map, true);
     const double prestress =
         map.quantity_or("prestress", words::dimension::pressure, words::Range::non_negative(), 0);
@@ -162,7 +182,7 @@ void add_rod(YamlCursor& map, const std::string& name, Model& model)
                   from.lever)
                      .norm();
     if (from.block == to.block) return map.fault("both ends in the same block", "give two blocks");
-    if (is_held(model, from.block) && is_held(model, to.block))
+    if (lookup.held.count(from.block) && lookup.held.count(to.block))
         return map.fault("both ends in blocks that are held", "it would carry nothing that moves");
     if (bar.length < shortest * size_of(model, from.block))
         return map.fault("both ends at the same place", "give two places, or dowels: between: [GROUP, GROUP]");
@@ -176,6 +196,7 @@ void add_rod(YamlCursor& map, const std::string& name, Model& model)
     if (bar.prestress > bar.tension)
         return map.fault("a prestress above the yield strength, or of a rod without tension",
                          "give a smaller one");
+    if (model.bars.size() >= most_bars) return refuse_more(map);
     model.bars.push_back(std::move(bar));
 }
 
@@ -193,7 +214,7 @@ std::vector<std::set<int>> read_between(const YamlCursor& between, const Model& 
     return groups;
 }
 
-void add_dowels(YamlCursor& map, const std::string& name, const YamlCursor& between, Model& model)
+void add_dowels(YamlCursor& map, const std::string& name, const YamlCursor& between, Lookup& lookup, Model& model)
 {
     const std::size_t faults = map.fault_count();
     const std::vector<std::set<int>> groups = read_between(between, model);
@@ -217,11 +238,12 @@ void add_dowels(YamlCursor& map, const std::string& name, const YamlCursor& betw
                          "check diameter, area, length, young and yield_strength");
     if (map.fault_count() > 0) return;  // joints are sought in a model without faults
     const std::size_t before = model.bars.size();
-    for (const WatchedJoint& joint : joints_at_start(model, initial_state(model))) {
+    for (const WatchedJoint& joint : lookup.joints_of(model)) {
         const int a = joint.block_a, b = joint.block_b;
         const bool is_between =
             (groups[0].count(a) && groups[1].count(b)) || (groups[1].count(a) && groups[0].count(b));
         if (!is_between) continue;
+        if (model.bars.size() >= most_bars) return refuse_more(map);
         bar.name = name + " " + model.blocks[a].name + " " + model.blocks[b].name;
         bar.block_a = a;
         bar.block_b = b;
@@ -241,6 +263,7 @@ void read_bars(YamlCursor& top, Model& model)
 {
     const std::optional<YamlCursor> section = top.find("bars");
     if (!section) return;
+    Lookup lookup(model);
     std::set<std::string> names;
     for (YamlCursor& item : section->items("a list of rods {name, from, to} and dowels {name, between}")) {
         if (!item.expect_map("a rod {name, from, to} or dowels {name, between}")) continue;
@@ -249,9 +272,9 @@ void read_bars(YamlCursor& top, Model& model)
             item.find_text("name").value_or(fmt::format("{} {}", between ? "dowels" : "rod", names.size() + 1));
         if (!names.insert(name).second) item.fault("a second entry named " + name, "give each its own name");
         if (between)
-            add_dowels(item, name, *between, model);
+            add_dowels(item, name, *between, lookup, model);
         else
-            add_rod(item, name, model);
+            add_rod(item, name, lookup, model);
     }
 }
 

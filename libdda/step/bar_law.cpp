@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "libdda/step/orthonormal.h"
+
 namespace voussoir::step
 {
 
@@ -145,16 +147,6 @@ MatrixIn<2> frame_along(const Eigen::Vector2d& axis)
 {
     MatrixIn<2> frame;
     frame << axis, Eigen::Vector2d(-axis.y(), axis.x());
-    return frame;
-}
-
-template <int D>
-MatrixIn<D> orthonormal(MatrixIn<D> frame)
-{
-    for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < i; ++j) frame.col(i) -= frame.col(j).dot(frame.col(i)) * frame.col(j);
-        frame.col(i).normalize();
-    }
     return frame;
 }
 

@@ -3,23 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "libdda/step/orthonormal.h"
+
 namespace voussoir::step
 {
 
 namespace
 {
-
-/// Of a dowel, in the middle of a step.
-template <int D>
-MatrixIn<D> frame_between(const PlacedBar<D>& start, const PlacedBar<D>& predicted)
-{
-    MatrixIn<D> frame = 0.5 * (start.frame + predicted.frame);
-    for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < i; ++j) frame.col(i) -= frame.col(j).dot(frame.col(i)) * frame.col(j);
-        frame.col(i).normalize();
-    }
-    return frame;
-}
 
 template <class K>
 typename K::Vector moved(const Eigen::VectorXd& d, const BlockStep<K>& block, const typename K::Vector& lever)
@@ -118,7 +108,7 @@ void begin_bars(const Model& model, const State& state, const std::vector<BlockS
         BarStep<K>& step = bars.emplace_back();
         step.bar = &bar;
         step.index = i;
-        if (!bar.is_rod) step.frame = frame_between<D>(start, predicted);
+        if (!bar.is_rod) step.frame = orthonormal<D>(typename K::Matrix(0.5 * (start.frame + predicted.frame)));
         // The frame of a dowel turns with block a: its force there is at the point of a that the other end is at.
         const Vector middle_b = 0.5 * (start.end_b + predicted.end_b),
                      middle_a = bar.is_rod ? Vector(0.5 * (start.end_a + predicted.end_a)) : middle_b;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/studies/scenes/metal.h"
 #include "app/studies/scenes/scene_blocks.h"
@@ -40,7 +41,7 @@ CellRun run_rod(double stiffness, double limit, double time_step)
         most = report.bars[0].tension;
         yielding = report.energy.yielding;
     };
-    const double quarter = 0.5 * 3.1416 * std::sqrt(density / stiffness);
+    const double quarter = 0.5 * std::numbers::pi * std::sqrt(density / stiffness);
     const Stage stage = scenes::motion_stage(1.3 * std::max(stops, quarter), time_step, 0);
     if (!run_counted(model, {stage}, state, observer, cell)) return cell;
     if (energy > elastic) {
