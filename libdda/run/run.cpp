@@ -73,11 +73,25 @@ void release_motion(driver::RunProgress& progress)
     energy.note_peaks();
 }
 
+/// What stands still does not slide: a point at its friction bound, as under a stone that bulges, sticks until it
+/// moves. Whether it came to rest at the bound or a hair below is up to rounding, and what slides is integrated
+/// otherwise.
+template <int D>
+void stick(ContactSetIn<D>& contacts)
+{
+    for (ContactPointIn<D>& point : contacts.points)
+        if (point.status == ContactStatus::sliding) point.status = ContactStatus::locked;
+}
+
 void enter_stage(int stage, const std::vector<Stage>& stages, driver::RunProgress& progress)
 {
     const Stage& entered = stages[stage];
     begin_stage(progress.model, stage, progress.state);
     if (entered.type == StageType::dynamic) {
+        if (stage > 0 && is_static(stages[stage - 1])) {
+            stick(progress.state.contacts);
+            stick(progress.state.planar_contacts);
+        }
         const bool waited = stage > 0 && std::all_of(stages.begin(), stages.begin() + stage, is_static);
         if (waited && !progress.model.initial_motions.empty()) release_motion(progress);
         const auto warning = ground_jump_warning(progress.model, entered, progress.state);

@@ -291,11 +291,12 @@ TEST(GeneratedCases, PlanarScenesAreSpatialOnesOfOneExtent)
     expect_planar_as_spatial("deformable", {3e-3, 3e-2}, false);
 }
 
-// Of the first 1,000 seeds ten walls differ by more than 1e-6, none by 1e-2. Why is not known; the states of many
-// joints on one stone that slide or not may be ones of several, each as good within the tolerance of a step.
+// Corners of two stones within a ten-thousandth of their size are taken as one, and of a stone of a planar scene that
+// is the root of its area, of a spatial one that of its volume: where a course has slid by a fiftieth of a
+// millimetre, one of the two tellings has taken over the corner of the other stone already.
 TEST(GeneratedCases, PlanarWallsAreSpatialOnesOfOneExtent)
 {
-    expect_planar_as_spatial("rigid", {1e-2, 1e-2}, true);
+    expect_planar_as_spatial("rigid", {1e-4, 1e-2}, true);
     expect_planar_as_spatial("deformable", {3e-2, 3e-2}, true);
 }
 

@@ -85,6 +85,37 @@ void add_other_kinds(std::uint64_t seed, GeneratedScene& scene)
     if (scene.goes_on) scene.lifting = 0;  // a floor that rises and stops at once throws what stands on it
 }
 
+/// Of numbers of their own, as above.
+void add_bars(std::uint64_t seed, GeneratedScene& scene)
+{
+    Random random(seed ^ 0xBA45);
+    const int boxes = static_cast<int>(scene.boxes.size());
+    // What is thrown off jerks its rods, again and again: rounding decides where it is after that.
+    if (boxes < 2 || !scene.thrown.empty() || !random.chance(0.2)) return;
+    for (int left = random.whole(1, 2); left > 0; --left) {
+        GeneratedBar bar;
+        const int upper = random.whole(1, boxes - 1);
+        bar.dowels = random.chance(0.4);
+        // Its stack's boxes come from the floor up, so that what it stands on is the one before it or the floor.
+        const bool on_floor = scene.boxes[upper].name.ends_with("_1");
+        bar.to = scene.boxes[upper].name;
+        bar.from = scene.boxes[on_floor ? 0 : upper - 1].name;
+        if (!bar.dowels) bar.from = scene.boxes[(upper + random.whole(1, boxes - 1)) % boxes].name;
+        bar.diameter = 1e-3 * random.whole(4, 20);
+        if (random.chance(0.5)) bar.yield = 1e6 * random.whole(1, 200);
+        // Without rest first a prestress is a jerk, too; a large one drags stones along until the rod is slack.
+        if (!bar.dowels && random.chance(0.3) && scene.settles) bar.prestress = 5e5;
+        bar.length = random.length(0.02, 0.1);
+        bar.carries = bar.dowels ? "shear" : "tension";
+        const bool both = random.chance(0.3);
+        if (both && bar.dowels) bar.carries = "[tension, shear]";
+        // A stone that is propped up from its own stack stands on a pin: where it rests nobody knows.
+        if (both && bar.from.substr(0, 2) != bar.to.substr(0, 2) && bar.from != "floor" && bar.to != "floor")
+            bar.carries = "[tension, compression]";
+        scene.bars.push_back(bar);
+    }
+}
+
 }  // namespace
 
 Eigen::Matrix3d Telling::rotation() const
@@ -118,6 +149,7 @@ GeneratedScene generated(std::uint64_t seed)
         scene.velocity = {random.length(-2, 2), across, random.length(0, 2)};
     }
     add_other_kinds(seed, scene);
+    add_bars(seed, scene);
     return scene;
 }
 

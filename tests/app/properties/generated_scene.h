@@ -30,14 +30,26 @@ struct MeshStone {
     double height = 0;           // m
 };
 
+/// Metal between two boxes: a rod between their middles, or dowels in the joint of two that lie upon one another.
+struct GeneratedBar {
+    bool dowels = false;
+    std::string from, to;  // boxes; of dowels groups with these boxes alone
+    double diameter = 0;   // m
+    double yield = 0;      // Pa; 0: elastic
+    double prestress = 0;  // Pa, of rods
+    double length = 0;     // m, of dowels
+    std::string carries;
+};
+
 enum class Shaking { sine, ricker, pulse, record };
 
 /// A held floor and stacks of boxes on it, one of which may be thrown, or a wall; perhaps a stone from a mesh file
-/// beside them; a floor that shakes; one to three stages.
+/// beside them, or rods and dowels between the boxes; a floor that shakes; one to three stages.
 struct GeneratedScene {
     std::vector<Box> boxes;  // the floor first; then from the floor up, stack by stack
     std::optional<GeneratedWall> wall;
     std::optional<MeshStone> mesh;
+    std::vector<GeneratedBar> bars;
     bool flat = false;  // all of one extent along y: it can be told as a planar scene
     bool deformable = false;
     double friction = 0;                                 // deg

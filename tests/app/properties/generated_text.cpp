@@ -31,6 +31,7 @@ struct Writing {
     {
         return planar() ? fmt::format("[{}, {}]", v.x(), v.z()) : fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
     }
+    static std::string group_of(const std::string& box) { return box == "floor" ? "foundation" : "of_" + box; }
     void add_box(const Box& box)
     {
         const Vector3d a = direction(box.lower) + telling.offset, b = direction(box.upper) + telling.offset;
@@ -38,7 +39,10 @@ struct Writing {
         out += fmt::format("  - box: {{name: {}, lower: [{}, {}, {}], upper: [{}, {}, {}]}}\n", box.name,
                            length(lower.x()), length(lower.y()), length(lower.z()), length(upper.x()),
                            length(upper.y()), length(upper.z()));
-        if (box.name == "floor") out += "    group: foundation\n";
+        if (box.name == "floor")
+            out += "    group: foundation\n";
+        else if (!scene.bars.empty())
+            out += fmt::format("    group: {}\n", group_of(box.name));
     }
     void add_boxes()
     {
@@ -106,6 +110,32 @@ struct Writing {
         return fmt::format("{{sine: {{acceleration: {}, frequency: {}, duration: 1}}}}", amplitude,
                            scene.frequency);
     }
+    /// Their ends are the middles of boxes, areas and stresses in the telling's units.
+    void add_bars()
+    {
+        if (!scene.bars.empty()) out += "bars:\n";
+        const double s = telling.scale;
+        for (std::size_t i = 0; i < scene.bars.size(); ++i) {
+            const GeneratedBar& bar = scene.bars[i];
+            out += fmt::format("  - {{name: bar_{}, diameter: {}, young: {}, carries: {}", i + 1,
+                               length(s * bar.diameter), 2e11 / s, bar.carries);
+            if (bar.yield > 0) out += fmt::format(", yield_strength: {}", bar.yield / s);
+            if (bar.prestress > 0) out += fmt::format(", prestress: {}", bar.prestress / s);
+            if (bar.dowels)
+                out += fmt::format(", length: {}, between: [{}, {}]}}\n", length(s * bar.length),
+                                   group_of(bar.from), group_of(bar.to));
+            else
+                out += fmt::format(", from: {}, to: {}}}\n", end(bar.from), end(bar.to));
+        }
+    }
+    std::string end(const std::string& name) const
+    {
+        const auto box = std::find_if(scene.boxes.begin(), scene.boxes.end(),
+                                      [&](const Box& known) { return known.name == name; });
+        const Vector3d at = direction(0.5 * (box->lower + box->upper)) + telling.offset;
+        return fmt::format("{{block: {}, at: [{}, {}]}}", name,
+                           planar() ? length(at.x()) : length(at.x()) + ", " + length(at.y()), length(at.z()));
+    }
     void add_motion()
     {
         const Vector3d along = direction(Vector3d::UnitX());
@@ -157,10 +187,11 @@ std::string text_of(const GeneratedScene& scene, const Telling& telling)
     writing.add_boxes();
     writing.add_wall();
     writing.add_mesh();
+    writing.add_bars();
     writing.add_motion();
     writing.add_start();
     writing.out += "stages:\n";
-    if (scene.settles) writing.out += "  - {name: rest, type: static}\n";
+    if (scene.settles) writing.out += "  - {name: rest, type: static, force_tolerance: 1e-10}\n";
     writing.out += "  - {name: motion, type: dynamic, duration: 20 ms, time_step: 2 ms, force_tolerance: 1e-10}\n";
     if (scene.goes_on)
         writing.out +=

@@ -232,4 +232,35 @@ TEST_P(StaticStage, GoesOnAsIfItHadNotBeenStopped)
     EXPECT_EQ(*report.diagnosis, *reference.diagnosis);
 }
 
+// Under a stone that bulges the shear at the corners is just the friction bound, or a hair below by rounding. What moves
+// next does not depend on it: at rest nothing slides.
+TEST_P(StaticStage, WhetherPointsRestAtTheirBoundOrJustBelowDecidesNothing)
+{
+    const Model model = block_on_floor(GetParam(), 0.2, 0.3, 30);
+    const std::vector<Stage> stages = {static_stage(1, leaning(0)), dynamic_stage(0.01, 1e-3, leaning(0.1))};
+    State rested = initial_state(model);
+    RunPosition position;
+    RunObserver observer;
+    observer.save = [&](const State& state, const RunPosition& at) {
+        if (!at.stage_done) return;
+        rested = state;
+        position = at;
+    };
+    State state = rested;
+    run(model, {stages[0]}, state, observer);
+    ASSERT_TRUE(position.stage_done);
+
+    const auto go_on = [&](ContactStatus status) {
+        State ended = rested;
+        for (auto& point : ended.contacts.points) point.status = status;
+        for (auto& point : ended.planar_contacts.points) point.status = status;
+        EXPECT_EQ(run(model, stages, ended, {}, position).outcome, Outcome::completed);
+        return ended;
+    };
+    const State from_below = go_on(ContactStatus::locked), from_bound = go_on(ContactStatus::sliding);
+    EXPECT_GT(from_below.time, 0);
+    EXPECT_EQ(from_below.coordinates, from_bound.coordinates);
+    EXPECT_EQ(from_below.velocities, from_bound.velocities);
+}
+
 }  // namespace voussoir::testing
