@@ -3,11 +3,11 @@
 #include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "importers/patterns/pattern.h"
 #include "libdda/errors.h"
 #include "libdda/geometry/plane.h"
+#include "libdda/text/lines.h"
 
 namespace voussoir::app::commands
 {
@@ -104,10 +104,9 @@ std::string top_key(const std::string& line)
 
 std::string explicit_case(const Case& the_case)
 {
-    std::istringstream lines(the_case.text);
-    std::string text, line;
+    std::string text;
     bool is_left_out = false, has_blocks = false;
-    while (std::getline(lines, line)) {
+    for (const std::string& line : text::lines_of(the_case.text)) {
         const std::string key = top_key(line);
         if (key == "initial_state")
             throw InputError(the_case.file.string(), "initial_state",

@@ -1,9 +1,9 @@
 #include "app/plots/plots.h"
 
-#include <sstream>
 
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
+#include "libdda/text/lines.h"
 
 namespace voussoir::app::plots
 {
@@ -38,10 +38,7 @@ std::vector<std::string> draw_figures(const std::vector<Figure>& figures, const 
         importers::process::ask_child(helper(), request, seconds_allowed, max_output);
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-plot drew no diagrams: " + answer.failure, "see its message");
-    std::vector<std::string> names;
-    std::istringstream lines(answer.output);
-    for (std::string line; std::getline(lines, line);) names.push_back(line);
-    return names;
+    return text::lines_of(answer.output);
 }
 
 }  // namespace voussoir::app::plots

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "libdda/errors.h"
+#include "libdda/text/lines.h"
 
 namespace voussoir::app::reader
 {
@@ -54,9 +55,9 @@ int line_of(const std::string& text, std::size_t offset)
 /// A tab in the indentation is the most frequent mistake, and yaml-cpp's words for it help nobody.
 void refuse_tabs(const std::string& text, const Placer& placer)
 {
-    std::istringstream lines(text);
-    std::string line;
-    for (int number = 1; std::getline(lines, line); ++number) {
+    int number = 0;
+    for (const std::string& line : text::lines_of(text)) {
+        ++number;
         const std::size_t start = line.find_first_not_of(" \t\r");
         if (start == std::string::npos || line[start] == '#') continue;
         if (line.find('\t') < start)

@@ -1,12 +1,12 @@
 #include "app/render/defect_pictures.h"
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
+#include "libdda/text/lines.h"
 
 namespace voussoir::app::render
 {
@@ -154,10 +154,8 @@ std::vector<fs::path> draw_defects(const DefectPictures& pictures, const fs::pat
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-defects drew no pictures: " + answer.failure,
                          "see its message");
-    std::vector<fs::path> files;
-    std::istringstream lines(answer.output);
-    for (std::string line; std::getline(lines, line);) files.emplace_back(line);
-    return files;
+    const std::vector<std::string> files = text::lines_of(answer.output);
+    return {files.begin(), files.end()};
 }
 
 }  // namespace voussoir::app::render

@@ -12,6 +12,7 @@
 #include "app/render/color_names.h"
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
+#include "libdda/text/lines.h"
 
 namespace voussoir::app::render
 {
@@ -126,9 +127,8 @@ std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::p
         throw InputError(results_file.string(), "voussoir-render drew no pictures: " + answer.failure,
                          "see its message");
     }
-    std::vector<fs::path> pictures;
-    std::istringstream lines(answer.output);
-    for (std::string line; std::getline(lines, line);) pictures.emplace_back(line);
+    const std::vector<std::string> names = text::lines_of(answer.output);
+    std::vector<fs::path> pictures(names.begin(), names.end());
     remove_other_snapshots(folder, pictures);
     return pictures;
 }

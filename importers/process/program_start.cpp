@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <iostream>
 #include <new>
 
 #include "libdda/text/printable.h"
@@ -28,6 +29,7 @@ constexpr rlim_t least_stack = rlim_t{1} << 20;  // bytes; the readers and the l
 bool no_output = false;
 
 std::atomic<bool> memory_ran_out{false};
+std::atomic<int> places_that_cannot_throw{0};
 
 /// Where memory runs out in a place that cannot throw, in a library or before main, the program would crash.
 [[noreturn]] void end_for_want_of_memory()
@@ -42,6 +44,7 @@ std::atomic<bool> memory_ran_out{false};
 [[noreturn]] void note_want_of_memory()
 {
     memory_ran_out = true;
+    if (places_that_cannot_throw > 0) end_for_want_of_memory();
     throw std::bad_alloc();
 }
 
@@ -90,6 +93,8 @@ void begin_program()
 void begin_helper()
 {
     begin_program();
+    // A request that breaks off, or that memory does not hold, is none.
+    std::cin.exceptions(std::ios::badbit);
     // Who asks does so through a socket that it made. Started by hand there is none, and nobody to follow.
     ucred asking{};
     socklen_t size = sizeof asking;
@@ -106,6 +111,16 @@ bool had_no_output()
 void complain(const char* program, const char* what)
 {
     std::fprintf(stderr, "%s: %s\n", program, text::printable_lines(what).c_str());
+}
+
+EndsWithoutMemory::EndsWithoutMemory()
+{
+    ++places_that_cannot_throw;
+}
+
+EndsWithoutMemory::~EndsWithoutMemory()
+{
+    --places_that_cannot_throw;
 }
 
 SignalsHeld::SignalsHeld()
