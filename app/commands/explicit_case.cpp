@@ -4,10 +4,10 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "app/words/lines.h"
 #include "importers/patterns/pattern.h"
 #include "libdda/errors.h"
 #include "libdda/geometry/plane.h"
-#include "libdda/text/lines.h"
 
 namespace voussoir::app::commands
 {
@@ -106,7 +106,7 @@ std::string explicit_case(const Case& the_case)
 {
     std::string text;
     bool is_left_out = false, has_blocks = false;
-    for (const std::string& line : text::lines_of(the_case.text)) {
+    for (const std::string& line : words::lines_of(the_case.text)) {
         const std::string key = top_key(line);
         if (key == "initial_state")
             throw InputError(the_case.file.string(), "initial_state",

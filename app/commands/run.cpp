@@ -24,6 +24,7 @@
 #include "app/results/results_writer.h"
 #include "app/results/run_lock.h"
 #include "app/words/diagnosis_words.h"
+#include "importers/process/program_start.h"
 #include "libdda/analysis/joint_openings.h"
 #include "libdda/errors.h"
 
@@ -77,6 +78,7 @@ Ended run_and_write(const Case& the_case, Start& start, results::ResultsWriter& 
         ended.estimate =
             error_of(the_case, {std::move(*recorder), start.state, ended.report}, !start.is_resumed, quiet);
     if (ended.estimate) writer.note(*ended.estimate);
+    const importers::process::EndsWithoutMemory while_the_summary_is_composed;
     ended.joints = writer.finish(start.state, ended.report, saver.times());
     return ended;
 }

@@ -1,9 +1,8 @@
 #include "app/plots/plots.h"
 
-
+#include "app/words/lines.h"
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
-#include "libdda/text/lines.h"
 
 namespace voussoir::app::plots
 {
@@ -38,7 +37,7 @@ std::vector<std::string> draw_figures(const std::vector<Figure>& figures, const 
         importers::process::ask_child(helper(), request, seconds_allowed, max_output);
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-plot drew no diagrams: " + answer.failure, "see its message");
-    return text::lines_of(answer.output);
+    return words::lines_of(answer.output);
 }
 
 }  // namespace voussoir::app::plots

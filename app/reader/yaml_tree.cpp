@@ -10,8 +10,8 @@
 #include <sstream>
 #include <utility>
 
+#include "app/words/lines.h"
 #include "libdda/errors.h"
-#include "libdda/text/lines.h"
 
 namespace voussoir::app::reader
 {
@@ -56,7 +56,7 @@ int line_of(const std::string& text, std::size_t offset)
 void refuse_tabs(const std::string& text, const Placer& placer)
 {
     int number = 0;
-    for (const std::string& line : text::lines_of(text)) {
+    for (const std::string& line : words::lines_of(text)) {
         ++number;
         const std::size_t start = line.find_first_not_of(" \t\r");
         if (start == std::string::npos || line[start] == '#') continue;

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "app/words/lines.h"
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
-#include "libdda/text/lines.h"
 
 namespace voussoir::app::render
 {
@@ -154,7 +154,7 @@ std::vector<fs::path> draw_defects(const DefectPictures& pictures, const fs::pat
     if (!answer.failure.empty())
         throw InputError(folder.string(), "voussoir-defects drew no pictures: " + answer.failure,
                          "see its message");
-    const std::vector<std::string> files = text::lines_of(answer.output);
+    const std::vector<std::string> files = words::lines_of(answer.output);
     return {files.begin(), files.end()};
 }
 

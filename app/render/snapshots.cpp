@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "app/render/color_names.h"
+#include "app/words/lines.h"
 #include "importers/process/child_process.h"
 #include "libdda/errors.h"
-#include "libdda/text/lines.h"
 
 namespace voussoir::app::render
 {
@@ -127,7 +127,7 @@ std::vector<fs::path> render_snapshots(const fs::path& results_file, const fs::p
         throw InputError(results_file.string(), "voussoir-render drew no pictures: " + answer.failure,
                          "see its message");
     }
-    const std::vector<std::string> names = text::lines_of(answer.output);
+    const std::vector<std::string> names = words::lines_of(answer.output);
     std::vector<fs::path> pictures(names.begin(), names.end());
     remove_other_snapshots(folder, pictures);
     return pictures;

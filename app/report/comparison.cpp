@@ -12,7 +12,7 @@
 #include "app/report/mechanism_words.h"
 #include "app/report/pages.h"
 #include "app/report/sections.h"
-#include "libdda/text/lines.h"
+#include "app/words/lines.h"
 
 namespace voussoir::app::report
 {
@@ -187,9 +187,9 @@ Document document_of(const RunRecord& a, const RunRecord& b, const fs::path& fol
 std::vector<std::string> lines_only_in(const std::string& one, const std::string& other)
 {
     std::map<std::string, int> there;
-    for (const std::string& line : text::lines_of(other)) ++there[line];
+    for (const std::string& line : words::lines_of(other)) ++there[line];
     std::vector<std::string> only;
-    for (const std::string& line : text::lines_of(one))
+    for (const std::string& line : words::lines_of(one))
         if (there[line]-- <= 0 && line.find_first_not_of(" \t\r") != std::string::npos) only.push_back(line);
     return only;
 }

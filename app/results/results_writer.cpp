@@ -13,7 +13,6 @@
 #include "app/results/summary.h"
 #include "app/results/twin_files.h"
 #include "app/results/xdmf.h"
-#include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::results
@@ -224,7 +223,6 @@ std::vector<JointPeaks> ResultsWriter::finish(const State& state, const RunRepor
     RunQuality quality;
     if (the.restart.trust) quality.trust = trust_in(*the.restart.trust, the.the_case.stages, last.energy);
     quality.estimate = the.estimate;
-    const importers::process::EndsWithoutMemory while_it_is_composed;
     const std::string summary =
         summary_json(the.the_case, the.joints, state, last, quality, times, files_in(the.folder));
     the.twins->finish(summary, last.joints);

@@ -21,8 +21,9 @@ bool had_no_output();
 /// "PROGRAM: what happened" on the standard error, as a terminal may be shown it.
 void complain(const char* program, const char* what);
 
-/// As long as it lives, want of memory ends the program at once, with a sentence and exit code 1, and throws nothing: for
-/// code that cannot be unwound. Braced lists of nlohmann-json cannot: g++ 12 destroys elements that were not made.
+/// As long as it lives, want of memory ends the program at once, with a sentence and exit code 1, and throws
+/// nothing: for code that cannot be unwound. Braced lists of nlohmann-json cannot: g++ 12 destroys elements that
+/// were not made.
 class EndsWithoutMemory
 {
  public:

@@ -204,25 +204,29 @@ void scale_stiffness(double factor, ContactStep<K>& step)
 }
 
 template <class K>
+void evaluate_patch(const VectorXd& d, FrictionBound bound, PatchStep<K>& patch,
+                    std::vector<PointStep<K::dimension>>& points)
+{
+    const PatchMove<K> move(d, patch);
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        PointStep<K::dimension>& p = points[i];
+        move_point(move, patch, p);
+        normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
+        if (is_free(patch.intact, bound, p)) {
+            release(p);
+            continue;
+        }
+        p.linear = linear_displacement(move, p);
+        shear_force(friction_of(patch, p), bound, patch, p);
+    }
+    sum_forces(points, patch);
+}
+
+template <class K>
 void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, ContactStep<K>& step)
 {
     in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t k = first; k < end; ++k) {
-            PatchStep<K>& patch = step.patches[k];
-            const PatchMove<K> move(d, patch);
-            for (int i = patch.first; i < patch.first + patch.count; ++i) {
-                PointStep<K::dimension>& p = step.points[i];
-                move_point(move, patch, p);
-                normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
-                if (is_free(patch.intact, bound, p)) {
-                    release(p);
-                    continue;
-                }
-                p.linear = linear_displacement(move, p);
-                shear_force(friction_of(patch, p), bound, patch, p);
-            }
-            sum_forces(step.points, patch);
-        }
+        for (std::size_t k = first; k < end; ++k) evaluate_patch(d, bound, step.patches[k], step.points);
     });
 }
 
@@ -295,6 +299,8 @@ bool switch_published(ContactStep<K>& step)
 #define VOUSSOIR_INSTANTIATE(K)                                                            \
     template void scale_stiffness(double, ContactStep<K>&);                                \
     template void evaluate_contacts(const VectorXd&, FrictionBound, int, ContactStep<K>&); \
+    template void evaluate_patch(const VectorXd&, FrictionBound, PatchStep<K>&,            \
+                                 std::vector<PointStep<K::dimension>>&);                   \
     template void follow_bounds(int, ContactStep<K>&);                                     \
     template void evaluate_published(const VectorXd&, ContactStep<K>&);                    \
     template bool switch_published(ContactStep<K>&)

@@ -87,6 +87,11 @@ void scale_stiffness(double factor, ContactStep<K>& step);
 template <class K>
 void evaluate_contacts(const Eigen::VectorXd& d, FrictionBound bound, int threads, ContactStep<K>& step);
 
+/// The same of one patch.
+template <class K>
+void evaluate_patch(const Eigen::VectorXd& d, FrictionBound bound, PatchStep<K>& patch,
+                    std::vector<PointStep<K::dimension>>& points);
+
 /// The same with the exact bound where they were evaluated last with a frozen one.
 template <class K>
 void follow_bounds(int threads, ContactStep<K>& step);

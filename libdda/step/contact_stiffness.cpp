@@ -153,7 +153,22 @@ void contact_stiffness(bool published, int threads, ContactStep<K>& step)
     });
 }
 
-#define VOUSSOIR_INSTANTIATE(K) template void contact_stiffness(bool, int, ContactStep<K>&)
+template <class K>
+void add_block_stiffness(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points, bool of_a,
+                         typename K::Square& stiffness)
+{
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const PointStep<K::dimension>& p = points[i];
+        if (!has_stiffness(p, false)) continue;
+        const typename K::Vector& lever = of_a ? p.lever_a : p.lever_b;
+        K::add_stiffness(stiffness, lever, lever, point_stiffness<K::dimension>(p, patch.normal, false));
+    }
+}
+
+#define VOUSSOIR_INSTANTIATE(K)                                                                               \
+    template void contact_stiffness(bool, int, ContactStep<K>&);                                              \
+    template void add_block_stiffness(const PatchStep<K>&, const std::vector<PointStep<K::dimension>>&, bool, \
+                                      K::Square&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

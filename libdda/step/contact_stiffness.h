@@ -10,4 +10,9 @@ namespace voussoir::step
 template <class K>
 void contact_stiffness(bool published, int threads, ContactStep<K>& step);
 
+/// Adds what the patch at the last evaluation does to one of its two blocks.
+template <class K>
+void add_block_stiffness(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points, bool of_a,
+                         typename K::Square& stiffness);
+
 }  // namespace voussoir::step

@@ -23,6 +23,9 @@ constexpr int rest_after_none = 2;  // iterations after such a step
 // must: steps are long there, and what is left of loose stones moves them far.
 constexpr double slack_of_changes = 10;  // x linear_tolerance
 
+// Of the worst unbalance of a block: those with less are not brought into equilibrium by themselves.
+constexpr double worth_relaxing = 0.02;
+
 // Many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
 constexpr double softness = 1.0 / 128;   // of the stiffness; a power of two, which rounds nothing
 constexpr double softest = 1.0 / 65536;  // the same in a static step, in which hardly any inertia helps
@@ -194,6 +197,13 @@ bool follow_whole_tangent(const StepControl& control, double tolerance, double w
     return false;
 }
 
+/// Whether stones are relaxed one by one. What an elastic one does reaches far: there it saves nothing.
+template <class K>
+bool relaxes(const Stage& stage)
+{
+    return !K::deformable && !is_motion(stage);
+}
+
 /// Newton iteration from system.d until every block is in equilibrium within the tolerance.
 template <class K>
 bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& system, StepReport& report)
@@ -224,6 +234,10 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
             rest = rest_after_none;
         }
         --rest;
+        if (changes && relaxes<K>(stage)) {
+            const double worth = tolerance * std::max(1.0, worth_relaxing * now.worst);
+            if (!system.relaxation.sweep(worth, control.threads, system)) return fail_inverted(system, report);
+        }
         const double slack = changes && is_motion(stage) ? slack_of_changes : 1;
         if (!solve_direction(control, false, slack, system, report)) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;
@@ -272,6 +286,7 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
 {
     const StepControl& control = stage.control;
     report.trouble = Trouble::none;
+    if (relaxes<K>(stage)) system.relaxation.begin(system);
     system.states.clear();  // those of the step before are no part of the run's state: a resumed run has none
     Guess found;
     if (!system.contacts.patches.empty() && !guess(control, system, report, found)) return false;

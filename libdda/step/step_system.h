@@ -12,6 +12,7 @@
 #include "libdda/step/block_step.h"
 #include "libdda/step/contact_step.h"
 #include "libdda/step/friction_coupling.h"
+#include "libdda/step/relaxation.h"
 
 namespace voussoir::step
 {
@@ -39,6 +40,7 @@ struct StepSystem {
     std::vector<ContactStatus> statuses;     // scratch, per contact point
     std::vector<int> states;                 // the same, as the iteration left them
     FrictionCoupling<K> coupling;
+    Relaxation<K> relaxation;
     std::unique_ptr<solve::LinearSolver> solver;
     LinearSolverKind solver_kind = LinearSolverKind::automatic;
 };

@@ -7,8 +7,8 @@ namespace voussoir::verification
 {
 
 // Clusters of stones carry loads that would else go from stone to stone: 40 iterations of conjugate gradients
-// each.
-TEST(LargeScene, AHouseOf985RigidStonesComesToRestInFewLinearIterations)
+// each. Stones relaxed one by one find the states of their joints: 264 iterations without, and most of them short.
+TEST(LargeScene, AHouseOf985RigidStonesComesToRestInFewIterations)
 {
     const ProgramRun ran = run_case(VOUSSOIR_CASES "/house_large.yaml",
                                     {"kinematics=spatial_rigid", "stages[1].duration=2 ms", "output=null"});
@@ -18,6 +18,7 @@ TEST(LargeScene, AHouseOf985RigidStonesComesToRestInFewLinearIterations)
     std::printf("house of 985 stones: %.0f open-close iterations, %.1f of conjugate gradients each\n",
                 ran.figure("open_close_iterations"),
                 ran.figure("linear_iterations") / ran.figure("open_close_iterations"));
+    EXPECT_LT(ran.figure("open_close_iterations"), 60);
     EXPECT_LT(ran.figure("linear_iterations"), 25 * ran.figure("open_close_iterations"));
 }
 

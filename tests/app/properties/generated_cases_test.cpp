@@ -291,8 +291,8 @@ TEST(GeneratedCases, PlanarScenesAreSpatialOnesOfOneExtent)
     expect_planar_as_spatial("deformable", {3e-3, 3e-2}, false);
 }
 
-// Corners of two stones within a ten-thousandth of their size are taken as one, and of a stone of a planar scene that
-// is the root of its area, of a spatial one that of its volume: where a course has slid by a fiftieth of a
+// Corners of two stones within a ten-thousandth of their size are taken as one, and of a stone of a planar scene
+// that is the root of its area, of a spatial one that of its volume: where a course has slid by a fiftieth of a
 // millimetre, one of the two tellings has taken over the corner of the other stone already.
 TEST(GeneratedCases, PlanarWallsAreSpatialOnesOfOneExtent)
 {

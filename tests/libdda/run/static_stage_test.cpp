@@ -232,8 +232,8 @@ TEST_P(StaticStage, GoesOnAsIfItHadNotBeenStopped)
     EXPECT_EQ(*report.diagnosis, *reference.diagnosis);
 }
 
-// Under a stone that bulges the shear at the corners is just the friction bound, or a hair below by rounding. What moves
-// next does not depend on it: at rest nothing slides.
+// Under a stone that bulges the shear at the corners is just the friction bound, or a hair below by rounding. What
+// moves next does not depend on it: at rest nothing slides.
 TEST_P(StaticStage, WhetherPointsRestAtTheirBoundOrJustBelowDecidesNothing)
 {
     const Model model = block_on_floor(GetParam(), 0.2, 0.3, 30);

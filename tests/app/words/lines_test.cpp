@@ -1,8 +1,8 @@
-#include "libdda/text/lines.h"
+#include "app/words/lines.h"
 
 #include <gtest/gtest.h>
 
-namespace voussoir::text
+namespace voussoir::app::words
 {
 
 using Lines = std::vector<std::string>;
@@ -16,4 +16,4 @@ TEST(Lines, EndAtNewlinesAndAtTheEnd)
     EXPECT_EQ(lines_of("\n\n"), Lines({"", ""}));
 }
 
-}  // namespace voussoir::text
+}  // namespace voussoir::app::words

@@ -1,6 +1,6 @@
-#include "libdda/text/lines.h"
+#include "app/words/lines.h"
 
-namespace voussoir::text
+namespace voussoir::app::words
 {
 
 std::vector<std::string> lines_of(std::string_view text)
@@ -14,4 +14,4 @@ std::vector<std::string> lines_of(std::string_view text)
     return lines;
 }
 
-}  // namespace voussoir::text
+}  // namespace voussoir::app::words

@@ -1,0 +1,163 @@
+#include "libdda/step/relaxation.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "libdda/step/contact_stiffness.h"
+#include "libdda/step/step_system.h"
+
+namespace voussoir::step
+{
+
+namespace
+{
+
+constexpr int newton_iterations = 2;  // of a block in a sweep
+constexpr int line_evaluations = 8;
+constexpr int bisected = 3;  // every so many of them, where the secant stalls
+
+/// Components that are held have no residual.
+template <class K, class Vector>
+void release_held(const BlockStep<K>& block, Vector&& residual)
+{
+    for (int k = 0; k < K::unknowns; ++k)
+        if (block.held[k]) residual[k] = 0;
+}
+
+}  // namespace
+
+template <class K>
+void Relaxation<K>::begin(const StepSystem<K>& system)
+{
+    const std::size_t rows = system.block_of_row.size();
+    start_.assign(rows + 1, 0);
+    const auto for_rows = [&](auto&& visit) {
+        for (std::size_t k = 0; k < system.contacts.patches.size(); ++k) {
+            const PatchStep<K>& patch = system.contacts.patches[k];
+            for (const int row : {patch.row_a, patch.row_b})
+                if (row >= 0) visit(row, static_cast<int>(k));
+        }
+    };
+    for_rows([&](int row, int) { ++start_[row + 1]; });
+    for (std::size_t row = 0; row < rows; ++row) start_[row + 1] += start_[row];
+    patches_.resize(start_[rows]);
+    std::vector<int> place(start_.begin(), start_.end() - 1);
+    for_rows([&](int row, int k) { patches_[place[row]++] = k; });
+
+    tied_.assign(rows, false);
+    const auto tie = [&](int block) {
+        if (const int row = system.blocks[block].row; row >= 0) tied_[row] = true;
+    };
+    for (const AppliedForce<K>& force : system.applied.own) tie(force.block);
+    for (const Coupling<K>& coupling : system.applied.couplings) tie(coupling.block), tie(coupling.other);
+    for (const BarStep<K>& bar : system.bars) tie(bar.bar->block_a), tie(bar.bar->block_b);
+}
+
+template <class K>
+typename K::Square Relaxation<K>::tangent_of(int row, const StepSystem<K>& system) const
+{
+    const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+    typename K::Square tangent = block.base;
+    for (int i = start_[row]; i < start_[row + 1]; ++i) {
+        const PatchStep<K>& patch = system.contacts.patches[patches_[i]];
+        add_block_stiffness(patch, system.contacts.points, patch.row_a == row, tangent);
+    }
+    for (int k = 0; k < K::unknowns; ++k) {
+        if (!block.held[k]) continue;
+        tangent.row(k).setZero();
+        tangent.col(k).setZero();
+        tangent(k, k) = 1;
+    }
+    return tangent;
+}
+
+template <class K>
+void Relaxation<K>::add_forces(const PatchStep<K>& patch, double sign, StepSystem<K>& system) const
+{
+    constexpr int n = K::unknowns;
+    const auto add = [&](int row, const Unknowns& force) {
+        if (row < 0) return;
+        auto residual = system.residual.template segment<n>(n * row);
+        residual += sign * force;
+        release_held(system.blocks[system.block_of_row[row]], residual);
+    };
+    add(patch.row_a, patch.force_a);
+    add(patch.row_b, patch.force_b);
+}
+
+template <class K>
+bool Relaxation<K>::move(int row, const Unknowns& to, StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns;
+    const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+    auto residual = system.residual.template segment<n>(n * row);
+    auto d = system.d.template segment<n>(n * row);
+    InternalForce<K>& internal = system.internal[row];
+    residual += block.inertia * (to - d) - internal.force;
+    internal = internal_force(block, to);
+    residual += internal.force;
+    release_held(block, residual);
+    d = to;
+    for (int i = start_[row]; i < start_[row + 1]; ++i) {
+        PatchStep<K>& patch = system.contacts.patches[patches_[i]];
+        add_forces(patch, 1, system);
+        evaluate_patch(system.d, FrictionBound::frozen, patch, system.contacts.points);
+        add_forces(patch, -1, system);
+    }
+    return internal.admissible;
+}
+
+template <class K>
+void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns, dimension = K::dimension;
+    const double allowed = unbalanced * system.load[row];
+    const double size = system.blocks[system.block_of_row[row]].size;
+    for (int iteration = 0; iteration < newton_iterations; ++iteration) {
+        const Unknowns residual = system.residual.template segment<n>(n * row);
+        if (residual.template head<dimension>().norm() <= allowed &&
+            residual.template tail<n - dimension>().norm() <= allowed * size)
+            return;
+        const Unknowns from = system.d.template segment<n>(n * row);
+        const Unknowns step = -tangent_of(row, system).llt().solve(residual);
+        const double slope_0 = residual.dot(step);
+        if (!step.allFinite() || !(slope_0 < 0)) return;
+        const auto slope_at = [&](double s) {
+            const bool admissible = move(row, from + s * step, system);
+            return admissible ? system.residual.template segment<n>(n * row).dot(step)
+                              : std::numeric_limits<double>::infinity();
+        };
+        double low = 0, slope_low = slope_0, high = 1, slope_high = slope_at(1), s = 1;
+        bool is_there = slope_high <= 0.5 * std::abs(slope_0);
+        for (int evaluation = 1; evaluation <= line_evaluations && !is_there; ++evaluation) {
+            const bool halve = !std::isfinite(slope_high) || evaluation % bisected == 0;
+            s = halve ? 0.5 * (low + high) : low - slope_low * (high - low) / (slope_high - slope_low);
+            const double slope = slope_at(s);
+            is_there = std::abs(slope) <= 0.5 * std::abs(slope_0);
+            (slope > 0 ? high : low) = s;
+            (slope > 0 ? slope_high : slope_low) = slope;
+        }
+        if (!is_there && s != low) slope_at(low);  // where the potential has only fallen
+    }
+}
+
+template <class K>
+bool Relaxation<K>::sweep(double unbalanced, int threads, StepSystem<K>& system)
+{
+    const int rows = static_cast<int>(system.block_of_row.size());
+    for (const bool back : {false, true}) {
+        for (int i = 0; i < rows; ++i)
+            if (const int row = back ? rows - 1 - i : i; !tied_[row]) relax(row, unbalanced, system);
+        follow_bounds(threads, system.contacts);
+        if (!evaluate_residual(system.d, system)) return false;
+    }
+    return true;
+}
+
+#define VOUSSOIR_INSTANTIATE(K) template class Relaxation<K>
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir::step
