@@ -197,13 +197,6 @@ bool follow_whole_tangent(const StepControl& control, double tolerance, double w
     return false;
 }
 
-/// Whether stones are relaxed one by one. What an elastic one does reaches far: there it saves nothing.
-template <class K>
-bool relaxes(const Stage& stage)
-{
-    return !K::deformable && !is_motion(stage);
-}
-
 /// Newton iteration from system.d until every block is in equilibrium within the tolerance.
 template <class K>
 bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& system, StepReport& report)
@@ -234,10 +227,10 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
             rest = rest_after_none;
         }
         --rest;
-        if (changes && relaxes<K>(stage)) {
-            const double worth = tolerance * std::max(1.0, worth_relaxing * now.worst);
-            if (!system.relaxation.sweep(worth, control.threads, system)) return fail_inverted(system, report);
-        }
+        if constexpr (!K::deformable)  // what an elastic stone does reaches far, and nothing is saved
+            if (changes && !is_motion(stage))
+                system.relaxation.sweep(tolerance * std::max(1.0, worth_relaxing * now.worst), control.threads,
+                                        system);
         const double slack = changes && is_motion(stage) ? slack_of_changes : 1;
         if (!solve_direction(control, false, slack, system, report)) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;
@@ -286,7 +279,6 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
 {
     const StepControl& control = stage.control;
     report.trouble = Trouble::none;
-    if (relaxes<K>(stage)) system.relaxation.begin(system);
     system.states.clear();  // those of the step before are no part of the run's state: a resumed run has none
     Guess found;
     if (!system.contacts.patches.empty() && !guess(control, system, report, found)) return false;

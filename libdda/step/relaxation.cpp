@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libdda/step/contact_stiffness.h"
 #include "libdda/step/step_system.h"
@@ -20,7 +19,7 @@ constexpr int bisected = 3;  // every so many of them, where the secant stalls
 
 /// Components that are held have no residual.
 template <class K, class Vector>
-void release_held(const BlockStep<K>& block, Vector&& residual)
+void clear_held(const BlockStep<K>& block, Vector&& residual)
 {
     for (int k = 0; k < K::unknowns; ++k)
         if (block.held[k]) residual[k] = 0;
@@ -29,7 +28,7 @@ void release_held(const BlockStep<K>& block, Vector&& residual)
 }  // namespace
 
 template <class K>
-void Relaxation<K>::begin(const StepSystem<K>& system)
+void Relaxation<K>::gather(const StepSystem<K>& system)
 {
     const std::size_t rows = system.block_of_row.size();
     start_.assign(rows + 1, 0);
@@ -81,24 +80,21 @@ void Relaxation<K>::add_forces(const PatchStep<K>& patch, double sign, StepSyste
         if (row < 0) return;
         auto residual = system.residual.template segment<n>(n * row);
         residual += sign * force;
-        release_held(system.blocks[system.block_of_row[row]], residual);
+        clear_held(system.blocks[system.block_of_row[row]], residual);
     };
     add(patch.row_a, patch.force_a);
     add(patch.row_b, patch.force_b);
 }
 
 template <class K>
-bool Relaxation<K>::move(int row, const Unknowns& to, StepSystem<K>& system)
+void Relaxation<K>::move(int row, const Unknowns& to, StepSystem<K>& system)
 {
     constexpr int n = K::unknowns;
     const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
     auto residual = system.residual.template segment<n>(n * row);
     auto d = system.d.template segment<n>(n * row);
-    InternalForce<K>& internal = system.internal[row];
-    residual += block.inertia * (to - d) - internal.force;
-    internal = internal_force(block, to);
-    residual += internal.force;
-    release_held(block, residual);
+    residual += block.inertia * (to - d);
+    clear_held(block, residual);
     d = to;
     for (int i = start_[row]; i < start_[row + 1]; ++i) {
         PatchStep<K>& patch = system.contacts.patches[patches_[i]];
@@ -106,7 +102,6 @@ bool Relaxation<K>::move(int row, const Unknowns& to, StepSystem<K>& system)
         evaluate_patch(system.d, FrictionBound::frozen, patch, system.contacts.points);
         add_forces(patch, -1, system);
     }
-    return internal.admissible;
 }
 
 template <class K>
@@ -125,15 +120,14 @@ void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
         const double slope_0 = residual.dot(step);
         if (!step.allFinite() || !(slope_0 < 0)) return;
         const auto slope_at = [&](double s) {
-            const bool admissible = move(row, from + s * step, system);
-            return admissible ? system.residual.template segment<n>(n * row).dot(step)
-                              : std::numeric_limits<double>::infinity();
+            move(row, from + s * step, system);
+            return system.residual.template segment<n>(n * row).dot(step);
         };
         double low = 0, slope_low = slope_0, high = 1, slope_high = slope_at(1), s = 1;
         bool is_there = slope_high <= 0.5 * std::abs(slope_0);
         for (int evaluation = 1; evaluation <= line_evaluations && !is_there; ++evaluation) {
-            const bool halve = !std::isfinite(slope_high) || evaluation % bisected == 0;
-            s = halve ? 0.5 * (low + high) : low - slope_low * (high - low) / (slope_high - slope_low);
+            s = evaluation % bisected == 0 ? 0.5 * (low + high)
+                                           : low - slope_low * (high - low) / (slope_high - slope_low);
             const double slope = slope_at(s);
             is_there = std::abs(slope) <= 0.5 * std::abs(slope_0);
             (slope > 0 ? high : low) = s;
@@ -144,20 +138,19 @@ void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
 }
 
 template <class K>
-bool Relaxation<K>::sweep(double unbalanced, int threads, StepSystem<K>& system)
+void Relaxation<K>::sweep(double unbalanced, int threads, StepSystem<K>& system)
 {
+    gather(system);
     const int rows = static_cast<int>(system.block_of_row.size());
     for (const bool back : {false, true}) {
         for (int i = 0; i < rows; ++i)
             if (const int row = back ? rows - 1 - i : i; !tied_[row]) relax(row, unbalanced, system);
         follow_bounds(threads, system.contacts);
-        if (!evaluate_residual(system.d, system)) return false;
+        evaluate_residual(system.d, system);
     }
-    return true;
 }
 
-#define VOUSSOIR_INSTANTIATE(K) template class Relaxation<K>
-VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
-#undef VOUSSOIR_INSTANTIATE
+template class Relaxation<SpatialRigid>;
+template class Relaxation<PlanarRigid>;
 
 }  // namespace voussoir::step

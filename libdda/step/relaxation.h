@@ -15,25 +15,24 @@ struct StepSystem;
 /// Nonlinear block Gauss-Seidel sweeps. Most changes of state of an iteration are a matter of one stone and its
 /// neighbours, and a direction for all stones at once goes no farther than to the first of them. A sweep settles
 /// them stone by stone, going down the same potential; what is left for the direction is smooth. Source:
-/// docs/numerics.md 3; [GraserKornhuber2009].
+/// docs/numerics.md 3; [GraserKornhuber2009]. For rigid blocks.
 template <class K>
 class Relaxation
 {
  public:
-    /// Finds the patches of each row, and the rows that can be relaxed: those that nothing but contacts ties to
-    /// others.
-    void begin(const StepSystem<K>& system);
     /// Two sweeps, there and back, over the blocks that are out of balance by more than this share of their load;
     /// the friction bound is frozen within a sweep and follows after it. Contacts and residual are known at
-    /// system.d, with the exact bound, and are so afterwards. @returns false if a block inverts
-    bool sweep(double unbalanced, int threads, StepSystem<K>& system);
+    /// system.d, with the exact bound, and are so afterwards.
+    void sweep(double unbalanced, int threads, StepSystem<K>& system);
 
  private:
     using Unknowns = typename K::Unknowns;
+    /// Finds the patches of each row, and the rows that something beside contacts ties to others or to the ground.
+    void gather(const StepSystem<K>& system);
     void relax(int row, double unbalanced, StepSystem<K>& system);
     typename K::Square tangent_of(int row, const StepSystem<K>& system) const;
-    /// Moves a block to `to`. @returns whether it is admissible there; contacts and residual are of the new place
-    bool move(int row, const Unknowns& to, StepSystem<K>& system);
+    /// Moves a block to `to`, and contacts and residual with it.
+    void move(int row, const Unknowns& to, StepSystem<K>& system);
     void add_forces(const PatchStep<K>& patch, double sign, StepSystem<K>& system) const;
 
     std::vector<int> start_, patches_;  // of rows, in compressed form
