@@ -26,8 +26,8 @@ constexpr double slack_of_changes = 10;  // x linear_tolerance
 // Of the worst unbalance of a block: those with less are not brought into equilibrium by themselves.
 constexpr double worth_relaxing = 0.02;
 
-// Many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
-constexpr double softness = 1.0 / 128;   // of the stiffness; a power of two, which rounds nothing
+// On the way to rest many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
+constexpr double softness = 1.0 / 128;   // of the stiffness, where stones are let go; powers of two round nothing
 constexpr double softest = 1.0 / 65536;  // the same in a static step, in which hardly any inertia helps
 constexpr double hardening = 4;          // from there, each time by this
 constexpr double soft_tolerance = 1e-2;  // unbalanced force / load: only the states of the contacts are wanted
@@ -227,10 +227,10 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
             rest = rest_after_none;
         }
         --rest;
-        if constexpr (!K::deformable)  // what an elastic stone does reaches far, and nothing is saved
-            if (changes && !is_motion(stage))
-                system.relaxation.sweep(tolerance * std::max(1.0, worth_relaxing * now.worst), control.threads,
-                                        system);
+        // At rest what an elastic stone does reaches far, and nothing is saved.
+        if (changes && (!K::deformable || is_motion(stage)))
+            system.relaxation.sweep(tolerance * std::max(1.0, worth_relaxing * now.worst), control.threads,
+                                    system);
         const double slack = changes && is_motion(stage) ? slack_of_changes : 1;
         if (!solve_direction(control, false, slack, system, report)) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;
@@ -249,7 +249,8 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
 /// Of nearly rigid stones every corner that opens shifts the load to others, and the iteration would try them one
 /// after the other. Joints softened at the same forces let stones yield enough to find nearly all of them at once;
 /// the states found then make the next guess. That the soft problem is not solved is no failure. A static step
-/// goes from very soft joints to the true ones, each guess made by the one before.
+/// goes from very soft joints to the true ones, each guess made by the one before. In motion inertia keeps what
+/// one stone does from the others, and relaxation finds the states for less.
 template <class K>
 bool find_states_softened(const Stage& stage, StepSystem<K>& system, StepReport& report)
 {
@@ -282,7 +283,7 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
     system.states.clear();  // those of the step before are no part of the run's state: a resumed run has none
     Guess found;
     if (!system.contacts.patches.empty() && !guess(control, system, report, found)) return false;
-    if (found.loose) {
+    if (found.loose && !is_motion(stage)) {
         if (!find_states_softened(stage, system, report)) return false;
         found.known = Known::nothing;
     }

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "libdda/step/contact_stiffness.h"
 #include "libdda/step/step_system.h"
@@ -94,6 +95,11 @@ void Relaxation<K>::move(int row, const Unknowns& to, StepSystem<K>& system)
     auto residual = system.residual.template segment<n>(n * row);
     auto d = system.d.template segment<n>(n * row);
     residual += block.inertia * (to - d);
+    if constexpr (K::deformable) {
+        const InternalForce<K> internal = internal_force(block, to);
+        residual += internal.force - system.internal[row].force;
+        system.internal[row] = internal;
+    }
     clear_held(block, residual);
     d = to;
     for (int i = start_[row]; i < start_[row + 1]; ++i) {
@@ -121,13 +127,15 @@ void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
         if (!step.allFinite() || !(slope_0 < 0)) return;
         const auto slope_at = [&](double s) {
             move(row, from + s * step, system);
-            return system.residual.template segment<n>(n * row).dot(step);
+            return system.internal[row].admissible ? system.residual.template segment<n>(n * row).dot(step)
+                                                   : std::numeric_limits<double>::infinity();
         };
         double low = 0, slope_low = slope_0, high = 1, slope_high = slope_at(1), s = 1;
         bool is_there = slope_high <= 0.5 * std::abs(slope_0);
         for (int evaluation = 1; evaluation <= line_evaluations && !is_there; ++evaluation) {
-            s = evaluation % bisected == 0 ? 0.5 * (low + high)
-                                           : low - slope_low * (high - low) / (slope_high - slope_low);
+            s = evaluation % bisected == 0 || !std::isfinite(slope_high)
+                    ? 0.5 * (low + high)
+                    : low - slope_low * (high - low) / (slope_high - slope_low);
             const double slope = slope_at(s);
             is_there = std::abs(slope) <= 0.5 * std::abs(slope_0);
             (slope > 0 ? high : low) = s;
@@ -150,7 +158,8 @@ void Relaxation<K>::sweep(double unbalanced, int threads, StepSystem<K>& system)
     }
 }
 
-template class Relaxation<SpatialRigid>;
-template class Relaxation<PlanarRigid>;
+#define VOUSSOIR_INSTANTIATE(K) template class Relaxation<K>
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
 
 }  // namespace voussoir::step

@@ -15,7 +15,7 @@ struct StepSystem;
 /// Nonlinear block Gauss-Seidel sweeps. Most changes of state of an iteration are a matter of one stone and its
 /// neighbours, and a direction for all stones at once goes no farther than to the first of them. A sweep settles
 /// them stone by stone, going down the same potential; what is left for the direction is smooth. Source:
-/// docs/numerics.md 3; [GraserKornhuber2009]. For rigid blocks.
+/// docs/numerics.md 3; [GraserKornhuber2009].
 template <class K>
 class Relaxation
 {

@@ -89,6 +89,24 @@ TEST(BarCase, PutsADowelIntoEachJointOfTwoGroups)
     EXPECT_LT((elastic.axis - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
 }
 
+// What fit_tolerance closes is a joint, with a dowel from the start; what it does not is none.
+TEST(BarCase, PutsADowelIntoAJointThatIsDrawnOpen)
+{
+    std::string apart = stack("bars: [{name: dowel, between: [drums, drums], area: 4 cm2, length: 10 cm}]\n");
+    const std::string touching = "lower: [0, 0, 1], upper: [1, 1, 2]";
+    apart.replace(apart.find(touching), touching.size(), "lower: [0, 0, 1.004], upper: [1, 1, 2]");
+    expect_fault(apart, "no joint between", "whose blocks touch");
+    const Model model = read("fit_tolerance: 5 mm\n" + apart).model;
+    ASSERT_EQ(model.bars.size(), 1u);
+    EXPECT_EQ(model.bars[0].name, "dowel low high");
+    const auto end_of = [&](int block, const Eigen::Vector3d& lever) {
+        return (model.blocks[block].moments.centroid + lever).eval();
+    };
+    const Eigen::Vector3d a = end_of(model.bars[0].block_a, model.bars[0].anchor_a);
+    EXPECT_LT((a - end_of(model.bars[0].block_b, model.bars[0].anchor_b)).norm(), 1e-12);
+    EXPECT_LE(std::abs(a.z() - 1.002), 0.002 + 1e-12);
+}
+
 TEST(BarCase, ARodMayCarryCompressionToo)
 {
     const std::string both =
