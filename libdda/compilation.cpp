@@ -4,6 +4,13 @@
 
 #include "libdda/instruction_set.h"
 
+// Memory is aligned otherwise under them, and sums of Eigen end in other bits.
+#if defined(__SANITIZE_ADDRESS__)
+#define SANITIZERS " with sanitizers"
+#else
+#define SANITIZERS ""
+#endif
+
 namespace voussoir
 {
 
@@ -15,7 +22,7 @@ std::string compiler()
 #if defined(__clang__)
     return "clang++ " __clang_version__;
 #else
-    return "g++ " __VERSION__;
+    return "g++ " __VERSION__ SANITIZERS;
 #endif
 }
 

@@ -30,18 +30,19 @@ Passage read_passage(YamlCursor& map, const Model& model, const std::vector<Vect
 {
     Passage passage;
     if (!map.expect_map("passes {speed: 2000 m/s, direction: [1, 0, 0]}")) return passage;
+    const std::size_t faults = map.fault_count();
     const double speed = map.quantity("speed", words::dimension::velocity,
                                       {slowest_wave, std::numeric_limits<double>::infinity(), true, true});
     const auto direction = map.require("direction", "the way it goes, such as [1, 0, 0]");
     if (direction) {
         const Vector3d way = read_direction(*direction, model.kinematics);
         if (way.norm() == 0) direction->fault("a direction of length 0", "give one such as [1, 0, 0]");
-        passage.slowness = way.normalized() / speed;
+        if (map.fault_count() == faults) passage.slowness = way.normalized() / speed;
     }
     const auto from = map.find("from");
     if (from) passage.from = read_place(*from, model.kinematics) - model.origin;
     map.reject_unknown_keys();
-    if (places.empty() || !passage.slowness.allFinite()) return passage;
+    if (places.empty() || map.fault_count() != faults) return passage;
     const Vector3d first = *std::min_element(
         places.begin(), places.end(),
         [&](const Vector3d& a, const Vector3d& b) { return passage.slowness.dot(a) < passage.slowness.dot(b); });

@@ -112,7 +112,7 @@ class Xdmf : public testing::TestWithParam<Kinematics>
 
 TEST_P(Xdmf, OneMomentForEachFrameWithItsTimeInEveryGrid)
 {
-    const Element& course = all_named(root, "Grid").at(0);
+    const Element course = all_named(root, "Grid").at(0);
     std::vector<double> times;
     for (const Element& moment : course.children) {
         ASSERT_EQ(moment.attributes.at("CollectionType"), "Spatial");

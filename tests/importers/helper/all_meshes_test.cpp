@@ -98,7 +98,7 @@ TEST(AllMeshes, AreCertifiedOrRefusedWithTheReasonWithinTimeAndMemory)
     const json known = json::parse(stream).at("meshes");
     helper::GeometryLimits limits;
 #if defined(__SANITIZE_ADDRESS__)
-    limits.seconds *= 4;
+    limits.seconds *= 8;
 #endif
     int accepted = 0, refused = 0;
     for (const auto& [path, expected] : known.items()) {
