@@ -46,7 +46,7 @@ def wrongly_waiting(pages, record):
             yield f"{name} is said to wait to be made anew and is no page of a study"
         elif named_in(pages[name]) in ({each} for each in behaviours(record)) or behaviour in behaviours(record):
             yield f"{name} is of the engine on record and waits no more: --await takes it off the list"
-        elif named_in(pages[name]) != {behaviour}:
+        elif not {behaviour} <= named_in(pages[name]) <= {behaviour} | behaviours(record):  # some parts may be new
             yield f"{name} is said to be of the engine {behaviour} and names {sorted(named_in(pages[name]))}"
         elif not says_so(pages.get(teller_of(name), ""), behaviour):
             yield f"{name} waits to be made anew and {teller_of(name)} does not say so: {notice_of(behaviour)}"

@@ -102,7 +102,8 @@ def faults(found, expected, behaviours, before=None):
 
     found: figures by part; expected: by part "command", "case" (a checksum), "judged", "members", "duration" and, by the
     clock, "longest" [s]; behaviours: of the engine on record, by its golden hashes on each machine; before: of
-    an engine whose page waits to be made anew, with the commands and cases of its time.
+    an engine whose page waits to be made anew, with the commands and cases of its time. Then some parts may be of
+    that engine and others of the present one.
     """
     for part, asked in expected.items():
         if part not in found:
@@ -125,7 +126,7 @@ def faults(found, expected, behaviours, before=None):
                 yield f"{part}: the time step is {stage['time_step_s']} s"
         if not figures["study"]["wall_time_s"] < asked["longest"]:
             yield f"{part} took {figures['study']['wall_time_s']} s"
-    engines = sorted({figures["study"].get("behaviour", "unknown") for figures in found.values()})
+    engines = sorted({figures["study"].get("behaviour", "unknown") for figures in found.values()} - {before})
     if len(engines) > 1:
         yield f"the parts are of different engines, {', '.join(engines)}: run all with one"
     stale = [engine for engine in engines if engine not in behaviours]
@@ -200,6 +201,14 @@ def self_test():
     found["one"]["study"]["command"] = found["many"]["study"]["case"] = "of its time"
     told = list(faults(found, expected, behaviours, before=found["one"]["study"]["behaviour"]))
     wrong += [f"a page that waits: {sentence}" for sentence in told]
+    found["many"]["study"]["case"] = "0a"  # made anew
+    told = list(faults(found, expected, behaviours - {"e1"} | {"e2"}, before="e1"))
+    found["many"]["study"]["behaviour"] = "e2"
+    told += list(faults(found, expected, behaviours - {"e1"} | {"e2"}, before="e1"))
+    wrong += [f"a page made anew in part: {sentence}" for sentence in told]
+    found["many"]["study"]["behaviour"] = "e3"
+    if not any("was e3" in sentence for sentence in faults(found, expected, behaviours, before="e1")):
+        wrong.append("a part of a third engine is not found")
     for damage, words in DAMAGES:
         found, expected, behaviours = copy.deepcopy(sound_figures())
         damage(found)
