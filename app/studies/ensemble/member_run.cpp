@@ -26,8 +26,9 @@ EnergyShares shares_of(const EnergyLedger& energy)
     }
     shares.algorithmic = (energy.algorithmic + energy.algorithmic_rotation + energy.redetection) / shares.input;
     shares.friction = energy.friction / shares.input;
-    shares.damping = (energy.damping_kinetic + energy.damping_static + energy.damping_contact +
-                      energy.damping_material + energy.fracture + energy.yielding) /
+    // What coming to rest under the weight takes is none of the motion.
+    shares.damping = (energy.damping_kinetic + energy.damping_contact + energy.damping_material + energy.fracture +
+                      energy.yielding) /
                      shares.input;
     return shares;
 }
