@@ -121,6 +121,14 @@ TEST(Ensemble, ReportsTheStiffnessAsASensitivity)
               2u);
 }
 
+// Half of what the weight does while the joint yields is taken from the block, 56 J: none of it in motion.
+TEST(Ensemble, ComingToRestIsNoDampingOfTheMotion)
+{
+    const EnsembleStudy study = study_of(testing::shaken_stone(testing::gentle_wave, "1 ms"));
+    EXPECT_EQ(study.runs[0][0].energy.damping, 0);
+    EXPECT_GT(study.runs[0][0].energy.input, 0);
+}
+
 // A block that is lifted straight up opens its joint by what it rises.
 TEST(Ensemble, CountsOpenJoints)
 {
