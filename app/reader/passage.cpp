@@ -37,12 +37,13 @@ Passage read_passage(YamlCursor& map, const Model& model, const std::vector<Vect
     if (direction) {
         const Vector3d way = read_direction(*direction, model.kinematics);
         if (way.norm() == 0) direction->fault("a direction of length 0", "give one such as [1, 0, 0]");
-        if (map.fault_count() == faults) passage.slowness = way.normalized() / speed;
+        passage.slowness = way.normalized() / speed;
     }
     const auto from = map.find("from");
     if (from) passage.from = read_place(*from, model.kinematics) - model.origin;
     map.reject_unknown_keys();
-    if (places.empty() || map.fault_count() != faults) return passage;
+    if (map.fault_count() != faults) return {};  // what is wrong delays nothing
+    if (places.empty()) return passage;
     const Vector3d first = *std::min_element(
         places.begin(), places.end(),
         [&](const Vector3d& a, const Vector3d& b) { return passage.slowness.dot(a) < passage.slowness.dot(b); });
