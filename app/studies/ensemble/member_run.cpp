@@ -72,6 +72,7 @@ class OpeningBook
 std::vector<converge::Quantity> drifts_of(const Case& member)
 {
     std::vector<converge::Quantity> drifts;
+    drifts.reserve(member.output.histories.size());
     for (int point = 0; point < static_cast<int>(member.output.histories.size()); ++point)
         drifts.push_back({converge::Field::drift, point, -1, converge::Measure::history, point});
     return drifts;
