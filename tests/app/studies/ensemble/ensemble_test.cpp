@@ -21,7 +21,6 @@ namespace
 using testing::gentle_wave;
 using testing::lifting_wave;
 using testing::shaken_stone;
-using testing::vary_friction;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const double unknown = std::nan("");
