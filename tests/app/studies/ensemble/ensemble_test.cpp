@@ -18,10 +18,6 @@ namespace voussoir::app::studies::ensemble
 namespace
 {
 
-using testing::gentle_wave;
-using testing::lifting_wave;
-using testing::shaken_stone;
-
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const double unknown = std::nan("");
 
