@@ -59,6 +59,7 @@ std::string in_words(const ContactStiffness& stiffness)
         return fmt::format("{:g} Pa/m{}", stiffness.value, times);
     if (stiffness.kind == ContactStiffness::Kind::per_point)
         return fmt::format("{:g} N/m per contact point{}", stiffness.value, times);
+    if (stiffness.value > 0) return fmt::format("{:g} E/L of the blocks{}", stiffness.value, times);
     return "from the blocks' modulus and depth" + times;
 }
 

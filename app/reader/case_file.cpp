@@ -1,5 +1,6 @@
 #include "app/reader/case_file.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -17,6 +18,7 @@
 #include "app/reader/plane.h"
 #include "app/reader/stages.h"
 #include "app/reader/yaml_cursor.h"
+#include "libdda/contact/normal_stiffness.h"
 
 namespace voussoir::app::reader
 {
@@ -66,6 +68,12 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
     read_bars(top, model);  // dowels in the joints that the run will have
 }
 
+bool is_only_for_rest(const std::vector<Stage>& stages)
+{
+    return std::all_of(stages.begin(), stages.end(),
+                       [](const Stage& stage) { return stage.type == StageType::static_equilibrium; });
+}
+
 void read_everything(YamlCursor& top, Case& result, Findings& findings)
 {
     result.title = top.find_text("title").value_or(result.file.stem().string());
@@ -73,6 +81,7 @@ void read_everything(YamlCursor& top, Case& result, Findings& findings)
     read_model(top, result, findings, foundations);
     MotionContext motions{result.file.parent_path(), result.model, result.motions};
     result.stages = read_stages(top, result.model, foundations, motions);
+    if (is_only_for_rest(result.stages)) contact::stiffen_for_rest(result.model);
     result.output = read_output(top, result.model, result.stages);
     refuse_rounded_stresses(result, findings);
     refuse_soft_joints(result, findings);

@@ -6,16 +6,29 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string_view>
 
 #include "app/words/nearest_word.h"
 #include "libdda/model/standard_gravity.h"
+#include "libdda/text/numbers.h"
 
 namespace voussoir::app::reader
 {
 namespace
 {
 
-/// The two spellings are told apart by the unit, so a bare number says nothing.
+/// So many times the modulus of the stones over their depth: "300 E/L".
+std::optional<double> times_modulus(const std::string& text)
+{
+    constexpr std::string_view unit = "E/L";
+    if (!text.ends_with(unit)) return std::nullopt;
+    std::string number = text.substr(0, text.size() - unit.size());
+    number.erase(number.find_last_not_of(' ') + 1);
+    const std::optional<double> times = text::parse_finite(number);
+    return times && *times > 0 ? times : std::nullopt;
+}
+
+/// The three spellings are told apart by the unit, so a bare number says nothing.
 ContactStiffness read_stiffness(YamlCursor& map)
 {
     const std::optional<YamlCursor> value = map.find("contact_stiffness");
@@ -23,6 +36,9 @@ ContactStiffness read_stiffness(YamlCursor& map)
         map.took_default("contact_stiffness", "from the blocks' modulus and depth");
         return {};
     }
+    if (value->is_scalar())
+        if (const std::optional<double> times = times_modulus(value->as_text()))
+            return {ContactStiffness::Kind::from_modulus, *times};
     const words::ParsedQuantity quantity =
         value->is_scalar() ? words::parse_quantity(value->as_text()) : words::ParsedQuantity{};
     if (quantity.problem.empty() && quantity.has(words::dimension::stiffness_per_point))
@@ -32,7 +48,7 @@ ContactStiffness read_stiffness(YamlCursor& map)
         return {ContactStiffness::Kind::per_area,
                 value->as_quantity(words::dimension::stiffness_per_area, words::Range::positive())};
     value->fault(value->found() + (quantity.bare ? " has no unit; the unit determines the meaning" : ""),
-                 "expected 1e8 N/m (per contact point) or 50 MPa/m (per area)");
+                 "expected 50 MPa/m (per area), 1e8 N/m (per contact point) or 300 E/L (of the stones)");
     return {};
 }
 

@@ -96,7 +96,7 @@ SideTie tie_of(const Model& model, const BlockFace& a, const BlockFace& b, const
         for (const int block : {a.block, b.block})
             compliance +=
                 depth_along(model.blocks[block], direction) / model.materials[model.blocks[block].material].young;
-        normal = 2 * contact::default_stiffness_factor(model.kinematics, joint) / compliance;
+        normal = 2 * contact::times_modulus(model.kinematics, joint) / compliance;
     }
     normal *= joint.stiffness.factor;
     return {a, b, normal, joint.shear_to_normal_stiffness * normal};

@@ -10,6 +10,8 @@ namespace voussoir::contact
 namespace
 {
 
+constexpr double nearly_rigid = 300;  // E / L
+
 /// Extent along the normal of the block that the part belongs to [m].
 template <int D>
 double depth_along(const Model& model, const PlacedPartIn<D>& part, const VectorIn<D>& normal)
@@ -35,7 +37,7 @@ double stiffness_from_modulus(const Model& model, const std::vector<bool>& fully
         compliance += depth_along(model, *part, normal) / model.materials[block.material].young;
     }
     const JointMaterial& joint = model.joint_between(first.block, second.block);
-    return 2 * default_stiffness_factor(model.kinematics, joint) / compliance;
+    return 2 * times_modulus(model.kinematics, joint) / compliance;
 }
 
 std::size_t corners_of(const PlacedPart& part, int face)
@@ -83,7 +85,22 @@ double stiffness_as_given(const Model& model, const std::vector<bool>& fully_hel
 double default_stiffness_factor(Kinematics kinematics, const JointMaterial& joint)
 {
     if (!is_deformable(kinematics)) return 10;
-    return joint.has_strength() ? 300 : 30;
+    return joint.has_strength() ? nearly_rigid : 30;
+}
+
+void stiffen_for_rest(Model& model)
+{
+    if (is_deformable(model.kinematics)) return;
+    for (JointMaterial& joint : model.joints) {
+        ContactStiffness& stiffness = joint.stiffness;
+        if (stiffness.kind == ContactStiffness::Kind::from_modulus && stiffness.value == 0)
+            stiffness.value = nearly_rigid;
+    }
+}
+
+double times_modulus(Kinematics kinematics, const JointMaterial& joint)
+{
+    return joint.stiffness.value > 0 ? joint.stiffness.value : default_stiffness_factor(kinematics, joint);
 }
 
 template <int D>

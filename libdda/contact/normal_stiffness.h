@@ -13,6 +13,14 @@ namespace voussoir::contact
 /// open and close in a step; those of rigid stones, which rock harder, are softer still.
 double default_stiffness_factor(Kinematics kinematics, const JointMaterial& joint);
 
+/// Gives the joints of rigid stones of which nobody said how stiff they are 300 E / L: for a model that is only to
+/// come to rest. In motion stones on such joints rattle, which costs up to ten times the iterations and what the
+/// integrator takes; at rest they cost half as many again, and limit states come closer to those of rigid bodies.
+void stiffen_for_rest(Model& model);
+
+/// How many E / L a joint has whose stiffness comes from the moduli: those given, else the default.
+double times_modulus(Kinematics kinematics, const JointMaterial& joint);
+
 /// What turns a measure of a contact into an area [m]: lengths of a planar scene count times its thickness.
 template <int D>
 double depth_of(const Model& model)
@@ -21,7 +29,7 @@ double depth_of(const Model& model)
 }
 
 /// Of a contact that is new, or new to its face [Pa/m]: as the joint of the two blocks has it, times its factor.
-/// The default is the series modulus of the two half blocks on either side of the joint,
+/// Of one that comes from the moduli it is the series modulus of the two half blocks on either side of the joint,
 /// k = 2 f / (L_a/E_a + L_b/E_b), which is f E / L for equal blocks; a held block adds no compliance.
 /// @param reference, incident parts of a scene in order of block and part, as place_parts leaves them
 /// @param fully_held (blocks)

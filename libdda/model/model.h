@@ -40,16 +40,16 @@ struct BlockMaterial {
     std::vector<MaxwellBranch> branches = {};
 };
 
-/// How stiff a contact is, in the two spellings that are used.
+/// How stiff a contact is, in the spellings that are used.
 struct ContactStiffness {
     /// The spellings.
     enum class Kind {
-        from_modulus,  // documented rule: factor x series modulus / mean block depth, N/m per m2
+        from_modulus,  // series modulus / mean depth of the two blocks, E/L, so many times
         per_area,      // as joints are measured, Pa/m
         per_point,     // Shi's g0, N/m per contact point, spread over a face contact as value x corners / area
     };
     Kind kind = Kind::from_modulus;  // which of them
-    double value = 0;                // Pa/m, or N/m; unused for from_modulus
+    double value = 0;                // E/L (0: as many as the documented rule says), Pa/m, or N/m
     double factor = 1;  // -, times what the spelling gives: how studies vary the stiffness of every spelling
 };
 

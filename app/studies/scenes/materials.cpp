@@ -49,8 +49,7 @@ double rule_of_papers(Kinematics kinematics)
 
 double default_stiffness(const SceneSetting& setting, double compliance, const JointMaterial& joint)
 {
-    const double factor = setting.papers_joints ? rule_of_papers(setting.kinematics)
-                                                : contact::default_stiffness_factor(setting.kinematics, joint);
+    const double factor = contact::times_modulus(setting.kinematics, joint_in(setting, joint));
     return 2 * factor / compliance;
 }
 
@@ -58,9 +57,8 @@ JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
 {
     if (!setting.papers_joints) return joint;
     joint.restitution.reset();
-    if (joint.stiffness.kind == ContactStiffness::Kind::from_modulus)
-        joint.stiffness.factor *=
-            rule_of_papers(setting.kinematics) / contact::default_stiffness_factor(setting.kinematics, joint);
+    if (joint.stiffness.kind == ContactStiffness::Kind::from_modulus && joint.stiffness.value == 0)
+        joint.stiffness.value = rule_of_papers(setting.kinematics);
     return joint;
 }
 

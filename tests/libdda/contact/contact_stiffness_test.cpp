@@ -1,4 +1,4 @@
-// The three spellings of how stiff a contact is.
+// The spellings of how stiff a contact is.
 #include <gtest/gtest.h>
 
 #include "libdda/contact/initial_contacts.h"
@@ -39,6 +39,7 @@ struct Floor {
     }
 };
 
+constexpr ContactStiffness::Kind from_modulus = ContactStiffness::Kind::from_modulus;
 constexpr ContactStiffness::Kind per_point = ContactStiffness::Kind::per_point;
 constexpr ContactStiffness::Kind per_area = ContactStiffness::Kind::per_area;
 
@@ -82,10 +83,18 @@ TEST(ContactStiffness, DefaultFollowsModulusAndDepths)
     }
 }
 
+// As many E / L as are asked for, whatever the kinematics.
+TEST(ContactStiffness, TimesTheModulusIsWhatWasAskedFor)
+{
+    const double held = 2 * 7 * 2e9 / 0.4 * 2;
+    for (const Kinematics kinematics : {Kinematics::spatial_deformable, Kinematics::spatial_rigid})
+        EXPECT_NEAR(Floor(kinematics, {from_modulus, 7}, true).total(), held, 1e-12 * held);
+}
+
 TEST(ContactStiffness, FactorMultipliesEverySpelling)
 {
-    for (const ContactStiffness& given :
-         {ContactStiffness{}, ContactStiffness{per_point, 1e8}, ContactStiffness{per_area, 50e6}}) {
+    for (const ContactStiffness& given : {ContactStiffness{}, ContactStiffness{from_modulus, 7},
+                                          ContactStiffness{per_point, 1e8}, ContactStiffness{per_area, 50e6}}) {
         ContactStiffness scaled = given;
         scaled.factor = 4;
         const double once = Floor(Kinematics::spatial_rigid, given, false).total();
