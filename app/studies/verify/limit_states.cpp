@@ -157,8 +157,8 @@ VerifyResult run_thickness(const scenes::SceneSetting& setting)
         result.iterations += pushed.report.open_close_iterations;
         return pushed.report.outcome == Outcome::completed;
     });
-    const double suddenly =
-        least_thickness(setting, [&](const Model& model) { return !falls_suddenly(model, setting, result); });
+    const double suddenly = least_thickness(
+        setting, [&](const Model& model) { return !falls_suddenly(for_rest(model), setting, result); });
     result.error = std::max(std::abs(slowly - reference), std::abs(suddenly - reference));
     result.answer = {slowly, suddenly};
     result.note = fmt::format(
@@ -262,9 +262,11 @@ std::vector<Benchmark> limit_state_benchmarks()
         "|least thickness / mean radius - that of limit analysis|, of static stages or of gravity suddenly there, "
         "the worse";
     thickness.choices =
-        "Mean radius 5 m, 10 GPa, friction 0.7, default joints: 300 E/L at rest, 10 E/L under sudden gravity. "
-        "Bisection of the thickness to 5e-6; suddenly "
-        "loaded it has fallen when a stone has moved by 1e-4 of the radius after 2 s.";
+        "Mean radius 5 m, 10 GPa, friction 0.7, joints of 300 E/L, at rest the default: on the 10 E/L of stones "
+        "that "
+        "move the arch bounces when it is suddenly loaded, and falls up to 0.1073. Bisection of the thickness to "
+        "5e-6; "
+        "suddenly loaded it has fallen when a stone has moved by 1e-4 of the radius after 2 s.";
     thickness.tolerance = 1e-4;
     thickness.sweep = sweep_of(thickness.setting, {8e-3, 4e-3, 2e-3, 1e-3});
     thickness.run = run_thickness;
