@@ -231,20 +231,23 @@ void evaluate_contacts(const VectorXd& d, FrictionBound bound, int threads, Cont
 }
 
 template <class K>
+void follow_bound(PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points)
+{
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        PointStep<K::dimension>& p = points[i];
+        if (is_free(patch.intact, FrictionBound::exact, p))
+            release(p);
+        else
+            shear_force(friction_of(patch, p), FrictionBound::exact, patch, p);
+    }
+    sum_forces(points, patch);
+}
+
+template <class K>
 void follow_bounds(int threads, ContactStep<K>& step)
 {
     in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t k = first; k < end; ++k) {
-            PatchStep<K>& patch = step.patches[k];
-            for (int i = patch.first; i < patch.first + patch.count; ++i) {
-                PointStep<K::dimension>& p = step.points[i];
-                if (is_free(patch.intact, FrictionBound::exact, p))
-                    release(p);
-                else
-                    shear_force(friction_of(patch, p), FrictionBound::exact, patch, p);
-            }
-            sum_forces(step.points, patch);
-        }
+        for (std::size_t k = first; k < end; ++k) follow_bound(step.patches[k], step.points);
     });
 }
 
@@ -301,6 +304,7 @@ bool switch_published(ContactStep<K>& step)
     template void evaluate_contacts(const VectorXd&, FrictionBound, int, ContactStep<K>&); \
     template void evaluate_patch(const VectorXd&, FrictionBound, PatchStep<K>&,            \
                                  std::vector<PointStep<K::dimension>>&);                   \
+    template void follow_bound(PatchStep<K>&, std::vector<PointStep<K::dimension>>&);      \
     template void follow_bounds(int, ContactStep<K>&);                                     \
     template void evaluate_published(const VectorXd&, ContactStep<K>&);                    \
     template bool switch_published(ContactStep<K>&)

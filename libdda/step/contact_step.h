@@ -92,7 +92,11 @@ template <class K>
 void evaluate_patch(const Eigen::VectorXd& d, FrictionBound bound, PatchStep<K>& patch,
                     std::vector<PointStep<K::dimension>>& points);
 
-/// The same with the exact bound where they were evaluated last with a frozen one.
+/// The same with the exact bound where it was evaluated last with a frozen one.
+template <class K>
+void follow_bound(PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points);
+
+/// The same of all patches.
 template <class K>
 void follow_bounds(int threads, ContactStep<K>& step);
 

@@ -11,7 +11,7 @@ namespace voussoir::step
 namespace
 {
 
-constexpr int max_vectors = 40;  // of the Krylov space
+constexpr int max_vectors = 60;  // of the Krylov space
 
 /// Tangent of the shear force, less what the symmetric matrix has of it.
 template <class K>
@@ -97,7 +97,8 @@ void FrictionCoupling<K>::add_product(const StepSystem<K>& system, const Eigen::
 }
 
 template <class K>
-bool FrictionCoupling<K>::solve_direction(const StepControl& control, StepSystem<K>& system, StepReport& report)
+bool FrictionCoupling<K>::solve_direction(const StepControl& control, double tolerance, StepSystem<K>& system,
+                                          StepReport& report)
 {
     using Eigen::VectorXd;
     {
@@ -113,8 +114,8 @@ bool FrictionCoupling<K>::solve_direction(const StepControl& control, StepSystem
         add_one_sided(system, x, y);
     };
     const auto precondition = [&](const VectorXd& r, VectorXd& z) { system.solver->precondition(r, z); };
-    const solve::LinearReport linear = gmres_.solve(multiply, precondition, system.residual,
-                                                    control.linear_tolerance, max_vectors, system.direction);
+    const solve::LinearReport linear =
+        gmres_.solve(multiply, precondition, system.residual, tolerance, max_vectors, system.direction);
     system.direction = -system.direction;
     report.linear_iterations += linear.iterations;
     return linear.solved && system.direction.allFinite();

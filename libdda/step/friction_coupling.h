@@ -26,9 +26,9 @@ class FrictionCoupling
     /// y += C x, (rows x unknowns) each.
     void add_product(const StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
     /// Solves, as last gathered, (K + C) direction = -residual at the last evaluation, K the stiffness with the
-    /// bound frozen.
-    /// @returns false if there is no solution to the tolerance of the linear solver
-    bool solve_direction(const StepControl& control, StepSystem<K>& system, StepReport& report);
+    /// bound frozen. @param tolerance of what is left of the residual, as a share of it
+    /// @returns false if there is no solution to this tolerance
+    bool solve_direction(const StepControl& control, double tolerance, StepSystem<K>& system, StepReport& report);
 
  private:
     /// The tangent of a shear force, less what K has of it.

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "libdda/step/bold_steps.h"
 #include "libdda/step/line_search.h"
 #include "libdda/step/strength.h"
+#include "libdda/step/unbalance.h"
 
 namespace voussoir::step
 {
@@ -16,8 +18,6 @@ namespace
 {
 
 constexpr int patience = 3;  // iterations that stall, or that overshoot, before the line search changes its ways
-constexpr double sound_gain = 0.5;  // of the residual: more is left by a step along a tangent that does not hold
-constexpr int rest_after_none = 2;  // iterations after such a step
 
 // A direction along which many states change anyway need not be followed to its third digit. On the way to rest it
 // must: steps are long there, and what is left of loose stones moves them far.
@@ -33,38 +33,6 @@ constexpr double hardening = 4;          // from there, each time by this
 constexpr double soft_tolerance = 1e-2;  // unbalanced force / load: only the states of the contacts are wanted
 constexpr double many_changes = 0.05;    // of the points
 constexpr std::size_t few_changes = 8;   // points
-
-struct Unbalance {
-    double worst = 0;  // largest residual / tolerance of a block
-    double ratio = 0;  // residual / load of that block
-    int block = -1;
-};
-
-/// Largest |R_i| / tol_i over the blocks, moments divided by the block's size. The tolerance of a block is a share
-/// of its own load, never less than what rounding leaves of its stiffness.
-template <class K>
-Unbalance unbalance(const StepSystem<K>& system, double tolerance)
-{
-    constexpr int n = K::unknowns, dimension = K::dimension;
-    constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
-    Unbalance most;
-    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
-        const int b = system.block_of_row[row];
-        const BlockStep<K>& block = system.blocks[b];
-        const auto r = system.residual.template segment<n>(n * row);
-        const double force =
-            std::max(r.template head<dimension>().norm(), r.template tail<n - dimension>().norm() / block.size);
-        const double moved = system.d.template segment<dimension>(n * row).norm();
-        const double stiffness =
-            K::deformable ? (block.elasticity.lambda + 2 * block.elasticity.mu) * block.size : 0;
-        const double floor =
-            rounding * (stiffness * block.size + block.base.diagonal().template head<dimension>().norm() * moved);
-        const double allowed = tolerance * system.load[row] + floor + std::numeric_limits<double>::min();
-        if (force / allowed <= most.worst) continue;
-        most = {force / allowed, system.load[row] > 0 ? force / system.load[row] : 0, b};
-    }
-    return most;
-}
 
 /// What the open points of a joint that breaks had stored at the start of the step [J].
 template <class K>
@@ -176,27 +144,6 @@ std::size_t note_changes(StepSystem<K>& system)
     return changes;
 }
 
-/// Where hardly a state changes any more, what is left is how the bound follows the forces: a whole step along the
-/// whole tangent, kept if it does what one expects of Newton's method.
-/// @returns whether it was kept; contacts and residual are then exact at system.d
-template <class K>
-bool follow_whole_tangent(const StepControl& control, double tolerance, double worst, StepSystem<K>& system,
-                          StepReport& report)
-{
-    ++report.open_close_iterations;
-    if (!system.coupling.solve_direction(control, system, report)) return false;
-    system.trial = system.d + system.direction;
-    evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
-    if (evaluate_residual(system.trial, system) && system.residual.allFinite() &&
-        unbalance(system, tolerance).worst < sound_gain * worst) {
-        system.d = system.trial;
-        return true;
-    }
-    evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
-    evaluate_residual(system.d, system);
-    return false;
-}
-
 /// Newton iteration from system.d until every block is in equilibrium within the tolerance.
 template <class K>
 bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& system, StepReport& report)
@@ -204,7 +151,8 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
     const StepControl& control = stage.control;
     double last = std::numeric_limits<double>::infinity();
     double last_slope = -std::numeric_limits<double>::infinity();
-    int stalled = 0, rises = 0, rest = 1;
+    BoldSteps<K> bold;
+    int stalled = 0, rises = 0;
     for (int iteration = 0;; ++iteration) {
         if (!evaluate_exactly(known, control.threads, system)) return fail_inverted(system, report);
         if (!system.residual.allFinite()) return fail(Trouble::inaccurate_solution, report);
@@ -212,25 +160,27 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
         report.unbalanced = now.ratio;
         report.worst_block = now.block;
         if (now.worst <= 1) return true;
+        if (bold.have_failed(now.worst, system)) {
+            known = Known::nothing;
+            last = std::numeric_limits<double>::infinity();
+            continue;
+        }
         if (iteration >= control.max_open_close) return fail(Trouble::chatter, report);
         stalled = now.worst > 0.7 * last ? stalled + 1 : 0;
         last = now.worst;
 
+        const std::size_t changed = note_changes(system);
+        const bool changes = changed > few_changes;
         // On the way to rest the steps are long, and may have other solutions than the one that the potential
         // leads to.
-        const bool changes = note_changes(system) > few_changes;
-        if (!changes && rest <= 0 && is_motion(stage) && system.coupling.gather(system)) {
-            if (follow_whole_tangent(control, tolerance, now.worst, system, report)) {
-                known = Known::exact;
-                continue;
-            }
-            rest = rest_after_none;
+        if (is_motion(stage) && bold.are_due(changed, system.contacts.points.size()) &&
+            bold.take(control, tolerance, now.worst, changes, system, report)) {
+            known = Known::exact;
+            continue;
         }
-        --rest;
         // At rest what an elastic stone does reaches far, and nothing is saved.
         if (changes && (!K::deformable || is_motion(stage)))
-            system.relaxation.sweep(tolerance * std::max(1.0, worth_relaxing * now.worst), control.threads,
-                                    system);
+            system.relaxation.sweep(tolerance * std::max(1.0, worth_relaxing * now.worst), system);
         const double slack = changes && is_motion(stage) ? slack_of_changes : 1;
         if (!solve_direction(control, false, slack, system, report)) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "libdda/step/contact_stiffness.h"
 #include "libdda/step/step_system.h"
@@ -15,6 +16,9 @@ namespace
 {
 
 constexpr int newton_iterations = 2;  // of a block in a sweep
+constexpr int sweeps_over_all = 2;
+constexpr int most_sweeps = 40;
+constexpr double few = 0.2;  // of the rows: so many may be due in a sweep beyond those over all
 constexpr int line_evaluations = 8;
 constexpr int bisected = 3;  // every so many of them, where the secant stalls
 
@@ -53,6 +57,8 @@ void Relaxation<K>::gather(const StepSystem<K>& system)
     for (const AppliedForce<K>& force : system.applied.own) tie(force.block);
     for (const Coupling<K>& coupling : system.applied.couplings) tie(coupling.block), tie(coupling.other);
     for (const BarStep<K>& bar : system.bars) tie(bar.bar->block_a), tie(bar.bar->block_b);
+    has_moved_.assign(system.contacts.patches.size(), false);
+    is_ready_ = true;
 }
 
 template <class K>
@@ -103,7 +109,10 @@ void Relaxation<K>::move(int row, const Unknowns& to, StepSystem<K>& system)
     clear_held(block, residual);
     d = to;
     for (int i = start_[row]; i < start_[row + 1]; ++i) {
-        PatchStep<K>& patch = system.contacts.patches[patches_[i]];
+        const int k = patches_[i];
+        PatchStep<K>& patch = system.contacts.patches[k];
+        if (!has_moved_[k]) moved_.push_back(k);
+        has_moved_[k] = true;
         add_forces(patch, 1, system);
         evaluate_patch(system.d, FrictionBound::frozen, patch, system.contacts.points);
         add_forces(patch, -1, system);
@@ -111,16 +120,23 @@ void Relaxation<K>::move(int row, const Unknowns& to, StepSystem<K>& system)
 }
 
 template <class K>
-void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
+bool Relaxation<K>::is_balanced(int row, double unbalanced, const StepSystem<K>& system) const
 {
     constexpr int n = K::unknowns, dimension = K::dimension;
     const double allowed = unbalanced * system.load[row];
-    const double size = system.blocks[system.block_of_row[row]].size;
+    const auto residual = system.residual.template segment<n>(n * row);
+    return residual.template head<dimension>().norm() <= allowed &&
+           residual.template tail<n - dimension>().norm() <=
+               allowed * system.blocks[system.block_of_row[row]].size;
+}
+
+template <class K>
+void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns;
     for (int iteration = 0; iteration < newton_iterations; ++iteration) {
+        if (is_balanced(row, unbalanced, system)) return;
         const Unknowns residual = system.residual.template segment<n>(n * row);
-        if (residual.template head<dimension>().norm() <= allowed &&
-            residual.template tail<n - dimension>().norm() <= allowed * size)
-            return;
         const Unknowns from = system.d.template segment<n>(n * row);
         const Unknowns step = -tangent_of(row, system).llt().solve(residual);
         const double slope_0 = residual.dot(step);
@@ -146,16 +162,42 @@ void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
 }
 
 template <class K>
-void Relaxation<K>::sweep(double unbalanced, int threads, StepSystem<K>& system)
+void Relaxation<K>::follow_moves(double unbalanced, StepSystem<K>& system)
 {
-    gather(system);
-    const int rows = static_cast<int>(system.block_of_row.size());
-    for (const bool back : {false, true}) {
-        for (int i = 0; i < rows; ++i)
-            if (const int row = back ? rows - 1 - i : i; !tied_[row]) relax(row, unbalanced, system);
-        follow_bounds(threads, system.contacts);
-        evaluate_residual(system.d, system);
+    due_.clear();
+    for (const int k : moved_) {
+        PatchStep<K>& patch = system.contacts.patches[k];
+        add_forces(patch, 1, system);
+        follow_bound(patch, system.contacts.points);
+        add_forces(patch, -1, system);
+        has_moved_[k] = false;
+        for (const int row : {patch.row_a, patch.row_b})
+            if (row >= 0) due_.push_back(row);
     }
+    moved_.clear();
+    std::sort(due_.begin(), due_.end());
+    due_.erase(std::unique(due_.begin(), due_.end()), due_.end());
+    std::erase_if(due_, [&](int row) { return tied_[row] || is_balanced(row, unbalanced, system); });
+}
+
+template <class K>
+void Relaxation<K>::sweep(double unbalanced, StepSystem<K>& system)
+{
+    if (!is_ready_) gather(system);
+    const std::size_t rows = system.block_of_row.size();
+    for (int i = 0; i < most_sweeps; ++i) {
+        if (i < sweeps_over_all) {
+            due_.resize(rows);
+            std::iota(due_.begin(), due_.end(), 0);
+        } else if (due_.empty() || static_cast<double>(due_.size()) > few * static_cast<double>(rows)) {
+            break;
+        }
+        if (i % 2 == 1) std::reverse(due_.begin(), due_.end());
+        for (const int row : due_)
+            if (!tied_[row]) relax(row, unbalanced, system);
+        follow_moves(unbalanced, system);
+    }
+    evaluate_residual(system.d, system);
 }
 
 #define VOUSSOIR_INSTANTIATE(K) template class Relaxation<K>

@@ -20,16 +20,21 @@ template <class K>
 class Relaxation
 {
  public:
-    /// Two sweeps, there and back, over the blocks that are out of balance by more than this share of their load;
-    /// the friction bound is frozen within a sweep and follows after it. Contacts and residual are known at
-    /// system.d, with the exact bound, and are so afterwards.
-    void sweep(double unbalanced, int threads, StepSystem<K>& system);
+    /// To be called when the contacts of a step are known.
+    void begin() { is_ready_ = false; }
+    /// Sweeps, there and back, over the blocks that are out of balance by more than this share of their load: two
+    /// over all, and more over few. The friction bound is frozen within a sweep and follows after it. Contacts and
+    /// residual are known at system.d, with the exact bound, and are so afterwards.
+    void sweep(double unbalanced, StepSystem<K>& system);
 
  private:
     using Unknowns = typename K::Unknowns;
     /// Finds the patches of each row, and the rows that something beside contacts ties to others or to the ground.
     void gather(const StepSystem<K>& system);
+    bool is_balanced(int row, double unbalanced, const StepSystem<K>& system) const;
     void relax(int row, double unbalanced, StepSystem<K>& system);
+    /// Where stones were moved the friction bound follows, and their rows and those of their neighbours are due.
+    void follow_moves(double unbalanced, StepSystem<K>& system);
     typename K::Square tangent_of(int row, const StepSystem<K>& system) const;
     /// Moves a block to `to`, and contacts and residual with it.
     void move(int row, const Unknowns& to, StepSystem<K>& system);
@@ -37,6 +42,10 @@ class Relaxation
 
     std::vector<int> start_, patches_;  // of rows, in compressed form
     std::vector<bool> tied_;            // rows that are left out
+    std::vector<int> moved_;            // patches that a sweep has moved
+    std::vector<bool> has_moved_;       // (patches)
+    std::vector<int> due_;              // rows for the next sweep, ascending
+    bool is_ready_ = false;
 };
 
 }  // namespace voussoir::step

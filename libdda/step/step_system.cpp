@@ -95,6 +95,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     system.end_share = end_share(stage);
     add_body_accelerations(stage, h, end_time, system.blocks);
     begin_contacts(model, stage, h, contacts, system.blocks, system.contacts);
+    system.relaxation.begin();
 
     const int rows = static_cast<int>(system.block_of_row.size());
     system.pairs.clear();

@@ -1,0 +1,93 @@
+#include "libdda/step/bold_steps.h"
+
+#include <algorithm>
+
+#include "libdda/step/unbalance.h"
+
+namespace voussoir::step
+{
+
+namespace
+{
+
+constexpr int patience = 3;                      // steps that may be on trial
+constexpr double enough = 0.5;                   // of the residual at the start of the trial
+constexpr double too_much = 10;                  // times the residual: a step that leaves more is not even tried
+constexpr std::size_t few_changes = 8;           // points
+constexpr double some_changes = 0.005;           // of the points, as long as no trial has failed
+constexpr int longer_pause = 2;                  // times the pause before
+constexpr double wanted_residual = 0.5;          // of the tolerance: what the linear solver is asked for
+constexpr double finest = 1e-2, coarsest = 0.1;  // of that residual
+constexpr double worth_relaxing = 0.02;          // of the worst residual
+
+}  // namespace
+
+template <class K>
+bool BoldSteps<K>::have_failed(double worst, StepSystem<K>& system)
+{
+    if (on_trial_ == 0) return false;
+    if (worst < enough * worst_at_start_) {
+        on_trial_ = 0;
+        return false;
+    }
+    if (on_trial_ < patience) return false;
+    system.d = start_;
+    refuse();
+    return true;
+}
+
+template <class K>
+bool BoldSteps<K>::are_due(std::size_t changes, std::size_t points)
+{
+    if (pause_ > 0) {
+        --pause_;
+        return false;
+    }
+    const double allowed =
+        static_cast<double>(few_changes) + (all_held_ ? some_changes * static_cast<double>(points) : 0);
+    return on_trial_ > 0 || static_cast<double>(changes) <= allowed;
+}
+
+template <class K>
+bool BoldSteps<K>::take(const StepControl& control, double tolerance, double worst, bool many_changes,
+                        StepSystem<K>& system, StepReport& report)
+{
+    if (on_trial_ == 0) {
+        start_ = system.d;
+        worst_at_start_ = worst;
+    }
+    if (on_trial_ > 0 || many_changes)
+        system.relaxation.sweep(tolerance * std::max(1.0, worth_relaxing * worst), system);
+    if (!system.coupling.gather(system)) return false;
+    ++report.open_close_iterations;
+    const double linear = std::clamp(wanted_residual / worst, finest, coarsest);
+    if (system.coupling.solve_direction(control, linear, system, report)) {
+        system.trial = system.d + system.direction;
+        evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
+        if (evaluate_residual(system.trial, system) && system.residual.allFinite() &&
+            unbalance(system, tolerance).worst <= too_much * worst) {
+            system.d = system.trial;
+            ++on_trial_;
+            return true;
+        }
+        evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
+        evaluate_residual(system.d, system);
+    }
+    refuse();
+    return false;
+}
+
+template <class K>
+void BoldSteps<K>::refuse()
+{
+    on_trial_ = 0;
+    pause_ = next_pause_;
+    next_pause_ *= longer_pause;
+    all_held_ = false;
+}
+
+#define VOUSSOIR_INSTANTIATE(K) template class BoldSteps<K>
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir::step

@@ -1,0 +1,22 @@
+// How far the blocks of a step are from equilibrium.
+#pragma once
+
+#include "libdda/step/step_system.h"
+
+namespace voussoir::step
+{
+
+/// The block that is farthest from equilibrium.
+struct Unbalance {
+    double worst = 0;  // residual / tolerance of that block
+    double ratio = 0;  // residual / load of that block
+    int block = -1;
+};
+
+/// Largest |R_i| / tol_i over the blocks, moments divided by the block's size, at the residual of the system. The
+/// tolerance of a block is a share of its own load, never less than what rounding leaves of its stiffness.
+/// @param tolerance that share
+template <class K>
+Unbalance unbalance(const StepSystem<K>& system, double tolerance);
+
+}  // namespace voussoir::step
