@@ -5,7 +5,7 @@
 // part a few are left far out of balance, of thousands that have found theirs. So a bold step is taken on trust,
 // and only if some together have not brought the residual down does the iteration return to where they began: a
 // watchdog
-// ([ChamberlainPowellLemarechalPedersen1982]). Source: docs/numerics.md 3.
+// ([ChamberlainPowell1982]). Source: docs/numerics.md 3.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,7 +11,7 @@ namespace voussoir::step
 namespace
 {
 
-constexpr int max_vectors = 60;  // of the Krylov space
+constexpr int max_vectors = 100;  // of the Krylov space
 
 /// Tangent of the shear force, less what the symmetric matrix has of it.
 template <class K>
