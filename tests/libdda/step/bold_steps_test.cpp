@@ -1,0 +1,62 @@
+// What a step of a large wall costs, in iterations: the same on every machine.
+#include "libdda/step/bold_steps.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "tests/libdda/whole_scenes.h"
+
+namespace voussoir::testing
+{
+
+namespace
+{
+
+struct Pushed {
+    double iterations = 0;  // a step
+    double drift = 0;       // m, the farthest
+};
+
+/// A running bond that is brought to rest and pushed in its plane by 0.3 g at 2 Hz for 0.2 s, in steps of 8 ms: by
+/// less than its friction and its width can take, so that nothing may move.
+Pushed push(int courses, int stones)
+{
+    Model model = running_bond(Kinematics::spatial_rigid, courses, stones);
+    State state = initial_state(model);
+    Stage motion = dynamic_stage(0.2, 8e-3);
+    const auto push =
+        std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(0.3 * gravity, 2, 0, 1));
+    for (int b = 1; b < static_cast<int>(model.blocks.size()); ++b)
+        motion.body_accelerations.push_back({b, 0, push});
+    const RunReport rested = run_quietly(model, {static_stage(1)}, state);
+    EXPECT_EQ(rested.outcome, Outcome::completed);
+    begin_stage(model, 0, state);
+    const State before = state;
+    const RunReport shaken = run_quietly(model, {motion}, state);
+    EXPECT_EQ(shaken.outcome, Outcome::completed);
+    EXPECT_EQ(shaken.step_cuts, 0);
+    EXPECT_EQ(shaken.steps, 25);
+    Pushed pushed{static_cast<double>(shaken.open_close_iterations) / static_cast<double>(shaken.steps)};
+    for (int b = 1; b < static_cast<int>(model.blocks.size()); ++b)
+        pushed.drift = std::max(pushed.drift, (centroid(model, state, b) - centroid(model, before, b)).norm());
+    std::printf("%zu stones: %.2f iterations a step, drift %.2g mm\n", model.blocks.size(), pushed.iterations,
+                1e3 * pushed.drift);
+    return pushed;
+}
+
+}  // namespace
+
+// Steps that nothing shortens, and stones relaxed until few are left: without either the larger wall takes half as
+// many iterations again.
+TEST(BoldSteps, TwentyTimesTheStonesTakeHardlyMoreIterationsAStep)
+{
+    const Pushed small = push(8, 12), large = push(32, 62);
+    EXPECT_LT(small.iterations, 4);
+    EXPECT_LT(large.iterations, 5);
+    EXPECT_LT(small.drift, 5e-5);
+    EXPECT_LT(large.drift, 2e-4);
+}
+
+}  // namespace voussoir::testing
