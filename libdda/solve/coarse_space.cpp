@@ -18,7 +18,7 @@ namespace
 constexpr int least_rows = 256;         // below, the factor of near neighbours is as good
 constexpr double least_contacts = 1.2;  // per row: a chain is factorised exactly
 constexpr int rows_in_aggregate = 24;
-constexpr int most_aggregates = 192;
+constexpr int most_aggregates = 512;
 
 /// How a cluster that moves as one block with its centre at lever -y moves one of its blocks: P = [1, S; 0, 1].
 template <int D>
