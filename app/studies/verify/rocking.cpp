@@ -151,12 +151,13 @@ double history(const scenes::SceneSetting& setting, const Choices& choices, Veri
     const references::RockingBlock block = rigid_block(printed_amplitude);
     const LeanRecord record = watch(setting, choices, printed_amplitude, 5, result, {});
     std::string realised;
-    const std::vector<double> swings = apexes_after(record, 0.5 / frequency);
+    std::vector<double> swings = apexes_after(record, 0.5 / frequency);
     for (std::size_t i = 1; i < swings.size() && i < 5; ++i)
         realised += fmt::format(" {:.3f}", references::restitution_between(block, swings[i - 1], swings[i]));
-    // Of the last ones, of a block that is all but at rest, there may be one more or less.
-    for (const double swing : swings)
-        if (std::abs(swing) > 0.01 * std::abs(swings.front())) result.answer.push_back(swing);
+    // Five are told apart in any kinematics; of the last ones, of a block that is all but at rest, there may be
+    // one more or less, and how large they are depends on when in its step each impact falls.
+    swings.resize(std::min<std::size_t>(swings.size(), 5));
+    result.answer.insert(result.answer.end(), swings.begin(), swings.end());
     result.note += fmt::format(
         "restitution of the first impacts{} (Housner {:.3f}), h omega {:.2f}, relaxation time {:.1e} s", realised,
         references::housner_restitution(block), contact_frequency(setting, choices) * setting.time_step,
