@@ -100,53 +100,6 @@ TEST(CaseFile, BareDegreesDoNotPassForRadians)
               "--set joints.dry.friction: 30 rad (1718.87 deg); must be >= 0 and < 1.5708 rad (90 deg)");
 }
 
-TEST(CaseFile, ContactStiffnessNeedsItsUnit)
-{
-    const auto kind = [](const std::string& value) {
-        return read(two_boxes, {"joints.dry.contact_stiffness=" + value}).model.joints[0].stiffness.kind;
-    };
-    EXPECT_EQ(kind("1e8 N/m"), ContactStiffness::Kind::per_point);
-    EXPECT_EQ(kind("50 MPa/m"), ContactStiffness::Kind::per_area);
-    EXPECT_NE(faults_of(two_boxes, {"joints.dry.contact_stiffness=1e8"}).find("no unit"), std::string::npos);
-}
-
-TEST(CaseFile, ContactStiffnessMayBeSoManyTimesTheModulus)
-{
-    const std::string key = "joints.dry.contact_stiffness";
-    for (const std::string text : {"300 E/L", "300E/L", "3e2  E/L"}) {
-        const ContactStiffness stiffness = read(two_boxes, {key + "=" + text}).model.joints[0].stiffness;
-        EXPECT_EQ(stiffness.kind, ContactStiffness::Kind::from_modulus) << text;
-        EXPECT_EQ(stiffness.value, 300) << text;
-    }
-    EXPECT_EQ(read(two_boxes).model.joints[0].stiffness.value, 0);
-    for (const std::string text : {"0 E/L", "-1 E/L", "E/L", "nan E/L", "1 E", "300 e/l"})
-        EXPECT_NE(faults_of(two_boxes, {key + "=" + text}).find("300 E/L (of the stones)"), std::string::npos)
-            << text;
-}
-
-// Rattling on stiff joints is dear; a case in which nothing moves has none.
-TEST(CaseFile, RigidStonesThatOnlyComeToRestHaveNearlyRigidJoints)
-{
-    const auto times = [](const std::vector<std::string>& settings) {
-        return read(two_boxes, settings).model.joints[0].stiffness.value;
-    };
-    const std::string rest = "stages=[{name: rest, type: static}]", rigid = "kinematics=spatial_rigid",
-                      moves = "stages=[{name: rest, type: static}, {name: go, type: dynamic, duration: 1 s}]";
-    EXPECT_EQ(times({rest, rigid}), 300);
-    EXPECT_EQ(times({rest, "kinematics=spatial_deformable"}), 0);
-    EXPECT_EQ(times({moves, rigid}), 0);
-    EXPECT_EQ(times({rest, rigid, "joints.dry.contact_stiffness=7 E/L"}), 7);
-    EXPECT_EQ(times({rest, rigid, "joints.dry.contact_stiffness=5e7 Pa/m"}), 5e7);
-}
-
-TEST(CaseFile, ContactStiffnessFactorIsOneAndPositive)
-{
-    const std::string key = "joints.dry.contact_stiffness_factor";
-    EXPECT_EQ(read(two_boxes).model.joints[0].stiffness.factor, 1);
-    EXPECT_EQ(read(two_boxes, {key + "=4"}).model.joints[0].stiffness.factor, 4);
-    EXPECT_EQ(faults_of(two_boxes, {key + "=0"}), "--set " + key + ": 0; must be > 0");
-}
-
 TEST(CaseFile, OverlappingBoxesAreRefusedAndTouchingOnesAreNot)
 {
     EXPECT_EQ(faults_of(with(two_boxes, "[-0.5, -0.5, 0]", "[-0.5, -0.5, -0.1]")),
