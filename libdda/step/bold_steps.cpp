@@ -18,7 +18,6 @@ constexpr double some_changes = 0.005;           // of the points, as long as no
 constexpr int longer_pause = 2;                  // times the pause before
 constexpr double wanted_residual = 0.5;          // of the tolerance: what the linear solver is asked for
 constexpr double finest = 1e-2, coarsest = 0.1;  // of that residual
-constexpr double worth_relaxing = 0.02;          // of the worst residual
 
 }  // namespace
 
@@ -56,8 +55,7 @@ bool BoldSteps<K>::take(const StepControl& control, double tolerance, double wor
         start_ = system.d;
         worst_at_start_ = worst;
     }
-    if (on_trial_ > 0 || many_changes)
-        system.relaxation.sweep(tolerance * std::max(1.0, worth_relaxing * worst), system);
+    if (on_trial_ > 0 || many_changes) system.relaxation.sweep(tolerance, worst, system);
     if (!system.coupling.gather(system)) return false;
     ++report.open_close_iterations;
     const double linear = std::clamp(wanted_residual / worst, finest, coarsest);
@@ -77,6 +75,7 @@ bool BoldSteps<K>::take(const StepControl& control, double tolerance, double wor
     return false;
 }
 
+// What was on trial stays as it is: the potential leads on from anywhere.
 template <class K>
 void BoldSteps<K>::refuse()
 {

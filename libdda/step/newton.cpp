@@ -23,9 +23,6 @@ constexpr int patience = 3;  // iterations that stall, or that overshoot, before
 // must: steps are long there, and what is left of loose stones moves them far.
 constexpr double slack_of_changes = 10;  // x linear_tolerance
 
-// Of the worst unbalance of a block: those with less are not brought into equilibrium by themselves.
-constexpr double worth_relaxing = 0.02;
-
 // On the way to rest many changes at once are first looked for with softened joints. Source: docs/numerics.md 3.
 constexpr double softness = 1.0 / 128;   // of the stiffness, where stones are let go; powers of two round nothing
 constexpr double softest = 1.0 / 65536;  // the same in a static step, in which hardly any inertia helps
@@ -179,8 +176,7 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
             continue;
         }
         // At rest what an elastic stone does reaches far, and nothing is saved.
-        if (changes && (!K::deformable || is_motion(stage)))
-            system.relaxation.sweep(tolerance * std::max(1.0, worth_relaxing * now.worst), system);
+        if (changes && (!K::deformable || is_motion(stage))) system.relaxation.sweep(tolerance, now.worst, system);
         const double slack = changes && is_motion(stage) ? slack_of_changes : 1;
         if (!solve_direction(control, false, slack, system, report)) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;

@@ -15,7 +15,8 @@ namespace voussoir::step
 namespace
 {
 
-constexpr int newton_iterations = 2;  // of a block in a sweep
+constexpr double worth_relaxing = 0.02;  // of the worst unbalance: blocks with less are left alone
+constexpr int newton_iterations = 2;     // of a block in a sweep
 constexpr int sweeps_over_all = 2;
 constexpr int most_sweeps = 40;
 constexpr double few = 0.2;  // of the rows: so many may be due in a sweep beyond those over all
@@ -181,8 +182,9 @@ void Relaxation<K>::follow_moves(double unbalanced, StepSystem<K>& system)
 }
 
 template <class K>
-void Relaxation<K>::sweep(double unbalanced, StepSystem<K>& system)
+void Relaxation<K>::sweep(double tolerance, double worst, StepSystem<K>& system)
 {
+    const double unbalanced = tolerance * std::max(1.0, worth_relaxing * worst);
     if (!is_ready_) gather(system);
     const std::size_t rows = system.block_of_row.size();
     for (int i = 0; i < most_sweeps; ++i) {

@@ -22,10 +22,11 @@ class Relaxation
  public:
     /// To be called when the contacts of a step are known.
     void begin() { is_ready_ = false; }
-    /// Sweeps, there and back, over the blocks that are out of balance by more than this share of their load: two
-    /// over all, and more over few. The friction bound is frozen within a sweep and follows after it. Contacts and
-    /// residual are known at system.d, with the exact bound, and are so afterwards.
-    void sweep(double unbalanced, StepSystem<K>& system);
+    /// Sweeps, there and back, over the blocks that are out of balance by more than the tolerance and by not much
+    /// less than the worst: two over all, and more over few. The friction bound is frozen within a sweep and
+    /// follows after it. Contacts and residual are known at system.d, with the exact bound, and are so afterwards.
+    /// @param tolerance share of a block's load; @param worst residual / tolerance of the worst block
+    void sweep(double tolerance, double worst, StepSystem<K>& system);
 
  private:
     using Unknowns = typename K::Unknowns;

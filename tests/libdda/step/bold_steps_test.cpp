@@ -48,8 +48,8 @@ Pushed push(int courses, int stones)
 
 }  // namespace
 
-// Steps that nothing shortens, and stones relaxed until few are left: without either the larger wall takes half as
-// many iterations again.
+// Steps that nothing shortens, and stones relaxed until few are left: without the first the larger wall takes two
+// fifths more iterations, without the second a fifth.
 TEST(BoldSteps, TwentyTimesTheStonesTakeHardlyMoreIterationsAStep)
 {
     const Pushed small = push(8, 12), large = push(32, 62);
