@@ -21,9 +21,11 @@ constexpr double loosening = 1000;   // times the force_tolerance, at most
 constexpr int patience = 3;          // times the iterations of a dynamic step: one that is cut for them costs more
 constexpr double longest_step = 0.2;  // of a stone's size, that a corner of it may go in one step
 // Motion of a corner since the stage began, as shares of its stone's size.
-constexpr double settled = 0.1;        // what settles goes no farther; what does, and goes on, falls
-constexpr double creeping = 0.01;      // the same for stones that gather speed all the way, in many steps
-constexpr int long_steady = 20;        // as many
+constexpr double settled = 0.1;    // what settles goes no farther; what does, and goes on, falls
+constexpr double creeping = 0.01;  // the same for stones that gather speed all the way, in many steps
+constexpr int long_steady = 20;    // as many
+constexpr int endless_steady =
+    100;  // steps in which stones that were let go gathered speed: however far they came
 constexpr double large_strain = 0.01;  // of a stone: no masonry
 constexpr double overturned = 0.5;     // what has gone so far has fallen, though it lies still by now
 constexpr int enough_steady = 3;       // steps on one way that show that stones do go on
@@ -178,6 +180,12 @@ bool settle_by_strain(const Model& model, const State& state)
     return false;
 }
 
+/// Whether stones that were let go have gone on one way and gained energy, in as many steps running.
+bool gathers_speed(const StaticCourse& course, int steps)
+{
+    return course.kinetic > 0 && course.steady >= steps;
+}
+
 /// Whether stones fall, as far as can be seen by now. @param gone since the stage began
 bool is_falling(const RunProgress& progress, const std::vector<BlockShift>& gone)
 {
@@ -185,15 +193,17 @@ bool is_falling(const RunProgress& progress, const std::vector<BlockShift>& gone
     const double share = largest_share(progress.model, gone);
     if (settle_by_strain(progress.model, progress.state)) return false;
     return (course.steady >= enough_steady && share > settled) ||
-           (course.steady >= long_steady && course.kinetic > 0 && share > creeping);
+           (gathers_speed(course, long_steady) && share > creeping) || gathers_speed(course, endless_steady);
 }
 
 /// After the last step that the stage allows, or one that could not be made. @returns false
 bool end_unbalanced(RunProgress& progress)
 {
     const auto gone = gone_in_stage(progress);
+    const StaticCourse& course = progress.position.course;
     const double share = largest_share(progress.model, gone);
-    if (share > overturned || (share > settled && progress.position.course.steady > 0)) collapse(progress, gone);
+    if (share > overturned || (share > settled && course.steady > 0) || gathers_speed(course, long_steady))
+        collapse(progress, gone);
     return false;
 }
 

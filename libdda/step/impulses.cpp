@@ -167,11 +167,12 @@ double Impulses<K>::act(Meeting<K>& m)
         rub = m.rubbed - before;
         rubbed = rub.norm() * mobility;
     }
+    // Its own impulse is not seen yet: friction turns a stone and so changes what presses the point.
+    m.seen_a = a.moved;
+    m.seen_b = b.moved;
     const Vector impulse = press * m.normal + rub;
     a.push(m.lever_a, impulse);
     b.push(m.lever_b, -impulse);
-    m.seen_a = a.moved;
-    m.seen_b = b.moved;
     return std::max(std::abs(press) * m.mobility, rubbed);
 }
 

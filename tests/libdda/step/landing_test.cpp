@@ -183,6 +183,31 @@ TEST_P(Landing, KeepsMomentumOfStonesInFlight)
     EXPECT_LT((after.second - before.second).norm(), 1e-6 * before.first.norm());
 }
 
+// A corner that meets a floor askew leaves it with the restitution of its approach, and rubs with all its
+// friction: what friction turns is what presses, and one impulse must not be taken for both.
+TEST_P(Landing, ACornerThatRubsLeavesWithTheRestitutionOfItsApproach)
+{
+    constexpr double e = 0.5;
+    JointMaterial joint = dry(15);
+    joint.restitution = e;
+    Model model = make_model(GetParam(), stone(), joint);
+    hold(model, add_box(model, "floor", {-2, -1, -1}, {2, 1, 0}));
+    const int box = add_box(model, "box", {-0.2, -0.2, -0.2}, {0.2, 0.2, 0.2});
+    for (const double side : {-1.0, 1.0}) {
+        State state = initial_state(model);
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.35, Eigen::Vector3d::UnitY()).toRotationMatrix();
+        const Eigen::Vector3d lever = turn * Eigen::Vector3d(0.2, 0, -0.2), before(2 * side, 0, -1);
+        set_pose(model, state, box, {0, 0, 0.01 - lever.z()}, turn);
+        set_velocity(model, state, box, before);
+        ASSERT_EQ(run_quietly(model, {dynamic_stage(0.03, 1e-3, {0, 0, 0})}, state).outcome, Outcome::completed);
+        const Eigen::Vector3d after = velocity_of(model.kinematics, state, box), change = after - before;
+        EXPECT_NEAR(change.x(), -side * std::tan(15 * degrees) * change.z(), 1e-4 * change.z());
+        const Eigen::Vector3d spin =
+            angular_momentum(model, state, box) / (model.mass(box) * 0.4 * 0.4 / 6);  // of a cube
+        EXPECT_NEAR((after + spin.cross(lever)).z(), e, 1e-3);
+    }
+}
+
 // A joint that stays closed loses nothing: a stack that trembles under its own weight has no impacts.
 TEST_P(Landing, AJointThatStaysClosedLosesNothing)
 {
