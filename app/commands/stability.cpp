@@ -7,8 +7,8 @@
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
 #include "app/commands/say.h"
+#include "app/commands/study_output.h"
 #include "app/golden/hashes.h"
-#include "app/plots/plots.h"
 #include "app/reader/case_file.h"
 #include "app/results/atomic_file.h"
 #include "app/results/own_folder.h"
@@ -88,9 +88,8 @@ void write_page(const StabilityArguments& arguments, const std::vector<studies::
     const fs::path folder = *arguments.folder, pictures = folder / "stability";
     make_output_folder(folder);
     results::make_own_folder(pictures);
-    std::vector<std::string> drawn;
-    if (plots::can_draw_figures())
-        drawn = plots::draw_figures(studies::stability::stability_figures(scenes, results), pictures);
+    const std::vector<std::string> drawn =
+        page_figures(studies::stability::stability_figures(scenes, results), pictures);
     results::write_atomically(pictures / "stability.json",
                               studies::stability::stability_json(results, version::engine_json(behaviour)) + "\n");
     results::write_atomically(folder / "stability.md",

@@ -23,16 +23,24 @@ void write_page(const StudyTargets& targets, const StudyOutput& output)
 {
     const std::filesystem::path folder = *targets.folder, page = folder / (targets.name + ".md");
     make_output_folder(folder);
-    std::vector<std::string> drawn;
-    if (plots::can_draw_figures()) {
-        results::make_own_folder(folder / targets.name);
-        drawn = plots::draw_figures(output.figures, folder / targets.name);
-    }
-    results::write_atomically(page, output.page(drawn));
+    results::write_atomically(page, output.page(page_figures(output.figures, folder / targets.name)));
     if (!targets.quiet) say(fmt::format("written: {}", page.string()));
 }
 
 }  // namespace
+
+std::vector<std::string> page_figures(const std::vector<plots::Figure>& figures,
+                                      const std::filesystem::path& folder)
+{
+    if (figures.empty()) return {};
+    if (!plots::can_draw_figures()) {
+        complain(
+            "the page has no pictures: there is no voussoir-plot beside this program (built without rendering)");
+        return {};
+    }
+    results::make_own_folder(folder);
+    return plots::draw_figures(figures, folder);
+}
 
 int publish_study(const StudyTargets& targets, const std::function<StudyOutput()>& study)
 {

@@ -26,6 +26,11 @@ struct StudyOutput {
     std::function<std::string(const std::vector<std::string>& drawn)> page;  // drawn: the pictures there are
 };
 
+/// Draws the figures of a page into its folder, which is made. Where this program was built without rendering it
+/// says so and draws none. @returns the names of the pictures
+std::vector<std::string> page_figures(const std::vector<plots::Figure>& figures,
+                                      const std::filesystem::path& folder);
+
 /// Runs a study and writes its answer: the table to standard output, unless the JSON goes there; FOLDER/NAME.md
 /// and FOLDER/NAME/*.png. Targets that could not be written are refused before it runs; nothing is written when it
 /// is interrupted. @returns exit_done or exit_interrupted

@@ -7,10 +7,9 @@
 #include "app/commands/commands.h"
 #include "app/commands/outputs.h"
 #include "app/commands/say.h"
+#include "app/commands/study_output.h"
 #include "app/golden/hashes.h"
-#include "app/plots/plots.h"
 #include "app/results/atomic_file.h"
-#include "app/results/own_folder.h"
 #include "app/studies/verify/page.h"
 #include "app/studies/verify/plot.h"
 #include "app/studies/verify/runner.h"
@@ -73,13 +72,9 @@ void write_page(const VerifyArguments& arguments, const std::vector<studies::ver
         figures.push_back(studies::verify::picture(outcome));
     }
     std::erase_if(figures, [](const plots::Figure& figure) { return figure.diagrams.empty(); });
-    std::vector<std::string> plots;
-    if (!figures.empty() && plots::can_draw_figures()) {
-        results::make_own_folder(folder / "verification");
-        plots = plots::draw_figures(figures, folder / "verification");
-    }
+    const std::vector<std::string> drawn = page_figures(figures, folder / "verification");
     results::write_atomically(folder / "verification.md",
-                              studies::verify::verification_page(outcomes, command_line(arguments), plots) +
+                              studies::verify::verification_page(outcomes, command_line(arguments), drawn) +
                                   version::engine_paragraph(golden::behaviour(golden::hashes())));
 }
 

@@ -174,38 +174,54 @@ GroundMotion GroundMotion::sine_acceleration(double amplitude, double frequency,
     if (!faults.empty()) throw InputError(std::move(faults));
 
     GroundMotion motion;
-    motion.sine_amplitude_ = amplitude;
-    motion.sine_frequency_ = frequency;
-    motion.sine_phase_ = phase;
-    motion.sine_duration_ = duration;
+    motion.sine_.amplitude = amplitude;
+    motion.sine_.rate = 2 * std::numbers::pi * frequency;
+    motion.sine_.phase = phase;
+    motion.sine_.duration = duration;
+    motion.sine_.prepare();
     motion.peak_acceleration_ = std::abs(amplitude);
     motion.source_ = "sine";
     return motion;
 }
 
-/// The local cubic of a closed-form sine, expanded at `time` itself: displacement, velocity, acceleration.
-///
 /// With w = 2 pi f: v = A/w (cos p - cos(wt + p)), d = A/w^2 (wt cos p + sin p - sin(wt + p)).
-GroundMotion::Cubic GroundMotion::sine_at(double time, double& since) const
+void GroundMotion::Sine::prepare()
 {
-    const double t = std::min(time, sine_duration_);
-    since = time - t;
-    const double w = 2 * std::numbers::pi * sine_frequency_, p = sine_phase_;
-    // cos p - cos(wt + p) as a product: no cancellation at small times.
-    const double velocity = 2 * sine_amplitude_ / w * std::sin(w * t / 2) * std::sin(w * t / 2 + p);
-    const double displacement =
-        sine_amplitude_ / (w * w) * (w * t * std::cos(p) + std::sin(p) - std::sin(w * t + p));
-    const double acceleration = time > sine_duration_ ? 0 : sine_amplitude_ * std::sin(w * t + p);
-    return {displacement, velocity, acceleration, 0};
+    velocity_factor = 2 * amplitude / rate;
+    displacement_factor = amplitude / (rate * rate);
+    cos_phase = std::cos(phase);
+    sin_phase = std::sin(phase);
+    last_velocity = velocity(duration);
+    last_displacement = displacement(duration);
 }
 
-/// The cubic that holds at `time`. @param[out] since time passed since the start of that cubic [s]
+double GroundMotion::Sine::displacement(double time) const
+{
+    if (time < 0) return 0;
+    if (time > duration) return last_displacement + (time - duration) * last_velocity;
+    return displacement_factor * (rate * time * cos_phase + sin_phase - std::sin(rate * time + phase));
+}
+
+double GroundMotion::Sine::velocity(double time) const
+{
+    if (time < 0) return 0;
+    if (time > duration) return last_velocity;
+    // cos p - cos(wt + p) as a product: no cancellation at small times.
+    return velocity_factor * std::sin(rate * time / 2) * std::sin(rate * time / 2 + phase);
+}
+
+double GroundMotion::Sine::acceleration(double time) const
+{
+    return time < 0 || time > duration ? 0 : amplitude * std::sin(rate * time + phase);
+}
+
+/// The cubic of a sampled motion that holds at `time`. @param[out] since time passed since the start of that cubic
+/// [s]
 GroundMotion::Cubic GroundMotion::at(double time, double& since) const
 {
     DDA_ASSERT(!std::isnan(time));
     since = 0;
     if (delay_ != 0) time -= delay_;
-    if (intervals_.empty()) return time < 0 ? Cubic{0, 0, 0, 0} : sine_at(time, since);
     if (time < 0) return {intervals_.front().displacement, 0, 0, 0};
     const auto last = static_cast<double>(intervals_.size() - 1);
     const double index = std::min(std::floor(time / time_step_), last);
@@ -215,6 +231,7 @@ GroundMotion::Cubic GroundMotion::at(double time, double& since) const
 
 double GroundMotion::displacement(double time) const
 {
+    if (is_sine()) return sine_.displacement(time - delay_);
     double s = 0;
     const Cubic c = at(time, s);
     return c.displacement + s * (c.velocity + s * (c.acceleration / 2 + s * c.jerk / 6));
@@ -222,6 +239,7 @@ double GroundMotion::displacement(double time) const
 
 double GroundMotion::velocity(double time) const
 {
+    if (is_sine()) return sine_.velocity(time - delay_);
     double s = 0;
     const Cubic c = at(time, s);
     return c.velocity + s * (c.acceleration + s * c.jerk / 2);
@@ -229,6 +247,7 @@ double GroundMotion::velocity(double time) const
 
 double GroundMotion::acceleration(double time) const
 {
+    if (is_sine()) return sine_.acceleration(time - delay_);
     double s = 0;
     const Cubic c = at(time, s);
     return c.acceleration + s * c.jerk;
@@ -236,8 +255,7 @@ double GroundMotion::acceleration(double time) const
 
 double GroundMotion::duration() const
 {
-    return delay_ +
-           (intervals_.empty() ? sine_duration_ : static_cast<double>(intervals_.size() - 1) * time_step_);
+    return delay_ + (is_sine() ? sine_.duration : static_cast<double>(intervals_.size() - 1) * time_step_);
 }
 
 double GroundMotion::residual_velocity() const
@@ -263,7 +281,8 @@ GroundMotion GroundMotion::scaled(double factor) const
         cubic = {factor * cubic.displacement, factor * cubic.velocity, factor * cubic.acceleration,
                  factor * cubic.jerk};
     }
-    motion.sine_amplitude_ *= factor;
+    motion.sine_.amplitude *= factor;
+    motion.sine_.prepare();
     motion.peak_acceleration_ *= std::abs(factor);
     return motion;
 }

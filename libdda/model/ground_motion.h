@@ -54,16 +54,28 @@ class GroundMotion
     struct Cubic {
         double displacement, velocity, acceleration, jerk;  // at the start of the interval; jerk constant in it
     };
+    /// a = amplitude sin(rate t + phase), and what of its integrals does not change with the time.
+    struct Sine {
+        double amplitude = 0, rate = 0, phase = 0, duration = 0;  // m/s2, rad/s, rad, s
+        double velocity_factor = 0, displacement_factor = 0;      // m/s, m
+        double cos_phase = 0, sin_phase = 0;
+        double last_velocity = 0, last_displacement = 0;  // m/s, m, at `duration`
+
+        void prepare();
+        double displacement(double time) const;
+        double velocity(double time) const;
+        double acceleration(double time) const;
+    };
     GroundMotion() = default;
+    bool is_sine() const { return intervals_.empty(); }
     Cubic at(double time, double& since) const;
-    Cubic sine_at(double time, double& since) const;
 
     std::vector<Cubic> intervals_;  // empty for a closed-form sine; the last one holds for all later times
     bool given_as_acceleration_ = false;
     double time_step_ = 0;
     double delay_ = 0;  // s
     double peak_acceleration_ = 0;
-    double sine_amplitude_ = 0, sine_frequency_ = 0, sine_phase_ = 0, sine_duration_ = 0;
+    Sine sine_;
     std::string source_;
 };
 

@@ -1,6 +1,8 @@
 #include "libdda/step/bold_steps.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "libdda/step/unbalance.h"
 
@@ -12,12 +14,30 @@ namespace
 
 constexpr int patience = 3;                      // steps that may be on trial
 constexpr double enough = 0.5;                   // of the residual at the start of the trial
-constexpr double too_much = 10;                  // times the residual: a step that leaves more is not even tried
+constexpr double too_much = 10;                  // times the residual: a step that leaves more is relaxed first
+constexpr double no_less = 1;                    // times the residual, after that: it is not even tried
 constexpr std::size_t few_changes = 8;           // points
 constexpr double some_changes = 0.005;           // of the points, as long as no trial has failed
 constexpr int longer_pause = 2;                  // times the pause before
 constexpr double wanted_residual = 0.5;          // of the tolerance: what the linear solver is asked for
 constexpr double finest = 1e-2, coarsest = 0.1;  // of that residual
+
+/// Worst residual / tolerance, of what was evaluated last.
+template <class K>
+double worst_residual(double tolerance, const StepSystem<K>& system)
+{
+    return system.residual.allFinite() ? unbalance(system, tolerance).worst
+                                       : std::numeric_limits<double>::infinity();
+}
+
+/// The same with the exact bound at system.d; infinite where a block inverts.
+template <class K>
+double evaluate_worst(int threads, double tolerance, StepSystem<K>& system)
+{
+    evaluate_contacts(system.d, FrictionBound::exact, threads, system.contacts);
+    if (!evaluate_residual(system.d, system)) return std::numeric_limits<double>::infinity();
+    return worst_residual(tolerance, system);
+}
 
 }  // namespace
 
@@ -60,16 +80,21 @@ bool BoldSteps<K>::take(const StepControl& control, double tolerance, double wor
     ++report.open_close_iterations;
     const double linear = std::clamp(wanted_residual / worst, finest, coarsest);
     if (system.coupling.solve_direction(control, linear, system, report)) {
-        system.trial = system.d + system.direction;
-        evaluate_contacts(system.trial, FrictionBound::exact, control.threads, system.contacts);
-        if (evaluate_residual(system.trial, system) && system.residual.allFinite() &&
-            unbalance(system, tolerance).worst <= too_much * worst) {
-            system.d = system.trial;
+        system.trial = system.d;
+        system.d += system.direction;
+        double left = evaluate_worst(control.threads, tolerance, system);
+        double allowed = too_much * worst;
+        if (left > allowed && std::isfinite(left)) {
+            system.relaxation.sweep(tolerance, left, system);
+            left = worst_residual(tolerance, system);
+            allowed = no_less * worst;
+        }
+        if (left <= allowed) {
             ++on_trial_;
             return true;
         }
-        evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
-        evaluate_residual(system.d, system);
+        system.d = system.trial;
+        evaluate_worst(control.threads, tolerance, system);
     }
     refuse();
     return false;

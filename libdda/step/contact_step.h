@@ -65,6 +65,8 @@ template <class K>
 struct ContactStep {
     std::vector<PatchStep<K>> patches;
     std::vector<PointStep<K::dimension>> points;
+    // Of their shear stiffness, that sliding points keep in the matrix alone: nothing else may hold their stones.
+    double brake = 0;
 };
 
 /// What of a vector lies in the plane of a contact.

@@ -8,8 +8,9 @@ namespace
 {
 
 /// C of one point: -dN/dg n n^T plus the shear tangent without the coupling to the normal force.
+/// @param brake share of its shear stiffness that a sliding point keeps
 template <int D>
-MatrixIn<D> point_stiffness(const PointStep<D>& p, const VectorIn<D>& n, bool published)
+MatrixIn<D> point_stiffness(const PointStep<D>& p, const VectorIn<D>& n, bool published, double brake)
 {
     const double k_t = 0.5 * (1 + p.shear_blend) * p.shear_stiffness;
     const MatrixIn<D> across = n * n.transpose(), along = MatrixIn<D>::Identity() - across;
@@ -29,6 +30,7 @@ MatrixIn<D> point_stiffness(const PointStep<D>& p, const VectorIn<D>& n, bool pu
         const double length = p.trial.norm();
         const VectorIn<D> slipping = p.trial / length;
         c += k_t * p.bound / length * (along - slipping * slipping.transpose());
+        if (brake > 0) c += brake * k_t * slipping * slipping.transpose();
     }
     return c;
 }
@@ -81,7 +83,8 @@ bool has_stiffness(const PointStep<D>& p, bool published)
 
 /// Locked points of a deformable patch share the directions n n^T and 1 - n n^T.
 template <int D>
-void add_points(const std::vector<PointStep<D>>& points, bool published, PatchStep<DeformableIn<D>>& patch)
+void add_points(const std::vector<PointStep<D>>& points, bool published, double brake,
+                PatchStep<DeformableIn<D>>& patch)
 {
     WeightSums<D> normal, shear;
     bool any = false;
@@ -89,7 +92,7 @@ void add_points(const std::vector<PointStep<D>>& points, bool published, PatchSt
         const PointStep<D>& p = points[i];
         if (!has_stiffness(p, published)) continue;
         if (p.status != ContactStatus::locked || (p.turns_round && !published)) {
-            add_point(p, point_stiffness<D>(p, patch.normal, published), patch);
+            add_point(p, point_stiffness<D>(p, patch.normal, published, brake), patch);
             continue;
         }
         normal.add(published ? 0.5 * (1 + p.normal_blend) * p.normal_stiffness : p.normal_tangent, p);
@@ -116,7 +119,8 @@ void spread_from_a(const Eigen::Vector3d& t, PatchStep<SpatialRigid>& patch)
     patch.bb.bottomRows<3>() += turn * across.topRows<3>();
 }
 
-void add_points(const std::vector<PointStep<3>>& points, bool published, PatchStep<SpatialRigid>& patch)
+void add_points(const std::vector<PointStep<3>>& points, bool published, double brake,
+                PatchStep<SpatialRigid>& patch)
 {
     const PointStep<3>* any = nullptr;
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
@@ -125,16 +129,17 @@ void add_points(const std::vector<PointStep<3>>& points, bool published, PatchSt
         any = &p;
         const Eigen::Vector3d& lever = patch.row_a >= 0 ? p.lever_a : p.lever_b;
         SpatialRigid::add_stiffness(patch.row_a >= 0 ? patch.aa : patch.bb, lever, lever,
-                                    point_stiffness<3>(p, patch.normal, published));
+                                    point_stiffness<3>(p, patch.normal, published, brake));
     }
     if (any && patch.row_a >= 0 && patch.row_b >= 0) spread_from_a(any->lever_b - any->lever_a, patch);
 }
 
-void add_points(const std::vector<PointStep<2>>& points, bool published, PatchStep<PlanarRigid>& patch)
+void add_points(const std::vector<PointStep<2>>& points, bool published, double brake,
+                PatchStep<PlanarRigid>& patch)
 {
     for (int i = patch.first; i < patch.first + patch.count; ++i)
         if (has_stiffness(points[i], published))
-            add_point(points[i], point_stiffness<2>(points[i], patch.normal, published), patch);
+            add_point(points[i], point_stiffness<2>(points[i], patch.normal, published, brake), patch);
 }
 
 }  // namespace
@@ -148,7 +153,7 @@ void contact_stiffness(bool published, int threads, ContactStep<K>& step)
             patch.aa.setZero();
             patch.ab.setZero();
             patch.bb.setZero();
-            add_points(step.points, published, patch);
+            add_points(step.points, published, step.brake, patch);
         }
     });
 }
@@ -161,7 +166,7 @@ void add_block_stiffness(const PatchStep<K>& patch, const std::vector<PointStep<
         const PointStep<K::dimension>& p = points[i];
         if (!has_stiffness(p, false)) continue;
         const typename K::Vector& lever = of_a ? p.lever_a : p.lever_b;
-        K::add_stiffness(stiffness, lever, lever, point_stiffness<K::dimension>(p, patch.normal, false));
+        K::add_stiffness(stiffness, lever, lever, point_stiffness<K::dimension>(p, patch.normal, false, 0));
     }
 }
 

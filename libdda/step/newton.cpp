@@ -17,6 +17,10 @@ using Eigen::VectorXd;
 namespace
 {
 
+// After a step that only a small share of its direction was good for, the next direction is held by a brake.
+constexpr double small_share = 0.2;
+constexpr double braked = 0.03;  // of the shear stiffness of sliding points
+
 constexpr int patience = 3;  // iterations that stall, or that overshoot, before the line search changes its ways
 
 // A direction along which many states change anyway need not be followed to its third digit. On the way to rest it
@@ -149,6 +153,7 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
     double last = std::numeric_limits<double>::infinity();
     double last_slope = -std::numeric_limits<double>::infinity();
     BoldSteps<K> bold;
+    double went = 1;  // of the last direction
     int stalled = 0, rises = 0;
     for (int iteration = 0;; ++iteration) {
         if (!evaluate_exactly(known, control.threads, system)) return fail_inverted(system, report);
@@ -178,7 +183,10 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
         // At rest what an elastic stone does reaches far, and nothing is saved.
         if (changes && (!K::deformable || is_motion(stage))) system.relaxation.sweep(tolerance, now.worst, system);
         const double slack = changes && is_motion(stage) ? slack_of_changes : 1;
-        if (!solve_direction(control, false, slack, system, report)) return fail(Trouble::singular_system, report);
+        system.contacts.brake = is_motion(stage) && went < small_share ? braked : 0;
+        const bool solved = solve_direction(control, false, slack, system, report);
+        system.contacts.brake = 0;
+        if (!solved) return fail(Trouble::singular_system, report);
         ++report.open_close_iterations;
         const double slope = system.residual.dot(system.direction);
         if (!(slope < 0)) return fail(Trouble::inaccurate_solution, report);
@@ -188,6 +196,7 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
         const FrictionBound bound = rises >= patience ? FrictionBound::exact : FrictionBound::frozen;
         const Reach reach = line_search(slope, bound, stalled >= patience, control.threads, system);
         system.d += reach.s * system.direction;
+        went = reach.s;
         known = !reach.at_hand ? Known::nothing : bound == FrictionBound::exact ? Known::exact : Known::frozen;
     }
 }

@@ -30,9 +30,9 @@ struct MeasureStudy {
     bool agrees = false;
 };
 
-/// The medians at h and h / 2 agree when they differ by less than the members at h / 2 do among themselves, or by
-/// less than the tolerance. Where both are infinite, half the members and more collapsed at either step; where
-/// only some collapsed there is no spread, and the tolerance decides.
+/// The medians at h and h / 2 agree when they differ by less than the members do among themselves (the mean of
+/// their ranges at the two steps), or by less than the tolerance. Where both are infinite, half the members and
+/// more collapsed at either step; where only some collapsed there is no spread, and the tolerance decides.
 /// @param study with its values; medians, ranges and the verdict are filled in
 void judge(double tolerance, MeasureStudy& study);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "app/reader/case_file.h"
 #include "app/studies/converge/measured_run.h"
@@ -199,18 +200,42 @@ TEST(Ensemble, PassesOnWhatItsCaseWarnsOf)
     EXPECT_EQ(nlohmann::json::parse(ensemble_json(study))["warnings"][0], "arch.obj: a hole was closed");
 }
 
+bool judged(std::vector<double> coarse, std::vector<double> fine, double tolerance = 0.1)
+{
+    MeasureStudy each;
+    each.values = {std::move(coarse), std::move(fine)};
+    judge(tolerance, each);
+    return each.agrees;
+}
+
+// Many measures are judged at once: five members each must seldom be told apart where nothing but chance parts
+// them, and mostly where three standard deviations do.
+TEST(Ensemble, RarelyTellsOneDistributionApart)
+{
+    std::mt19937_64 draw(7);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same draws in every run
+    const auto told_apart = [&](double shift) {
+        constexpr int pairs = 20000;
+        int count = 0;
+        for (int i = 0; i < pairs; ++i) {
+            std::normal_distribution<double> around(0, 1);
+            std::vector<double> coarse(5), fine(5);
+            for (double& value : coarse) value = shift + around(draw);
+            for (double& value : fine) value = around(draw);
+            count += !judged(coarse, fine, 0);
+        }
+        return static_cast<double>(count) / pairs;
+    };
+    EXPECT_NEAR(told_apart(0), 0.01, 0.003);
+    EXPECT_NEAR(told_apart(3), 0.76, 0.02);
+}
+
 // The spread of members of which some collapsed is infinite: that is no licence.
 TEST(Ensemble, ACollapseWidensNoTolerance)
 {
-    const auto judged = [&](std::vector<double> coarse, std::vector<double> fine) {
-        MeasureStudy each;
-        each.values = {std::move(coarse), std::move(fine)};
-        judge(0.1, each);
-        return each.agrees;
-    };
     EXPECT_TRUE(judged({10, 11, 12}, {10, 11, 12}));
     EXPECT_TRUE(judged({10, 14, 15}, {10, 11, 15})) << "within the spread";
-    EXPECT_FALSE(judged({10, 17, 18}, {10, 11, 15}));
+    EXPECT_TRUE(judged({10, 14, 18}, {10, 11, 11})) << "within the mean of both";
+    EXPECT_FALSE(judged({16, 17, 18}, {10, 11, 15}));
     EXPECT_TRUE(judged({10, 12, infinite}, {10, 12.5, infinite})) << "within the tolerance";
     EXPECT_FALSE(judged({400, 500, 600}, {10, 12, infinite}));
     EXPECT_FALSE(judged({10, infinite, infinite}, {10, 12, infinite}));
