@@ -119,6 +119,25 @@ struct ContactScene {
             }
         return k;
     }
+    /// k_t d d^T of the sliding points, d the direction in which they slide: what holds their stones if braked.
+    MatrixXd braked(const VectorXd& d)
+    {
+        step::evaluate_contacts(d, step::FrictionBound::exact, 1, contacts);
+        MatrixXd k = MatrixXd::Zero(2 * n, 2 * n);
+        for (const step::PatchStep<K>& patch : contacts.patches)
+            for (int i = patch.first; i < patch.first + patch.count; ++i) {
+                const step::PointStep<3>& p = contacts.points[i];
+                if (p.status != ContactStatus::sliding) continue;
+                typename K::Unknowns a = K::Unknowns::Zero(), b = K::Unknowns::Zero();
+                K::add_force(a, p.lever_a, p.trial.normalized());
+                K::add_force(b, p.lever_b, -p.trial.normalized());
+                VectorXd along = VectorXd::Zero(2 * n);
+                along.segment<n>(n * patch.row_a) = a;
+                along.segment<n>(n * patch.row_b) = b;
+                k += 0.5 * (1 + p.shear_blend) * p.shear_stiffness * along * along.transpose();
+            }
+        return k;
+    }
     int count(ContactStatus status) const
     {
         int sum = 0;
@@ -199,6 +218,22 @@ TYPED_TEST(Derivatives, SlidingContactHasItUpToTheNormalCoupling)
         }
         expect_left_out(exact);
         expect_left_out(frozen);
+    }
+}
+
+TYPED_TEST(Derivatives, ABrakeHoldsWhatSlidesAlongItsWayAndNothingElse)
+{
+    for (const double friction : {0.01, 100.0}) {
+        ContactScene<TypeParam> scene(friction, 0, Integrator::energy_decaying);
+        const VectorXd d = small_unknowns(2 * TypeParam::unknowns, 4);
+        const MatrixXd free = scene.stiffness(d), added = 0.03 * scene.braked(d);
+        scene.contacts.brake = 0.03;
+        const MatrixXd held = scene.stiffness(d);
+        EXPECT_LT((held - free - added).norm(), 1e-12 * free.norm());
+        if (friction < 1)
+            EXPECT_GT(added.norm(), 1e-3 * free.norm());
+        else
+            EXPECT_EQ(held, free);
     }
 }
 
