@@ -32,6 +32,7 @@ std::vector<studies::verify::Benchmark> chosen(const std::vector<std::string>& n
                                                std::vector<studies::verify::Benchmark> all)
 {
     std::vector<std::string> known;
+    known.reserve(all.size());
     for (const studies::verify::Benchmark& benchmark : all) known.push_back(benchmark.name);
     std::vector<Fault> faults;
     for (const std::string& name : names)

@@ -86,9 +86,11 @@ void run_all(const std::vector<Case>& members, const EnsembleWatch& watch, Ensem
 {
     Queue queue(members, watch, study);
     {
-        std::vector<std::jthread> threads;
         const auto runs = static_cast<int>(study.settings.size() * members.size());
-        for (int i = 0; i < std::min(study.choices.jobs, runs); ++i) threads.emplace_back([&] { queue.work(); });
+        const int jobs = std::min(study.choices.jobs, runs);
+        std::vector<std::jthread> threads;
+        threads.reserve(jobs);
+        for (int i = 0; i < jobs; ++i) threads.emplace_back([&] { queue.work(); });
     }
     queue.rethrow();
 }
