@@ -12,14 +12,14 @@ namespace voussoir::step
 namespace
 {
 
-constexpr int patience = 3;                      // steps that may be on trial
-constexpr double enough = 0.5;                   // of the residual at the start of the trial
-constexpr double too_much = 10;                  // times the residual: a step that leaves more is relaxed first
-constexpr double no_less = 1;                    // times the residual, after that: it is not even tried
-constexpr std::size_t few_changes = 8;           // points
-constexpr double some_changes = 0.005;           // of the points, as long as no trial has failed
-constexpr int longer_pause = 2;                  // times the pause before
-constexpr double wanted_residual = 0.5;          // of the tolerance: what the linear solver is asked for
+constexpr int patience = 3;              // steps that may be on trial
+constexpr double enough = 0.5;           // of the residual at the start of the trial
+constexpr double too_much = 10;          // times the residual: a step that leaves more is relaxed first
+constexpr double no_less = 1;            // times the residual, that it may leave then; else it is not taken
+constexpr std::size_t few_changes = 8;   // points
+constexpr double some_changes = 0.005;   // of the points, as long as no trial has failed
+constexpr int longer_pause = 2;          // times the pause before
+constexpr double wanted_residual = 0.5;  // of the tolerance: what the linear solver is asked for
 constexpr double finest = 1e-2, coarsest = 0.1;  // of that residual
 
 /// Worst residual / tolerance, of what was evaluated last.

@@ -65,7 +65,7 @@ struct Meeting {
     double fraction = 0;              // of the step, if it lands
     typename K::Matrix yielding;      // 1/kg, how fast a unit impulse there makes them part
     double mobility = 0;              // 1/kg, of that along the normal
-    double seen_a = -1, seen_b = -1;  // m/s, what the bodies had moved when it last acted
+    double seen_a = -1, seen_b = -1;  // m/s, what the bodies had moved before it last acted
     double pressed = 0;               // Ns, so far
     Vector rubbed = Vector::Zero();   // Ns, so far
 };

@@ -96,47 +96,43 @@ struct ContactScene {
         }
         return k;
     }
-    /// -mu d (dN/dg) n^T of the sliding points: what the symmetric stiffness leaves out.
-    MatrixXd normal_coupling(const VectorXd& d)
+    /// A force at a point, on one block and against the other, as generalised forces.
+    static VectorXd spread(const Vector3d& force, const step::PointStep<3>& p, const step::PatchStep<K>& patch)
+    {
+        typename K::Unknowns a = K::Unknowns::Zero(), b = K::Unknowns::Zero();
+        K::add_force(a, p.lever_a, force);
+        K::add_force(b, p.lever_b, -force);
+        VectorXd row = VectorXd::Zero(2 * n);
+        row.segment<n>(n * patch.row_a) = a;
+        row.segment<n>(n * patch.row_b) = b;
+        return row;
+    }
+    /// Sum over the sliding points at D.
+    template <class Share>
+    MatrixXd of_sliding(const VectorXd& d, const Share& share)
     {
         step::evaluate_contacts(d, step::FrictionBound::exact, 1, contacts);
         MatrixXd k = MatrixXd::Zero(2 * n, 2 * n);
         for (const step::PatchStep<K>& patch : contacts.patches)
-            for (int i = patch.first; i < patch.first + patch.count; ++i) {
-                const step::PointStep<3>& p = contacts.points[i];
-                if (p.status != ContactStatus::sliding) continue;
-                VectorXd tangent = VectorXd::Zero(2 * n), normal = VectorXd::Zero(2 * n);
-                const auto spread = [&](const Vector3d& direction, VectorXd& row) {
-                    typename K::Unknowns a = K::Unknowns::Zero(), b = K::Unknowns::Zero();
-                    K::add_force(a, p.lever_a, direction);
-                    K::add_force(b, p.lever_b, -direction);
-                    row.segment<n>(n * patch.row_a) = a;
-                    row.segment<n>(n * patch.row_b) = b;
-                };
-                spread(p.trial.normalized(), tangent);
-                spread(patch.normal, normal);
-                k -= patch.friction * p.normal_tangent * tangent * normal.transpose();
-            }
+            for (int i = patch.first; i < patch.first + patch.count; ++i)
+                if (contacts.points[i].status == ContactStatus::sliding) k += share(contacts.points[i], patch);
         return k;
+    }
+    /// -mu d (dN/dg) n^T of the sliding points: what the symmetric stiffness leaves out.
+    MatrixXd normal_coupling(const VectorXd& d)
+    {
+        return of_sliding(d, [](const step::PointStep<3>& p, const step::PatchStep<K>& patch) -> MatrixXd {
+            const VectorXd tangent = spread(p.trial.normalized(), p, patch);
+            return -patch.friction * p.normal_tangent * tangent * spread(patch.normal, p, patch).transpose();
+        });
     }
     /// k_t d d^T of the sliding points, d the direction in which they slide: what holds their stones if braked.
     MatrixXd braked(const VectorXd& d)
     {
-        step::evaluate_contacts(d, step::FrictionBound::exact, 1, contacts);
-        MatrixXd k = MatrixXd::Zero(2 * n, 2 * n);
-        for (const step::PatchStep<K>& patch : contacts.patches)
-            for (int i = patch.first; i < patch.first + patch.count; ++i) {
-                const step::PointStep<3>& p = contacts.points[i];
-                if (p.status != ContactStatus::sliding) continue;
-                typename K::Unknowns a = K::Unknowns::Zero(), b = K::Unknowns::Zero();
-                K::add_force(a, p.lever_a, p.trial.normalized());
-                K::add_force(b, p.lever_b, -p.trial.normalized());
-                VectorXd along = VectorXd::Zero(2 * n);
-                along.segment<n>(n * patch.row_a) = a;
-                along.segment<n>(n * patch.row_b) = b;
-                k += 0.5 * (1 + p.shear_blend) * p.shear_stiffness * along * along.transpose();
-            }
-        return k;
+        return of_sliding(d, [](const step::PointStep<3>& p, const step::PatchStep<K>& patch) -> MatrixXd {
+            const VectorXd along = spread(p.trial.normalized(), p, patch);
+            return 0.5 * (1 + p.shear_blend) * p.shear_stiffness * along * along.transpose();
+        });
     }
     int count(ContactStatus status) const
     {
