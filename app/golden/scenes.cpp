@@ -96,7 +96,7 @@ Scene knocks(Kinematics kinematics)
     const int sliding = add_box(model, {-0.9, 0.1, 0}, {-0.1, 0.6, 0.4});
     const int falling = add_box(model, {0.2, 0, 1.0}, {0.7, 0.5, 1.3});
     Stage stage = motion(0.2, 1e-3);
-    stage.control.max_open_close = 3;
+    stage.control.max_open_close = 2;
     Scene scene = at_rest(std::move(model), {stage});
     throw_block(scene.model, sliding, {3, 0.5, 0}, scene.state);
     throw_block(scene.model, falling, {0.2, 0.1, -2}, scene.state);

@@ -24,6 +24,7 @@ struct Jump {
     typename K::Vector velocity = K::Vector::Zero();  // m/s, change
     typename K::Spin momentum = K::Spin::Zero();      // Nms, change of the angular momentum about its centroid
     double fraction = 0;                              // of the step, when it happens
+    double approach = 0;                              // m/s, of the fastest landing that makes it
     double ground_work = 0;                           // J, done by moving foundations through its impulses
 };
 

@@ -16,7 +16,7 @@ constexpr int max_sweeps = 200;  // over the contacts that impulses have reached
 constexpr std::size_t max_impulses = 60;      // at each contact, on the average
 constexpr std::size_t so_few_contacts = 100;  // which may have more
 constexpr double still = 1e-6;   // of the largest approach speed: a smaller change has not reached a block
-constexpr double slight = 0.05;  // of the speed that a step at rest may gain: the same among many contacts
+constexpr double slight = 0.02;  // of the speed that a step at rest may gain: the same among many contacts
 constexpr double unmoved = 0.5;  // of such a change: a point whose stones moved less need not act again
 
 }  // namespace
@@ -80,14 +80,17 @@ Meeting<K> Impulses<K>::meeting(const ContactPatchIn<D>& patch, const ContactPoi
     m.target = patch.normal.dot(velocity);
     m.target_slip.setZero();
     m.yielding = a.mobility(m.lever_a) + b.mobility(m.lever_b);
-    m.mobility = patch.normal.dot(m.yielding * patch.normal);
+    m.parting = m.yielding * patch.normal;
+    m.mobility = patch.normal.dot(m.parting);
+    m.turning_a = a.turning(m.lever_a);
+    m.turning_b = b.turning(m.lever_b);
     return m;
 }
 
 template <class K>
-void Impulses<K>::add(const Meeting<K>& meeting, double approach)
+void Impulses<K>::add(const Meeting<K>& meeting)
 {
-    fastest_ = std::max(fastest_, approach);
+    fastest_ = std::max(fastest_, meeting.approach);
     meetings_.push_back(meeting);
 }
 
@@ -153,26 +156,26 @@ double Impulses<K>::act(Meeting<K>& m)
     double press = (m.target - m.normal.dot(velocity)) / m.mobility;
     if (!m.bonded) press = std::max(press, -m.pressed);
     m.pressed += press;
-    Vector slip = velocity + press * (m.yielding * m.normal) - m.target_slip;
+    Vector slip = velocity + press * m.parting - m.target_slip;
     slip -= m.normal.dot(slip) * m.normal;
     const double square = slip.squaredNorm();
     Vector rub = Vector::Zero();
     double rubbed = 0;
     if (square > 0) {
-        const double mobility = slip.dot(m.yielding * slip) / square;
+        const double yielding = slip.dot(m.yielding * slip);  // times the square
         const Vector before = m.rubbed;
-        if (mobility > 0) m.rubbed -= slip / mobility;
-        const double bound = m.friction * m.pressed, size = m.rubbed.norm();
-        if (!m.bonded && size > bound) m.rubbed *= bound / size;
+        if (yielding > 0) m.rubbed -= square / yielding * slip;
+        const double bound = m.friction * m.pressed, size = m.rubbed.squaredNorm();
+        if (!m.bonded && size > bound * bound) m.rubbed *= bound / std::sqrt(size);
         rub = m.rubbed - before;
-        rubbed = rub.norm() * mobility;
+        rubbed = rub.norm() * yielding / square;
     }
     // Its own impulse is not seen yet: friction turns a stone and so changes what presses the point.
     m.seen_a = a.moved;
     m.seen_b = b.moved;
     const Vector impulse = press * m.normal + rub;
-    a.push(m.lever_a, impulse);
-    b.push(m.lever_b, -impulse);
+    a.push(m.turning_a, impulse);
+    b.push(m.turning_b, -impulse);
     return std::max(std::abs(press) * m.mobility, rubbed);
 }
 
@@ -182,7 +185,10 @@ void Impulses<K>::solve()
     std::size_t impulses = 0;
     for (int sweep = 0; sweep < max_sweeps; ++sweep) {
         double most = 0;
-        for (std::size_t i = 0; i < meetings_.size(); ++i) {  // grows
+        // There and back, so that what is left of a symmetrical blow is nearly so.
+        const std::size_t before = meetings_.size();
+        for (std::size_t k = 0; k < meetings_.size(); ++k) {  // grows
+            const std::size_t i = sweep % 2 == 1 && k < before ? before - 1 - k : k;
             if (is_still(meetings_[i])) continue;
             ++impulses;
             const double change = act(meetings_[i]);

@@ -8,6 +8,9 @@
 namespace voussoir::step
 {
 
+template <class K>
+using TurningIn = Eigen::Matrix<double, K::Spin::RowsAtCompileTime, K::dimension>;
+
 /// A block as impulses move it: rigid, for what a deformable one stores in a blow is no motion.
 template <class K>
 struct Body {
@@ -24,13 +27,22 @@ struct Body {
     double moved = 0;      // m/s, sum of what impulses did to the velocity of its points
 
     Vector velocity_at(const Vector& lever) const { return velocity + skew(spin) * lever; }
-    void push(const Vector& lever, const Vector& impulse)
+    /// Spins that unit impulses along the axes at a lever give, as columns [1/(kg m)].
+    TurningIn<K> turning(const Vector& lever) const
+    {
+        TurningIn<K> result;
+        for (int k = 0; k < K::dimension; ++k)
+            result.col(k) = inverse_inertia * moment_about(lever, Vector(Vector::Unit(k)));
+        return result;
+    }
+    /// @param turning of the impulse's lever
+    void push(const TurningIn<K>& turning, const Vector& impulse)
     {
         const Vector faster = inverse_mass.cwiseProduct(impulse);
-        const Spin turning = inverse_inertia * moment_about(lever, impulse);
+        const Spin turned = turning * impulse;
         velocity += faster;
-        spin += turning;
-        moved += faster.norm() + size * turning.norm();
+        spin += turned;
+        moved += faster.norm() + size * turned.norm();
     }
     /// Velocity that a unit impulse along u gives its own point, along u.
     double mobility(const Vector& lever, const Vector& u) const
@@ -41,11 +53,9 @@ struct Body {
     /// Velocities that unit impulses along the axes give their own point, as columns [1/kg].
     typename K::Matrix mobility(const Vector& lever) const
     {
+        const TurningIn<K> turned = turning(lever);
         typename K::Matrix result = inverse_mass.asDiagonal();
-        for (int k = 0; k < K::dimension; ++k) {
-            const Spin turning = inverse_inertia * moment_about(lever, Vector(Vector::Unit(k)));
-            result.col(k) += skew(turning) * lever;
-        }
+        for (int k = 0; k < K::dimension; ++k) result.col(k) += skew(Spin(turned.col(k))) * lever;
         return result;
     }
 };
@@ -62,12 +72,15 @@ struct Meeting {
     Vector target_slip;       // m/s, tangential velocity that sticking keeps: that of a bond, else none
     bool bonded = false;
     bool lands = false;
-    double fraction = 0;              // of the step, if it lands
-    typename K::Matrix yielding;      // 1/kg, how fast a unit impulse there makes them part
-    double mobility = 0;              // 1/kg, of that along the normal
-    double seen_a = -1, seen_b = -1;  // m/s, what the bodies had moved before it last acted
-    double pressed = 0;               // Ns, so far
-    Vector rubbed = Vector::Zero();   // Ns, so far
+    double approach = 0;                // m/s, if it lands
+    double fraction = 0;                // of the step, if it lands
+    typename K::Matrix yielding;        // 1/kg, how fast a unit impulse there makes them part
+    Vector parting;                     // 1/kg, velocity that a unit impulse along the normal makes
+    double mobility = 0;                // 1/kg, of that along the normal
+    TurningIn<K> turning_a, turning_b;  // 1/(kg m), of the blocks by impulses there
+    double seen_a = -1, seen_b = -1;    // m/s, what the bodies had moved before it last acted
+    double pressed = 0;                 // Ns, so far
+    Vector rubbed = Vector::Zero();     // Ns, so far
 };
 
 /// Moves as the part of its motion does that carries momentum.
@@ -102,8 +115,8 @@ class Impulses
     /// @param flight until they meet [s]: both blows act where the point of a is then, or angular momentum would
     /// be lost
     Meeting<K> meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double flight);
-    /// Adds one that lands. @param approach speed [m/s]
-    void add(const Meeting<K>& meeting, double approach);
+    /// Adds one that lands.
+    void add(const Meeting<K>& meeting);
     /// Lets impulses act until every landing point has its speed and no joint is closed any further.
     void solve();
 

@@ -26,12 +26,13 @@ std::vector<Jump<K>> find_jumps(const Model& model, const Stage& stage, const St
                                 const std::vector<int>& also);
 
 /// The part of a step that may be done before the first of the jumps, so that what presses until then does so for
-/// as long as it does [s]; nothing where they are all at its start. @param h of the step [s]
+/// as long as it does [s]; nothing where they are all at its start, or slower than gravity makes
+/// a stone in a step. @param h of the step [s]
 template <class K>
 std::optional<double> step_to_landing(const Stage& stage, const std::vector<Jump<K>>& jumps, double h);
 
 /// The points that closed in a converged step although a straight flight did not bring their stones together, and
-/// that were approaching faster than a step at rest may gain: forces bent their way. In ascending order.
+/// that were approaching fast enough for a landing: forces bent their way. In ascending order.
 template <class K>
 std::vector<int> missed_landings(const Model& model, const Stage& stage, const State& state,
                                  const ContactSetIn<K::dimension>& contacts, const StepSystem<K>& system);

@@ -109,7 +109,7 @@ int for_scenes(const std::string& name, const Expectation& expect)
     return count;
 }
 
-// Those of space converge within their three iterations; those in the plane do not always.
+// Those of space converge within their two iterations; those in the plane do not always.
 TEST(GoldenScenes, KnockAndCutSteps)
 {
     int with_cuts = 0;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/libdda/scenes.h"
 
@@ -40,15 +41,19 @@ Slide slide_over(Kinematics kinematics, int paving, double stiffness)
     state.grid = 0;
     const double start = state.time;
     Slide result;
-    int steps = 0;
+    double from = 0, meant = 0;
     RunObserver observer;
     observer.step = [&](const State& now, const StepReport&, const RunReport&) {
-        if (now.time - start < 0.6) return;
-        ++steps;
-        result.mean_height += centroid(model, now, block).z();
+        const double length = now.time - std::max(from, start + 0.6);
+        from = now.time;
+        if (length <= 0) return;
+        // By how long a step is, and so that a part of a period at either end does not count.
+        const double weight = length * std::pow(std::sin(std::numbers::pi * (now.time - start - 0.6) / 0.2), 2);
+        meant += weight;
+        result.mean_height += weight * centroid(model, now, block).z();
     };
     result.report = run(model, {dynamic_stage(0.8, 1e-3)}, state, observer);
-    result.mean_height /= steps;
+    result.mean_height /= meant;
     result.end = centroid(model, state, block);
     return result;
 }

@@ -208,6 +208,27 @@ TEST_P(Landing, ACornerThatRubsLeavesWithTheRestitutionOfItsApproach)
     }
 }
 
+// Three quarters of what gravity makes in a step are fast enough for a landing: springs would return them.
+TEST_P(Landing, MayBeSlowerThanGravityMakesAStoneInAStep)
+{
+    constexpr double h = 1e-3, speed = 0.75 * gravity * h;
+    Model model = make_model(GetParam(), stone(), dry(30));
+    hold(model, add_box(model, "floor", {-1, -1, -1}, {1, 1, 0}));
+    const double gap = 0.2 * h * speed;
+    const int box = add_box(model, "box", {-0.3, -0.3, gap}, {0.3, 0.3, gap + 0.5});
+    State state = initial_state(model);
+    set_velocity(model, state, box, {0, 0, -speed});
+    double fastest = 0;  // upwards
+    RunObserver observer;
+    observer.step = [&](const State& now, const StepReport&, const RunReport&) {
+        fastest = std::max(fastest, velocity_of(model.kinematics, now, box).z());
+    };
+    const RunReport report = run(model, {dynamic_stage(0.01, h)}, state, observer);
+    std::printf("rebounds with %.3f of %.3f mm/s\n", 1e3 * fastest, 1e3 * speed);
+    EXPECT_LT(fastest, 0.25 * speed);  // a deformable stone goes on trembling
+    EXPECT_GT(report.energy.impact, 0);
+}
+
 // A joint that stays closed loses nothing: a stack that trembles under its own weight has no impacts.
 TEST_P(Landing, AJointThatStaysClosedLosesNothing)
 {
