@@ -1,7 +1,10 @@
 #include "libdda/contact/broad_phase.h"
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
+
+#include "libdda/model/parallel.h"
 
 namespace voussoir::contact
 {
@@ -9,7 +12,7 @@ namespace voussoir::contact
 template <int D>
 std::vector<std::pair<int, int>> candidate_pairs(const std::vector<PlacedPartIn<D>>& parts,
                                                  const std::vector<double>& reach,
-                                                 const std::vector<bool>& fully_held)
+                                                 const std::vector<bool>& fully_held, int threads)
 {
     std::vector<std::pair<int, int>> pairs;
     if (parts.empty()) return pairs;
@@ -27,25 +30,33 @@ std::vector<std::pair<int, int>> candidate_pairs(const std::vector<PlacedPartIn<
     std::sort(order.begin(), order.end(),
               [&](int i, int j) { return low(i) < low(j) || (low(i) == low(j) && i < j); });
 
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const PlacedPartIn<D>& first = parts[order[k]];
-        const double high = first.upper[axis] + reach[first.block];
-        for (std::size_t m = k + 1; m < order.size() && low(order[m]) <= high; ++m) {
-            const PlacedPartIn<D>& second = parts[order[m]];
-            if (first.block == second.block || (fully_held[first.block] && fully_held[second.block])) continue;
-            const double grow = reach[first.block] + reach[second.block];
-            const bool apart = ((first.lower.array() - grow) > second.upper.array()).any() ||
-                               ((second.lower.array() - grow) > first.upper.array()).any();
-            if (!apart) pairs.emplace_back(std::min(order[k], order[m]), std::max(order[k], order[m]));
+    std::mutex mutex;
+    in_parallel(order.size(), threads, [&](std::size_t from, std::size_t end) {
+        std::vector<std::pair<int, int>> found;
+        for (std::size_t k = from; k < end; ++k) {
+            const PlacedPartIn<D>& first = parts[order[k]];
+            const double high = first.upper[axis] + reach[first.block];
+            for (std::size_t m = k + 1; m < order.size() && low(order[m]) <= high; ++m) {
+                const PlacedPartIn<D>& second = parts[order[m]];
+                if (first.block == second.block || (fully_held[first.block] && fully_held[second.block])) continue;
+                const double grow = reach[first.block] + reach[second.block];
+                const bool apart = ((first.lower.array() - grow) > second.upper.array()).any() ||
+                                   ((second.lower.array() - grow) > first.upper.array()).any();
+                if (!apart) found.emplace_back(std::min(order[k], order[m]), std::max(order[k], order[m]));
+            }
         }
-    }
+        const std::lock_guard lock(mutex);
+        pairs.insert(pairs.end(), found.begin(), found.end());
+    });
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }
 
 template std::vector<std::pair<int, int>> candidate_pairs(const std::vector<PlacedPart>&,
-                                                          const std::vector<double>&, const std::vector<bool>&);
+                                                          const std::vector<double>&, const std::vector<bool>&,
+                                                          int);
 template std::vector<std::pair<int, int>> candidate_pairs(const std::vector<PlacedOutline>&,
-                                                          const std::vector<double>&, const std::vector<bool>&);
+                                                          const std::vector<double>&, const std::vector<bool>&,
+                                                          int);
 
 }  // namespace voussoir::contact

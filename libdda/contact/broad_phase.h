@@ -15,6 +15,6 @@ namespace voussoir::contact
 template <int D>
 std::vector<std::pair<int, int>> candidate_pairs(const std::vector<PlacedPartIn<D>>& parts,
                                                  const std::vector<double>& reach,
-                                                 const std::vector<bool>& fully_held);
+                                                 const std::vector<bool>& fully_held, int threads = 1);
 
 }  // namespace voussoir::contact

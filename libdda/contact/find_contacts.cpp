@@ -90,7 +90,7 @@ template <int D>
 void find_contacts(const Model& model, const State& state, const std::vector<double>& reach, int threads,
                    std::vector<PlacedPartIn<D>>& parts, ContactSetIn<D>& found, NewOverlap overlap)
 {
-    place_parts(model, state, parts);
+    place_parts(model, state, threads, parts);
     std::vector<bool> fully_held(model.blocks.size(), false);
     for (const Foundation& foundation : model.foundations)
         if (foundation.fully_held()) fully_held[foundation.block] = true;
@@ -99,7 +99,7 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
         first_part[b + 1] = first_part[b] + static_cast<int>(ShapeIn<D>::of(model.blocks[b]).size());
 
     const OldContacts<D> old(model, contacts_in<D>(state), first_part);
-    const std::vector<PairKey> pairs = candidate_pairs(parts, reach, fully_held);
+    const std::vector<PairKey> pairs = candidate_pairs(parts, reach, fully_held, threads);
     std::vector<std::optional<FoundPatch<D>>> slots(pairs.size());
     in_parallel(pairs.size(), threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i)

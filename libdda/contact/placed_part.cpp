@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "libdda/model/parallel.h"
+
 namespace voussoir::contact
 {
 
@@ -38,23 +40,30 @@ void place_normals(PlacedOutline& placed)
 }  // namespace
 
 template <int D>
-void place_parts(const Model& model, const State& state, std::vector<PlacedPartIn<D>>& parts)
+void place_parts(const Model& model, const State& state, int threads, std::vector<PlacedPartIn<D>>& parts)
 {
     std::size_t count = 0;
+    const auto place_next = [&](int block, int part, const typename ShapeIn<D>::Type& shape) {
+        if (count == parts.size()) parts.emplace_back();
+        PlacedPartIn<D>& placed = parts[count++];
+        placed.block = block;
+        placed.part = part;
+        placed.shape = &shape;
+    };
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-        const PoseIn<D> pose = pose_in<D>(model.kinematics, state, b);
         const auto& shapes = ShapeIn<D>::of(model.blocks[b]);
-        const double size = size_of(model, b);
-        for (int p = 0; p < static_cast<int>(shapes.size()); ++p, ++count) {
-            if (count == parts.size()) parts.emplace_back();
-            PlacedPartIn<D>& placed = parts[count];
-            placed.block = b;
-            placed.part = p;
-            placed.shape = &shapes[p];
-            placed.size = size;
-            placed.vertices.resize(shapes[p].vertices.size());
-            for (std::size_t v = 0; v < placed.vertices.size(); ++v)
-                placed.vertices[v] = pose.centroid + pose.map * shapes[p].vertices[v];
+        for (int p = 0; p < static_cast<int>(shapes.size()); ++p) place_next(b, p, shapes[p]);
+    }
+    parts.resize(count);
+    in_parallel(count, threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
+            PlacedPartIn<D>& placed = parts[i];
+            const PoseIn<D> pose = pose_in<D>(model.kinematics, state, placed.block);
+            placed.size = size_of(model, placed.block);
+            const auto& vertices = placed.shape->vertices;
+            placed.vertices.resize(vertices.size());
+            for (std::size_t v = 0; v < vertices.size(); ++v)
+                placed.vertices[v] = pose.centroid + pose.map * vertices[v];
             placed.lower = placed.upper = placed.vertices.front();
             for (const VectorIn<D>& x : placed.vertices) {
                 placed.lower = placed.lower.cwiseMin(x);
@@ -62,8 +71,7 @@ void place_parts(const Model& model, const State& state, std::vector<PlacedPartI
             }
             place_normals(placed);
         }
-    }
-    parts.resize(count);
+    });
 }
 
 double face_measure(const PlacedPart& part, int face)
@@ -81,7 +89,7 @@ double face_measure(const PlacedOutline& part, int edge)
     return (part.vertices[(edge + 1) % part.vertices.size()] - part.vertices[edge]).norm();
 }
 
-template void place_parts(const Model&, const State&, std::vector<PlacedPart>&);
-template void place_parts(const Model&, const State&, std::vector<PlacedOutline>&);
+template void place_parts(const Model&, const State&, int, std::vector<PlacedPart>&);
+template void place_parts(const Model&, const State&, int, std::vector<PlacedOutline>&);
 
 }  // namespace voussoir::contact

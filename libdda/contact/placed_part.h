@@ -54,6 +54,6 @@ double face_measure(const PlacedOutline& part, int edge);
 
 /// All parts of all blocks, in order of block and part. Reuses the memory of `parts`.
 template <int D>
-void place_parts(const Model& model, const State& state, std::vector<PlacedPartIn<D>>& parts);
+void place_parts(const Model& model, const State& state, int threads, std::vector<PlacedPartIn<D>>& parts);
 
 }  // namespace voussoir::contact

@@ -1,6 +1,8 @@
 #include "libdda/model/parallel.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -14,8 +16,8 @@ namespace voussoir
 namespace
 {
 
-constexpr std::size_t least_count = 257;      // below it waking threads takes longer than the loop
-constexpr std::size_t ranges_per_thread = 4;  // so that a thread that comes late leaves its share to the others
+constexpr std::chrono::microseconds awake(50);  // that a thread waits before it sleeps
+constexpr std::size_t ranges_per_thread = 4;    // so that a thread that comes late leaves its share to the others
 
 using Turn = std::function<void(std::size_t, std::size_t)>;
 
@@ -46,8 +48,14 @@ class Crew
         next_ = 0;
         range_ = std::max<std::size_t>(1, count / (static_cast<std::size_t>(threads) * ranges_per_thread));
         places_ = static_cast<std::size_t>(threads) - 1;
+        begun_.fetch_add(1, std::memory_order_release);
         wake_.notify_all();
         take_ranges(lock);
+        if (at_work_ > 0) {
+            lock.unlock();
+            spin([this] { return idle_.load(std::memory_order_acquire); });
+            lock.lock();
+        }
         done_.wait(lock, [this] { return at_work_ == 0; });
         turn_ = nullptr;
         if (const std::exception_ptr failure = std::exchange(failure_, nullptr)) std::rethrow_exception(failure);
@@ -64,18 +72,37 @@ class Crew
         }
     }
 
+    /// Waits awake for what is about to come: to wake a thread takes as long as the loops of a linear solve.
+    template <class Until>
+    static void spin(const Until& until)
+    {
+        const auto end = std::chrono::steady_clock::now() + awake;
+        while (!until() && std::chrono::steady_clock::now() < end) {
+        }
+    }
+
     bool has_work() const { return turn_ != nullptr && next_ < count_ && places_ > 0; }
 
     void serve()
     {
         std::unique_lock lock(mutex_);
         for (;;) {
+            if (!leaves_ && !has_work()) {
+                const std::size_t seen = begun_.load(std::memory_order_acquire);
+                lock.unlock();
+                spin([&] { return begun_.load(std::memory_order_acquire) != seen; });
+                lock.lock();
+            }
             wake_.wait(lock, [this] { return leaves_ || has_work(); });
             if (leaves_) return;
             --places_;
             ++at_work_;
+            idle_.store(false, std::memory_order_relaxed);
             take_ranges(lock);
-            if (--at_work_ == 0) done_.notify_one();
+            if (--at_work_ == 0) {
+                idle_.store(true, std::memory_order_release);
+                done_.notify_one();
+            }
         }
     }
 
@@ -102,8 +129,10 @@ class Crew
     std::condition_variable wake_, done_;
     const Turn* turn_ = nullptr;  // absent: no loop
     std::size_t count_ = 0, next_ = 0, range_ = 1;
-    std::size_t places_ = 0;   // helpers that may still join this loop
-    std::size_t at_work_ = 0;  // helpers in it
+    std::size_t places_ = 0;              // helpers that may still join this loop
+    std::size_t at_work_ = 0;             // helpers in it
+    std::atomic<std::size_t> begun_ = 0;  // loops
+    std::atomic<bool> idle_ = true;       // no helper is at work
     std::exception_ptr failure_;
     bool leaves_ = false;
     std::vector<std::thread> helpers_;
@@ -111,14 +140,11 @@ class Crew
 
 }  // namespace
 
-void in_parallel(std::size_t count, int threads, const Turn& turn)
+void parallel::divide(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& turn)
 {
-    if (threads <= 1 || count < least_count) {
-        if (count > 0) turn(0, count);
-        return;
-    }
+    static const int cores = static_cast<int>(std::max(2U, std::thread::hardware_concurrency()));
     thread_local Crew crew;
-    crew.run(count, threads, turn);
+    crew.run(count, std::min(threads, cores), turn);  // more would stand in one another's way
 }
 
 }  // namespace voussoir

@@ -7,12 +7,42 @@
 namespace voussoir
 {
 
+namespace parallel
+{
+
+constexpr std::size_t least_count = 257;  // below it waking threads takes longer than a loop over small turns
+
+/// The loop itself, on more than one thread.
+void divide(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& turn);
+
+}  // namespace parallel
+
 /// Calls `turn(first, end)` for consecutive ranges that together make up 0 ... count, on at most `threads`
 /// threads, the caller's among them. Which thread does which range is left open, so a turn may depend on its own
-/// index only. Helpers belong to the calling thread; they wait on a condition variable, never in a loop, and the
-/// caller does what none of them has begun: beside a busy process a loop waits for no thread that has not been
-/// given a core.
+/// index only. Helpers belong to the calling thread; after a loop they stay awake for 50 microseconds, then sleep,
+/// and the caller does what none of them has begun: beside a busy process a loop waits for no thread that has not
+/// been given a core.
 /// @throws what a turn throws, one of them, when all threads have left the loop
-void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& turn);
+template <class Turn>
+void in_parallel(std::size_t count, int threads, const Turn& turn)
+{
+    if (threads > 1 && count >= parallel::least_count)
+        parallel::divide(count, threads, std::cref(turn));
+    else if (count > 0)
+        turn(std::size_t{0}, count);
+}
+
+/// The same for few turns of which each is worth a thread: calls `turn(i)` for every i of 0 ... count.
+template <class Turn>
+void each_in_parallel(std::size_t count, int threads, const Turn& turn)
+{
+    const auto range = [&turn](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) turn(i);
+    };
+    if (threads > 1 && count > 1)
+        parallel::divide(count, threads, range);
+    else
+        range(0, count);
+}
 
 }  // namespace voussoir

@@ -36,26 +36,44 @@ struct Kernels {
         }
     }
 
+    /// Rows first ... end of the same product, to the same bits: each row collects what multiply() sends to it.
+    static void multiply_rows(const BlockMatrix& m, const ColumnsOf& columns, int first, int end,
+                              const Eigen::VectorXd& x, Eigen::VectorXd& y)
+    {
+        for (int i = first; i < end; ++i) {
+            Segment sum = block(m, m.diagonal(i)).lazyProduct(x.segment<N>(N * i));
+            for (int p = m.row_start[i]; p < m.diagonal(i); ++p)
+                sum += block(m, p).lazyProduct(x.segment<N>(N * m.columns[p]));
+            for (int k = columns.start[i]; k < columns.start[i + 1]; ++k)
+                sum += block(m, columns.positions[k]).transpose().lazyProduct(x.segment<N>(N * columns.rows[k]));
+            y.segment<N>(N * i) = sum;
+        }
+    }
+
     /// L with L L^T = A on the pattern of A: L_ij = (A_ij - sum_k L_ik L_jk^T) L_jj^-T. The inverse of each
     /// diagonal block is stored in its place. A diagonal block that loses definiteness by the dropped fill keeps
     /// the factor of A_ii alone.
     static void factorise(const BlockMatrix& a, BlockMatrix& l)
     {
         l.values = a.values;
-        for (int i = 0; i < a.rows(); ++i) {
-            Square diagonal = block(l, l.diagonal(i));
-            for (int p = l.row_start[i]; p < l.diagonal(i); ++p) {
-                const int j = l.columns[p];
-                Square sum = block(l, p);
-                subtract_common(l, i, p, j, sum);
-                const Square lij = sum.lazyProduct(block(l, l.diagonal(j)).transpose());
-                Block(l.block(p)) = lij;
-                diagonal -= lij.lazyProduct(lij.transpose());
-            }
-            Eigen::LLT<Square> cholesky(diagonal);
-            if (cholesky.info() != Eigen::Success) cholesky.compute(block(a, a.diagonal(i)));
-            Block(l.block(l.diagonal(i))) = inverse_of_lower(cholesky.matrixLLT());
+        for (int i = 0; i < a.rows(); ++i) factorise_row(block(a, a.diagonal(i)), i, l);
+    }
+
+    /// One row of it, which holds that of A before. @param own diagonal block of A
+    static void factorise_row(const ConstBlock& own, int i, BlockMatrix& l)
+    {
+        Square diagonal = own;
+        for (int p = l.row_start[i]; p < l.diagonal(i); ++p) {
+            const int j = l.columns[p];
+            Square sum = block(l, p);
+            subtract_common(l, i, p, j, sum);
+            const Square lij = sum.lazyProduct(block(l, l.diagonal(j)).transpose());
+            Block(l.block(p)) = lij;
+            diagonal -= lij.lazyProduct(lij.transpose());
         }
+        Eigen::LLT<Square> cholesky(diagonal);
+        if (cholesky.info() != Eigen::Success) cholesky.compute(own);
+        Block(l.block(l.diagonal(i))) = inverse_of_lower(cholesky.matrixLLT());
     }
 
     /// L^-1 row by row, kept as columns of its transpose so that whole columns are combined at a time.
@@ -80,21 +98,40 @@ struct Kernels {
         }
     }
 
+    /// z = (L L^T)^-1 r
     static void precondition(const BlockMatrix& l, const Eigen::VectorXd& r, Eigen::VectorXd& z)
     {
         z = r;
-        for (int i = 0; i < l.rows(); ++i) {
-            Segment sum = z.segment<N>(N * i);
-            for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
-                sum -= block(l, p).lazyProduct(z.segment<N>(N * l.columns[p]));
-            z.segment<N>(N * i) = block(l, l.diagonal(i)).lazyProduct(sum);
-        }
+        forward(l, 0, l.rows(), z);
         for (int i = l.rows() - 1; i >= 0; --i) {
             const Segment known = z.segment<N>(N * i);
             const Segment zi = block(l, l.diagonal(i)).transpose().lazyProduct(known);
             z.segment<N>(N * i) = zi;
             for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
                 z.segment<N>(N * l.columns[p]) -= block(l, p).transpose().lazyProduct(zi);
+        }
+    }
+
+    /// Rows first ... end of z = L^-1 z, all that they need of those before known.
+    static void forward(const BlockMatrix& l, int first, int end, Eigen::VectorXd& z)
+    {
+        for (int i = first; i < end; ++i) {
+            Segment sum = z.segment<N>(N * i);
+            for (int p = l.row_start[i]; p < l.diagonal(i); ++p)
+                sum -= block(l, p).lazyProduct(z.segment<N>(N * l.columns[p]));
+            z.segment<N>(N * i) = block(l, l.diagonal(i)).lazyProduct(sum);
+        }
+    }
+
+    /// The same of z = L^-T z, all that they need of those behind known.
+    static void backward_by_columns(const BlockMatrix& l, const ColumnsOf& below, int first, int end,
+                                    Eigen::VectorXd& z)
+    {
+        for (int j = end - 1; j >= first; --j) {
+            Segment sum = z.segment<N>(N * j);
+            for (int k = below.start[j + 1] - 1; k >= below.start[j]; --k)
+                sum -= block(l, below.positions[k]).transpose().lazyProduct(z.segment<N>(N * below.rows[k]));
+            z.segment<N>(N * j) = block(l, l.diagonal(j)).transpose().lazyProduct(sum);
         }
     }
 };

@@ -15,6 +15,27 @@ int BlockMatrix::position(int row, int column) const
     return static_cast<int>(found - columns.begin());
 }
 
+ColumnsOf columns_of(const BlockMatrix& pattern)
+{
+    ColumnsOf result;
+    result.start.assign(pattern.rows() + 1, 0);
+    const auto below = [&](auto&& visit) {
+        for (int i = 0; i < pattern.rows(); ++i)
+            for (int p = pattern.row_start[i]; p < pattern.diagonal(i); ++p) visit(i, p);
+    };
+    below([&](int, int p) { ++result.start[pattern.columns[p] + 1]; });
+    for (int j = 0; j < pattern.rows(); ++j) result.start[j + 1] += result.start[j];
+    result.rows.resize(result.start.back());
+    result.positions.resize(result.start.back());
+    std::vector<int> place(result.start.begin(), result.start.end() - 1);
+    below([&](int i, int p) {
+        int& at = place[pattern.columns[p]];
+        result.rows[at] = i;
+        result.positions[at++] = p;
+    });
+    return result;
+}
+
 bool set_pattern(BlockMatrix& matrix, int block_size, int rows, std::vector<std::pair<int, int>>& pairs)
 {
     std::sort(pairs.begin(), pairs.end());

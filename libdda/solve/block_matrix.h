@@ -23,6 +23,14 @@ struct BlockMatrix {
     int position(int row, int column) const;
 };
 
+/// What of a pattern lies below the diagonal, by columns: rows ascending.
+struct ColumnsOf {
+    std::vector<int> start;      // (columns + 1)
+    std::vector<int> rows;       // (blocks below the diagonal)
+    std::vector<int> positions;  // of the same blocks in the matrix
+};
+ColumnsOf columns_of(const BlockMatrix& pattern);
+
 /// Gives the matrix the pattern of `rows` diagonal blocks and the given pairs (row > column; any order, repeats
 /// allowed), and sets it to zero. Returns whether the pattern is a new one.
 bool set_pattern(BlockMatrix& matrix, int block_size, int rows, std::vector<std::pair<int, int>>& pairs);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "libdda/model/parallel.h"
 #include "libdda/solve/aggregates.h"
 #include "libdda/solve/block_kernels.h"
 
@@ -84,9 +85,9 @@ class CoarseSpace::Implementation
 {
  public:
     virtual ~Implementation() = default;
-    virtual bool prepare(const BlockMatrix& matrix) = 0;
-    virtual void start(const VectorXd& b, VectorXd& x) = 0;
-    virtual void correct(const VectorXd& r, VectorXd& z) = 0;
+    virtual bool prepare(const BlockMatrix& matrix, const ColumnsOf& columns, int threads) = 0;
+    virtual void start(const VectorXd& b, int threads, VectorXd& x) = 0;
+    virtual void correct(const VectorXd& r, int threads, VectorXd& z) = 0;
 
     RowPlaces places;
 };
@@ -106,7 +107,7 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
     using Lever = typename Shape::Lever;
 
  public:
-    bool prepare(const BlockMatrix& matrix) override
+    bool prepare(const BlockMatrix& matrix, const ColumnsOf& columns, int threads) override
     {
         const int rows = matrix.rows();
         if (rows < least_rows || static_cast<int>(places.free.size()) != rows || matrix.block_size != n)
@@ -114,32 +115,51 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         if (static_cast<double>(matrix.columns.size()) < (1 + least_contacts) * rows) return false;
         if (columns_ != matrix.columns || row_start_ != matrix.row_start || free_ != places.free) analyse(matrix);
         if (aggregates_.count < 2) return false;
-        set_levers();
-        multiply(matrix);
-        project();
+        in_parallel(levers_.size(), threads, [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i)
+                levers_[i] = Eigen::Map<const Lever>(places.centres.data() + D * i);
+        });
+        each_aggregate(threads, [&](int a) { set_levers(a); });
+        product_.values.resize(product_.columns.size() * n * n);
+        in_parallel(levers_.size(), threads, [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i) multiply(matrix, columns, static_cast<int>(i));
+        });
+        coarse_.values.resize(coarse_.columns.size() * n * n);
+        each_aggregate(threads, [&](int a) { project(a); });
         K::factorise(coarse_, factor_);
         return true;
     }
 
-    void start(const VectorXd& b, VectorXd& x) override
+    void start(const VectorXd& b, int threads, VectorXd& x) override
     {
-        gather(b);
+        load_.resize(n * aggregates_.count);
+        each_aggregate(threads, [&](int a) { gather(b, a); });
         x.setZero(b.size());
-        spread(x);
+        spread(threads, x);
     }
 
-    void correct(const VectorXd& r, VectorXd& z) override
+    void correct(const VectorXd& r, int threads, VectorXd& z) override
     {
-        gather(r);
-        for (std::size_t i = 0; i < aggregates_.of_row.size(); ++i) {
-            const Segment zi = z.segment<n>(n * i);
-            for (int p = product_.row_start[i]; p < product_.row_start[i + 1]; ++p)
-                load_.segment<n>(n * product_.columns[p]) -= K::block(product_, p).transpose().lazyProduct(zi);
-        }
-        spread(z);
+        load_.resize(n * aggregates_.count);
+        each_aggregate(threads, [&](int a) {
+            gather(r, a);
+            Segment load = load_.segment<n>(n * a);
+            for (int k = met_by_.start[a]; k < met_by_.start[a + 1]; ++k)
+                load -= K::block(product_, met_by_.positions[k])
+                            .transpose()
+                            .lazyProduct(z.segment<n>(n * met_by_.rows[k]));
+            load_.segment<n>(n * a) = load;
+        });
+        spread(threads, z);
     }
 
  private:
+    template <class Work>
+    void each_aggregate(int threads, const Work& work)
+    {
+        each_in_parallel(members_.size(), threads, [&](std::size_t a) { work(static_cast<int>(a)); });
+    }
+
     /// Aggregates, the pattern of K P and the envelope of P^T K P: what the pattern of the matrix decides.
     void analyse(const BlockMatrix& matrix)
     {
@@ -148,6 +168,10 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         free_ = places.free;
         const int rows = matrix.rows();
         aggregates_ = aggregate(matrix, free_, std::max(rows_in_aggregate, rows / most_aggregates));
+        members_.assign(aggregates_.count, {});
+        for (int i = 0; i < rows; ++i)
+            if (aggregates_.of_row[i] >= 0) members_[aggregates_.of_row[i]].push_back(i);
+        levers_.resize(rows);
         set_product_pattern(matrix);
         set_envelope();
     }
@@ -175,6 +199,7 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
             product_.columns.insert(product_.columns.end(), known.begin(), known.end());
             product_.row_start.push_back(static_cast<int>(product_.columns.size()));
         }
+        set_met_by();
         of_row_.clear();
         of_column_.clear();
         for (int i = 0; i < rows; ++i)
@@ -182,6 +207,23 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
                 const int j = matrix.columns[p];
                 of_row_.push_back(of[j] < 0 ? -1 : product_.position(i, of[j]));
                 of_column_.push_back(of[i] < 0 ? -1 : product_.position(j, of[i]));
+            }
+    }
+
+    /// The product's blocks by aggregates, rows ascending.
+    void set_met_by()
+    {
+        met_by_.start.assign(aggregates_.count + 1, 0);
+        for (const int a : product_.columns) ++met_by_.start[a + 1];
+        for (int a = 0; a < aggregates_.count; ++a) met_by_.start[a + 1] += met_by_.start[a];
+        met_by_.rows.resize(product_.columns.size());
+        met_by_.positions.resize(product_.columns.size());
+        std::vector<int> place(met_by_.start.begin(), met_by_.start.end() - 1);
+        for (int i = 0; i + 1 < static_cast<int>(product_.row_start.size()); ++i)
+            for (int p = product_.row_start[i]; p < product_.row_start[i + 1]; ++p) {
+                int& at = place[product_.columns[p]];
+                met_by_.rows[at] = i;
+                met_by_.positions[at++] = p;
             }
     }
 
@@ -207,89 +249,77 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
     }
 
     /// Levers from the mean of the centres of an aggregate.
-    void set_levers()
+    void set_levers(int a)
     {
-        const std::vector<int>& of = aggregates_.of_row;
-        std::vector<Lever> centre(aggregates_.count, Lever::Zero());
-        std::vector<int> members(aggregates_.count, 0);
-        levers_.resize(of.size());
-        for (std::size_t i = 0; i < of.size(); ++i) {
-            levers_[i] = Eigen::Map<const Lever>(places.centres.data() + D * i);
-            if (of[i] < 0) continue;
-            centre[of[i]] += levers_[i];
-            ++members[of[i]];
+        Lever centre = Lever::Zero();
+        for (const int i : members_[a]) centre += levers_[i];
+        for (const int i : members_[a]) levers_[i] -= centre / static_cast<double>(members_[a].size());
+    }
+
+    /// Row i of product = K P
+    void multiply(const BlockMatrix& matrix, const ColumnsOf& columns, int i)
+    {
+        std::fill(product_.block(product_.row_start[i]), product_.block(product_.row_start[i + 1]), 0.0);
+        const auto add = [&](int position, int other, Square block) {
+            if (position < 0) return;
+            Shape::right(levers_[other], block);
+            Block(product_.block(position)) += block;
+        };
+        for (int p = matrix.row_start[i]; p < matrix.row_start[i + 1]; ++p)
+            add(of_row_[p], matrix.columns[p], K::block(matrix, p));
+        for (int k = columns.start[i]; k < columns.start[i + 1]; ++k) {
+            const int p = columns.positions[k];
+            add(of_column_[p], columns.rows[k], K::block(matrix, p).transpose());
         }
-        for (std::size_t i = 0; i < of.size(); ++i)
-            if (of[i] >= 0) levers_[i] -= centre[of[i]] / members[of[i]];
     }
 
-    /// product = K P
-    void multiply(const BlockMatrix& matrix)
+    /// Row a of coarse = P^T K P
+    void project(int a)
     {
-        product_.values.assign(product_.columns.size() * n * n, 0.0);
-        for (int i = 0; i < matrix.rows(); ++i)
-            for (int p = matrix.row_start[i]; p < matrix.row_start[i + 1]; ++p) {
-                const int j = matrix.columns[p];
-                if (of_row_[p] >= 0) {
-                    Square right = K::block(matrix, p);
-                    Shape::right(levers_[j], right);
-                    Block(product_.block(of_row_[p])) += right;
-                }
-                if (i == j || of_column_[p] < 0) continue;
-                Square right = K::block(matrix, p).transpose();
-                Shape::right(levers_[i], right);
-                Block(product_.block(of_column_[p])) += right;
-            }
-    }
-
-    /// coarse = P^T K P
-    void project()
-    {
-        coarse_.values.assign(coarse_.columns.size() * n * n, 0.0);
-        for (std::size_t i = 0; i < levers_.size(); ++i) {
-            const int a = aggregates_.of_row[i];
-            if (a < 0) continue;
-            const int first = coarse_.columns[coarse_.row_start[a]];
+        const int start = coarse_.row_start[a], first = coarse_.columns[start];
+        std::fill(coarse_.block(start), coarse_.block(coarse_.row_start[a + 1]), 0.0);
+        for (const int i : members_[a])
             for (int p = product_.row_start[i]; p < product_.row_start[i + 1] && product_.columns[p] <= a; ++p) {
                 Square left = K::block(product_, p);
                 Shape::left(levers_[i], left);
-                Block(coarse_.block(coarse_.row_start[a] + product_.columns[p] - first)) += left;
+                Block(coarse_.block(start + product_.columns[p] - first)) += left;
             }
-        }
     }
 
-    /// load = P^T r
-    void gather(const VectorXd& r)
+    /// Row a of load = P^T r
+    void gather(const VectorXd& r, int a)
     {
-        load_.setZero(n * aggregates_.count);
-        for (std::size_t i = 0; i < levers_.size(); ++i) {
-            const int a = aggregates_.of_row[i];
-            if (a < 0) continue;
+        Segment load = Segment::Zero();
+        for (const int i : members_[a]) {
             Segment of_row = r.segment<n>(n * i);
             Shape::left(levers_[i], of_row);
-            load_.segment<n>(n * a) += of_row;
+            load += of_row;
         }
+        load_.segment<n>(n * a) = load;
     }
 
     /// z += P (P^T K P)^-1 load
-    void spread(VectorXd& z)
+    void spread(int threads, VectorXd& z)
     {
         K::precondition(factor_, load_, moved_);
-        for (std::size_t i = 0; i < levers_.size(); ++i) {
-            const int a = aggregates_.of_row[i];
-            if (a < 0) continue;
-            Segment of_row = moved_.segment<n>(n * a);
-            Shape::spread(levers_[i], of_row);
-            z.segment<n>(n * i) += of_row;
-        }
+        each_aggregate(threads, [&](int a) {
+            const Segment of_all = moved_.segment<n>(n * a);
+            for (const int i : members_[a]) {
+                Segment of_row = of_all;
+                Shape::spread(levers_[i], of_row);
+                z.segment<n>(n * i) += of_row;
+            }
+        });
     }
 
     std::vector<int> columns_, row_start_;  // of the matrix that was analysed
     std::vector<char> free_;
     Aggregates aggregates_;
-    std::vector<Lever> levers_;            // m, (rows)
-    BlockMatrix product_;                  // K P: rows x aggregates, not only a lower triangle
-    std::vector<int> of_row_, of_column_;  // of each block of the matrix: its positions in the product
+    std::vector<std::vector<int>> members_;  // rows of the aggregates, ascending
+    std::vector<Lever> levers_;              // m, (rows)
+    BlockMatrix product_;                    // K P: rows x aggregates, not only a lower triangle
+    ColumnsOf met_by_;                       // the same by aggregates
+    std::vector<int> of_row_, of_column_;    // of each block of the matrix: its positions in the product
     BlockMatrix coarse_, factor_;
     VectorXd load_, moved_;  // (aggregates x unknowns)
 };
@@ -323,19 +353,19 @@ void CoarseSpace::place(const RowPlaces& places)
     implementation_->places = places;
 }
 
-bool CoarseSpace::prepare(const BlockMatrix& matrix)
+bool CoarseSpace::prepare(const BlockMatrix& matrix, const ColumnsOf& columns, int threads)
 {
-    return implementation_ && implementation_->prepare(matrix);
+    return implementation_ && implementation_->prepare(matrix, columns, threads);
 }
 
-void CoarseSpace::start(const VectorXd& b, VectorXd& x)
+void CoarseSpace::start(const VectorXd& b, int threads, VectorXd& x)
 {
-    implementation_->start(b, x);
+    implementation_->start(b, threads, x);
 }
 
-void CoarseSpace::correct(const VectorXd& r, VectorXd& z)
+void CoarseSpace::correct(const VectorXd& r, int threads, VectorXd& z)
 {
-    implementation_->correct(r, z);
+    implementation_->correct(r, threads, z);
 }
 
 }  // namespace voussoir::solve

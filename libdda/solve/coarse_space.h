@@ -26,12 +26,14 @@ class CoarseSpace
 
     /// Where the rows of the matrices to come are.
     void place(const RowPlaces& places);
-    /// Gets ready for a matrix. @returns false where it would not pay: no places, few rows, or a chain
-    bool prepare(const BlockMatrix& matrix);
+    /// Gets ready for a matrix. Results do not depend on the number of threads, here or below.
+    /// @param columns of the matrix
+    /// @returns false where it would not pay: no places, few rows, or a chain
+    bool prepare(const BlockMatrix& matrix, const ColumnsOf& columns, int threads);
     /// x = P (P^T K P)^-1 P^T b
-    void start(const Eigen::VectorXd& b, Eigen::VectorXd& x);
+    void start(const Eigen::VectorXd& b, int threads, Eigen::VectorXd& x);
     /// z += P (P^T K P)^-1 P^T (r - K z)
-    void correct(const Eigen::VectorXd& r, Eigen::VectorXd& z);
+    void correct(const Eigen::VectorXd& r, int threads, Eigen::VectorXd& z);
 
     /// What works for one kinematics.
     class Implementation;

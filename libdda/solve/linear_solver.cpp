@@ -17,6 +17,7 @@ class FallbackSolver : public LinearSolver
 
     void place(const RowPlaces& places) override { iterative_->place(places); }
     void set_tolerance(double tolerance) override { iterative_->set_tolerance(tolerance); }
+    void use_threads(int threads) override { iterative_->use_threads(threads); }
 
     LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
                        Eigen::VectorXd& solution) override
@@ -32,6 +33,10 @@ class FallbackSolver : public LinearSolver
     }
 
     bool prepare(const BlockMatrix& matrix) override { return iterative_->prepare(matrix); }
+    void multiply(const BlockMatrix& matrix, const Eigen::VectorXd& x, Eigen::VectorXd& y) override
+    {
+        iterative_->multiply(matrix, x, y);
+    }
     void precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) override { iterative_->precondition(r, z); }
 
  private:
@@ -39,6 +44,11 @@ class FallbackSolver : public LinearSolver
 };
 
 }  // namespace
+
+void LinearSolver::multiply(const BlockMatrix& matrix, const Eigen::VectorXd& x, Eigen::VectorXd& y)
+{
+    solve::multiply(matrix, x, y);
+}
 
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, double tolerance)
 {

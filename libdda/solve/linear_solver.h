@@ -28,12 +28,16 @@ class LinearSolver
     virtual void place(const RowPlaces& /*places*/) {}
     /// Relative residual that is good enough from now on; nothing to a direct solver.
     virtual void set_tolerance(double /*tolerance*/) {}
+    /// On how many threads it may work from now on; results do not depend on it.
+    virtual void use_threads(int /*threads*/) {}
     /// @param matrix SPD; @param right_hand_side, solution (rows x block_size)
     virtual LinearReport solve(const BlockMatrix& matrix, const Eigen::VectorXd& right_hand_side,
                                Eigen::VectorXd& solution) = 0;
     /// Gets ready to precondition systems that are near this one. @returns false if that is not possible
     virtual bool prepare(const BlockMatrix& matrix) = 0;
-    /// z = K^-1 r, or nearly, with the matrix last prepared or solved with.
+    /// y = K x, K last prepared or solved with.
+    virtual void multiply(const BlockMatrix& matrix, const Eigen::VectorXd& x, Eigen::VectorXd& y);
+    /// z = K^-1 r, or nearly, with the same.
     virtual void precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "libdda/model/parallel.h"
 #include "libdda/step/contact_step.h"
 
 namespace voussoir::step
@@ -98,7 +99,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         stage.type == StageType::dynamic && stage.control.open_close == OpenClose::newton;
     step.patches.resize(contacts.patches.size());
     step.points.resize(contacts.points.size());
-    for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
+    const auto begin_patch = [&](std::size_t k) {
         const ContactPatchIn<K::dimension>& found = contacts.patches[k];
         const JointMaterial& joint = model.joint_between(found.block_a, found.block_b);
         const BlockStep<K>& a = blocks[found.block_a];
@@ -143,7 +144,10 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
             p.trial = p.shear_stiffness * p.slip_start;
             p.shear = p.status == ContactStatus::sliding ? p.trial : Vector(Vector::Zero());
         }
-    }
+    };
+    in_parallel(contacts.patches.size(), stage.control.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) begin_patch(k);
+    });
 }
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                         \

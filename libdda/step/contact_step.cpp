@@ -191,16 +191,20 @@ void sum_forces(const std::vector<PointStep<K::dimension>>& points, PatchStep<K>
 }  // namespace
 
 template <class K>
-void scale_stiffness(double factor, ContactStep<K>& step)
+void scale_stiffness(double factor, int threads, ContactStep<K>& step)
 {
-    for (const PatchStep<K>& patch : step.patches)
-        for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            PointStep<K::dimension>& p = step.points[i];
-            p.normal_stiffness *= factor;
-            p.shear_stiffness *= factor;
-            p.slip_start /= factor;
-            if (p.gap_start < 0 || patch.intact) p.gap_start /= factor;
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            const PatchStep<K>& patch = step.patches[k];
+            for (int i = patch.first; i < patch.first + patch.count; ++i) {
+                PointStep<K::dimension>& p = step.points[i];
+                p.normal_stiffness *= factor;
+                p.shear_stiffness *= factor;
+                p.slip_start /= factor;
+                if (p.gap_start < 0 || patch.intact) p.gap_start /= factor;
+            }
         }
+    });
 }
 
 template <class K>
@@ -251,27 +255,39 @@ void follow_bounds(int threads, ContactStep<K>& step)
     });
 }
 
+namespace
+{
+
+/// A patch whose points keep their states, at the iterate d.
 template <class K>
-void evaluate_published(const VectorXd& d, ContactStep<K>& step)
+void keep_states(const VectorXd& d, PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points)
 {
     using Vector = typename K::Vector;
-    for (PatchStep<K>& patch : step.patches) {
-        const PatchMove<K> move(d, patch);
-        for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            PointStep<K::dimension>& p = step.points[i];
-            move_point(move, patch, p);
-            p.linear = linear_displacement(move, p);
-            const bool closed = p.status != ContactStatus::open;
-            // Blends other than one belong to the first guess of a Newton iteration.
-            const double gap = 0.5 * (1 - p.normal_blend) * p.gap_start + 0.5 * (1 + p.normal_blend) * p.gap;
-            p.elastic_normal = p.normal = closed ? -p.normal_stiffness * gap : 0;
-            const Vector slip = 0.5 * (1 + p.shear_blend) * tangential(p.displacement, patch.normal);
-            p.trial = p.shear_stiffness * (p.slip_start + slip);
-            if (p.status == ContactStatus::locked) p.shear = p.trial;
-            if (p.status == ContactStatus::open) p.shear.setZero();
-        }
-        sum_forces(step.points, patch);
+    const PatchMove<K> move(d, patch);
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        PointStep<K::dimension>& p = points[i];
+        move_point(move, patch, p);
+        p.linear = linear_displacement(move, p);
+        const bool closed = p.status != ContactStatus::open;
+        // Blends other than one belong to the first guess of a Newton iteration.
+        const double gap = 0.5 * (1 - p.normal_blend) * p.gap_start + 0.5 * (1 + p.normal_blend) * p.gap;
+        p.elastic_normal = p.normal = closed ? -p.normal_stiffness * gap : 0;
+        const Vector slip = 0.5 * (1 + p.shear_blend) * tangential(p.displacement, patch.normal);
+        p.trial = p.shear_stiffness * (p.slip_start + slip);
+        if (p.status == ContactStatus::locked) p.shear = p.trial;
+        if (p.status == ContactStatus::open) p.shear.setZero();
     }
+    sum_forces(points, patch);
+}
+
+}  // namespace
+
+template <class K>
+void evaluate_published(const VectorXd& d, int threads, ContactStep<K>& step)
+{
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) keep_states(d, step.patches[k], step.points);
+    });
 }
 
 template <class K>
@@ -300,13 +316,13 @@ bool switch_published(ContactStep<K>& step)
 }
 
 #define VOUSSOIR_INSTANTIATE(K)                                                            \
-    template void scale_stiffness(double, ContactStep<K>&);                                \
+    template void scale_stiffness(double, int, ContactStep<K>&);                           \
     template void evaluate_contacts(const VectorXd&, FrictionBound, int, ContactStep<K>&); \
     template void evaluate_patch(const VectorXd&, FrictionBound, PatchStep<K>&,            \
                                  std::vector<PointStep<K::dimension>>&);                   \
     template void follow_bound(PatchStep<K>&, std::vector<PointStep<K::dimension>>&);      \
     template void follow_bounds(int, ContactStep<K>&);                                     \
-    template void evaluate_published(const VectorXd&, ContactStep<K>&);                    \
+    template void evaluate_published(const VectorXd&, int, ContactStep<K>&);               \
     template bool switch_published(ContactStep<K>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE

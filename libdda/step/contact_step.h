@@ -83,7 +83,7 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
 
 /// Multiplies the stiffness of all contacts. The forces at the start of the step stay.
 template <class K>
-void scale_stiffness(double factor, ContactStep<K>& step);
+void scale_stiffness(double factor, int threads, ContactStep<K>& step);
 
 /// Forces at the iterate D (rows x unknowns), point by point and summed per patch.
 template <class K>
@@ -105,7 +105,7 @@ void follow_bounds(int threads, ContactStep<K>& step);
 /// The same by the published open-close rules: every point keeps its status; a sliding point carries the friction
 /// of the pass before as a load.
 template <class K>
-void evaluate_published(const Eigen::VectorXd& d, ContactStep<K>& step);
+void evaluate_published(const Eigen::VectorXd& d, int threads, ContactStep<K>& step);
 
 /// New states of all points by the published rules. @returns whether any changed
 template <class K>

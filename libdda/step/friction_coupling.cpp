@@ -1,6 +1,6 @@
 #include "libdda/step/friction_coupling.h"
 
-#include "libdda/solve/conjugate_gradients.h"
+#include "libdda/model/parallel.h"
 #include "libdda/step/part_timer.h"
 #include "libdda/step/step_system.h"
 #include "libdda/step/turning.h"
@@ -69,7 +69,9 @@ template <class K>
 bool FrictionCoupling<K>::gather(const StepSystem<K>& system)
 {
     points_.clear();
+    first_of_patch_.clear();
     for (const PatchStep<K>& patch : system.contacts.patches) {
+        first_of_patch_.push_back(static_cast<int>(points_.size()));
         if (patch.row_a < 0 && patch.row_b < 0) continue;
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             const PointStep<K::dimension>& p = system.contacts.points[i];
@@ -77,23 +79,46 @@ bool FrictionCoupling<K>::gather(const StepSystem<K>& system)
             points_.push_back({patch.row_a, patch.row_b, p.lever_a, p.lever_b, left_out(patch, p)});
         }
     }
+    first_of_patch_.push_back(static_cast<int>(points_.size()));
     return !points_.empty();
 }
 
 template <class K>
-void FrictionCoupling<K>::add_product(const StepSystem<K>& system, const Eigen::VectorXd& x,
-                                      Eigen::VectorXd& y) const
+void FrictionCoupling<K>::add_product(StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y)
 {
     using Vector = typename K::Vector;
     constexpr int n = K::unknowns;
-    for (const Point& p : points_) {
-        Vector apart = Vector::Zero();
-        if (p.row_a >= 0) apart += moved<K>(x.segment<n>(n * p.row_a), p.lever_a);
-        if (p.row_b >= 0) apart -= moved<K>(x.segment<n>(n * p.row_b), p.lever_b);
-        const Vector shear = p.tangent * apart;
-        if (p.row_a >= 0) add_to_free<K>(system, p.row_a, p.lever_a, shear, y);
-        if (p.row_b >= 0) add_to_free<K>(system, p.row_b, p.lever_b, Vector(-shear), y);
+    shears_.resize(points_.size());
+    in_parallel(points_.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
+            const Point& p = points_[i];
+            Vector apart = Vector::Zero();
+            if (p.row_a >= 0) apart += moved<K>(x.segment<n>(n * p.row_a), p.lever_a);
+            if (p.row_b >= 0) apart -= moved<K>(x.segment<n>(n * p.row_b), p.lever_b);
+            shears_[i] = p.tangent * apart;
+        }
+    });
+    const auto add = [&](int i, bool to_a) {
+        const Point& p = points_[i];
+        if (to_a)
+            add_to_free<K>(system, p.row_a, p.lever_a, shears_[i], y);
+        else
+            add_to_free<K>(system, p.row_b, p.lever_b, Vector(-shears_[i]), y);
+    };
+    if (system.threads <= 1) {
+        for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
+            if (points_[i].row_a >= 0) add(i, true);
+            if (points_[i].row_b >= 0) add(i, false);
+        }
+        return;
     }
+    // Row by row, in the same order.
+    system.patches_of_rows.find(system.contacts.patches, system.block_of_row.size());
+    in_parallel(system.block_of_row.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (int row = static_cast<int>(first); row < static_cast<int>(end); ++row)
+            for (const int k : system.patches_of_rows.of(row))
+                for (int i = first_of_patch_[k]; i < first_of_patch_[k + 1]; ++i) add(i, points_[i].row_a == row);
+    });
 }
 
 template <class K>
@@ -109,7 +134,7 @@ bool FrictionCoupling<K>::solve_direction(const StepControl& control, double tol
     if (!system.solver->prepare(system.matrix)) return false;
     ++report.factorisations;
     const auto multiply = [&](const VectorXd& x, VectorXd& y) {
-        solve::multiply(system.matrix, x, y);
+        system.solver->multiply(system.matrix, x, y);
         add_product(system, x, y);
         add_one_sided(system, x, y);
     };

@@ -24,7 +24,7 @@ class FrictionCoupling
     /// From the contacts as they were last evaluated, with the exact bound. @returns whether there is anything
     bool gather(const StepSystem<K>& system);
     /// y += C x, (rows x unknowns) each.
-    void add_product(const StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+    void add_product(StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y);
     /// Solves, as last gathered, (K + C) direction = -residual at the last evaluation, K the stiffness with the
     /// bound frozen. @param tolerance of what is left of the residual, as a share of it
     /// @returns false if there is no solution to this tolerance
@@ -38,6 +38,8 @@ class FrictionCoupling
         typename K::Matrix tangent;           // N/m
     };
     std::vector<Point> points_;
+    std::vector<int> first_of_patch_;         // (patches + 1) index into points_
+    std::vector<typename K::Vector> shears_;  // N, scratch
     solve::Gmres gmres_;
 };
 

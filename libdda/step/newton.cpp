@@ -1,9 +1,11 @@
 #include "libdda/step/newton.h"
 
 #include <Eigen/Core>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
+#include "libdda/model/parallel.h"
 #include "libdda/step/bold_steps.h"
 #include "libdda/step/line_search.h"
 #include "libdda/step/strength.h"
@@ -76,7 +78,7 @@ bool is_loose(const std::vector<ContactStatus>& before, const std::vector<PointS
 template <class K>
 bool solve_with_states(const StepControl& control, StepSystem<K>& system, StepReport& report)
 {
-    evaluate_published(system.d, system.contacts);
+    evaluate_published(system.d, control.threads, system.contacts);
     if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
     if (!solve_direction(control, true, 1, system, report)) return fail(Trouble::singular_system, report);
     ++report.open_close_iterations;
@@ -135,13 +137,17 @@ std::size_t note_changes(StepSystem<K>& system)
 {
     const auto& points = system.contacts.points;
     const auto state_of = [](const auto& p) { return 2 * static_cast<int>(p.status) + (p.turns_round ? 1 : 0); };
-    std::size_t changes = 0;
+    std::atomic<std::size_t> changes = 0;
     if (system.states.size() != points.size()) system.states.assign(points.size(), -1);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const int state = state_of(points[i]);
-        changes += system.states[i] != state;
-        system.states[i] = state;
-    }
+    in_parallel(points.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        std::size_t found = 0;
+        for (std::size_t i = first; i < end; ++i) {
+            const int state = state_of(points[i]);
+            found += system.states[i] != state;
+            system.states[i] = state;
+        }
+        changes += found;
+    });
     return changes;
 }
 
@@ -213,13 +219,13 @@ bool find_states_softened(const Stage& stage, StepSystem<K>& system, StepReport&
     const bool is_static = stage.type == StageType::static_equilibrium;
     for (double share = is_static ? softest : softness; share < 1;) {
         const double next = is_static ? hardening * share : 1;
-        scale_stiffness(share, system.contacts);
+        scale_stiffness(share, control.threads, system.contacts);
         descend(stage, soft_tolerance, Known::nothing, system, report);
-        scale_stiffness(next / share, system.contacts);
+        scale_stiffness(next / share, control.threads, system.contacts);
         report.trouble = Trouble::none;
         if (!system.residual.allFinite()) system.d.setZero();
         const bool solved = solve_with_states(control, system, report);
-        scale_stiffness(1 / next, system.contacts);
+        scale_stiffness(1 / next, control.threads, system.contacts);
         if (!solved) return false;
         system.d += system.direction;
         share = next;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "libdda/model/parallel.h"
 #include "libdda/step/contact_stiffness.h"
 #include "libdda/step/step_system.h"
 
@@ -34,23 +35,10 @@ void clear_held(const BlockStep<K>& block, Vector&& residual)
 }  // namespace
 
 template <class K>
-void Relaxation<K>::gather(const StepSystem<K>& system)
+void Relaxation<K>::gather(StepSystem<K>& system)
 {
     const std::size_t rows = system.block_of_row.size();
-    start_.assign(rows + 1, 0);
-    const auto for_rows = [&](auto&& visit) {
-        for (std::size_t k = 0; k < system.contacts.patches.size(); ++k) {
-            const PatchStep<K>& patch = system.contacts.patches[k];
-            for (const int row : {patch.row_a, patch.row_b})
-                if (row >= 0) visit(row, static_cast<int>(k));
-        }
-    };
-    for_rows([&](int row, int) { ++start_[row + 1]; });
-    for (std::size_t row = 0; row < rows; ++row) start_[row + 1] += start_[row];
-    patches_.resize(start_[rows]);
-    std::vector<int> place(start_.begin(), start_.end() - 1);
-    for_rows([&](int row, int k) { patches_[place[row]++] = k; });
-
+    system.patches_of_rows.find(system.contacts.patches, rows);
     tied_.assign(rows, false);
     const auto tie = [&](int block) {
         if (const int row = system.blocks[block].row; row >= 0) tied_[row] = true;
@@ -59,7 +47,75 @@ void Relaxation<K>::gather(const StepSystem<K>& system)
     for (const Coupling<K>& coupling : system.applied.couplings) tie(coupling.block), tie(coupling.other);
     for (const BarStep<K>& bar : system.bars) tie(bar.bar->block_a), tie(bar.bar->block_b);
     has_moved_.assign(system.contacts.patches.size(), false);
+    if (columns_ != system.matrix.columns || row_start_ != system.matrix.row_start) divide(system.matrix);
     is_ready_ = true;
+}
+
+template <class K>
+void Relaxation<K>::divide(const solve::BlockMatrix& pattern)
+{
+    columns_ = pattern.columns;
+    row_start_ = pattern.row_start;
+    domains_ = solve::divide_into_domains(pattern);
+    inside_.resize(domains_.count);
+    border_.resize(domains_.count);
+    const int rows = pattern.rows();
+    const std::vector<int>& of = domains_.of_row;
+    is_at_border_.assign(rows, false);
+    turns_.clear();
+    if (domains_.count == 1) return;
+    const auto for_pairs = [&](auto&& visit) {
+        for (int row = 0; row < rows; ++row)
+            for (int p = row_start_[row]; p < row_start_[row + 1]; ++p) visit(row, columns_[p]);
+    };
+    for_pairs([&](int row, int other) {
+        if (of[row] != of[other]) is_at_border_[row] = is_at_border_[other] = true;
+    });
+    // The domains whose border rows touch a row, by being it or by moving it.
+    std::vector<std::vector<int>> touched_by(rows);
+    const auto touch = [&](int border, int row) {
+        if (is_at_border_[border]) touched_by[row].push_back(of[border]);
+    };
+    for_pairs([&](int row, int other) { touch(row, other), touch(other, row); });
+    std::vector<std::vector<char>> meet(domains_.count, std::vector<char>(domains_.count, false));
+    for (const std::vector<int>& domains : touched_by)
+        for (const int one : domains)
+            for (const int other : domains) meet[one][other] = true;
+    for (int domain = 0; domain < domains_.count; ++domain) {
+        const auto is_free = [&](const std::vector<int>& turn) {
+            return std::none_of(turn.begin(), turn.end(), [&](int other) { return meet[domain][other]; });
+        };
+        auto turn = std::find_if(turns_.begin(), turns_.end(), is_free);
+        if (turn == turns_.end()) turn = turns_.insert(turn, std::vector<int>());
+        turn->push_back(domain);
+    }
+}
+
+template <class K>
+void Relaxation<K>::share_out()
+{
+    for (Moves& moves : inside_) moves.due.clear();
+    for (Moves& moves : border_) moves.due.clear();
+    for (const int row : due_)
+        if (!tied_[row]) (is_at_border_[row] ? border_ : inside_)[domains_.of_row[row]].due.push_back(row);
+}
+
+template <class K>
+template <class Work>
+void Relaxation<K>::everywhere(bool back, int threads, const Work& work)
+{
+    const auto inside = [&] {
+        each_in_parallel(inside_.size(), threads, [&](std::size_t domain) { work(inside_[domain]); });
+    };
+    const auto at_borders = [&](const std::vector<int>& turn) {
+        each_in_parallel(turn.size(), threads, [&](std::size_t i) { work(border_[turn[i]]); });
+    };
+    if (!back) inside();
+    if (back)
+        std::for_each(turns_.rbegin(), turns_.rend(), at_borders);
+    else
+        std::for_each(turns_.begin(), turns_.end(), at_borders);
+    if (back) inside();
 }
 
 template <class K>
@@ -67,8 +123,8 @@ typename K::Square Relaxation<K>::tangent_of(int row, const StepSystem<K>& syste
 {
     const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
     typename K::Square tangent = block.base;
-    for (int i = start_[row]; i < start_[row + 1]; ++i) {
-        const PatchStep<K>& patch = system.contacts.patches[patches_[i]];
+    for (const int k : system.patches_of_rows.of(row)) {
+        const PatchStep<K>& patch = system.contacts.patches[k];
         add_block_stiffness(patch, system.contacts.points, patch.row_a == row, tangent);
     }
     for (int k = 0; k < K::unknowns; ++k) {
@@ -95,7 +151,7 @@ void Relaxation<K>::add_forces(const PatchStep<K>& patch, double sign, StepSyste
 }
 
 template <class K>
-void Relaxation<K>::move(int row, const Unknowns& to, StepSystem<K>& system)
+void Relaxation<K>::move(int row, const Unknowns& to, Moves& moves, StepSystem<K>& system)
 {
     constexpr int n = K::unknowns;
     const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
@@ -109,10 +165,9 @@ void Relaxation<K>::move(int row, const Unknowns& to, StepSystem<K>& system)
     }
     clear_held(block, residual);
     d = to;
-    for (int i = start_[row]; i < start_[row + 1]; ++i) {
-        const int k = patches_[i];
+    for (const int k : system.patches_of_rows.of(row)) {
         PatchStep<K>& patch = system.contacts.patches[k];
-        if (!has_moved_[k]) moved_.push_back(k);
+        if (!has_moved_[k]) moves.patches.push_back(k);
         has_moved_[k] = true;
         add_forces(patch, 1, system);
         evaluate_patch(system.d, FrictionBound::frozen, patch, system.contacts.points);
@@ -132,7 +187,7 @@ bool Relaxation<K>::is_balanced(int row, double unbalanced, const StepSystem<K>&
 }
 
 template <class K>
-void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
+void Relaxation<K>::relax(int row, double unbalanced, Moves& moves, StepSystem<K>& system)
 {
     constexpr int n = K::unknowns;
     for (int iteration = 0; iteration < newton_iterations; ++iteration) {
@@ -143,7 +198,7 @@ void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
         const double slope_0 = residual.dot(step);
         if (!step.allFinite() || !(slope_0 < 0)) return;
         const auto slope_at = [&](double s) {
-            move(row, from + s * step, system);
+            move(row, from + s * step, moves, system);
             return system.internal[row].admissible ? system.residual.template segment<n>(n * row).dot(step)
                                                    : std::numeric_limits<double>::infinity();
         };
@@ -163,22 +218,43 @@ void Relaxation<K>::relax(int row, double unbalanced, StepSystem<K>& system)
 }
 
 template <class K>
-void Relaxation<K>::follow_moves(double unbalanced, StepSystem<K>& system)
+void Relaxation<K>::relax_all(bool back, double unbalanced, Moves& moves, StepSystem<K>& system)
 {
-    due_.clear();
-    for (const int k : moved_) {
+    if (back) std::reverse(moves.due.begin(), moves.due.end());
+    for (const int row : moves.due) relax(row, unbalanced, moves, system);
+}
+
+template <class K>
+void Relaxation<K>::follow(Moves& moves, StepSystem<K>& system)
+{
+    moves.due.clear();
+    for (const int k : moves.patches) {
         PatchStep<K>& patch = system.contacts.patches[k];
         add_forces(patch, 1, system);
         follow_bound(patch, system.contacts.points);
         add_forces(patch, -1, system);
         has_moved_[k] = false;
         for (const int row : {patch.row_a, patch.row_b})
-            if (row >= 0) due_.push_back(row);
+            if (row >= 0) moves.due.push_back(row);
     }
-    moved_.clear();
-    std::sort(due_.begin(), due_.end());
-    due_.erase(std::unique(due_.begin(), due_.end()), due_.end());
-    std::erase_if(due_, [&](int row) { return tied_[row] || is_balanced(row, unbalanced, system); });
+    moves.patches.clear();
+}
+
+template <class K>
+void Relaxation<K>::follow_moves(double unbalanced, StepSystem<K>& system)
+{
+    everywhere(false, system.threads, [&](Moves& moves) { follow(moves, system); });
+    is_due_.assign(system.block_of_row.size(), false);
+    for (const std::vector<Moves>* all : {&inside_, &border_})
+        for (const Moves& moves : *all)
+            for (const int row : moves.due) is_due_[row] = !tied_[row];
+    in_parallel(is_due_.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t row = first; row < end; ++row)
+            if (is_due_[row]) is_due_[row] = !is_balanced(static_cast<int>(row), unbalanced, system);
+    });
+    due_.clear();
+    for (std::size_t row = 0; row < is_due_.size(); ++row)
+        if (is_due_[row]) due_.push_back(static_cast<int>(row));
 }
 
 template <class K>
@@ -194,9 +270,9 @@ void Relaxation<K>::sweep(double tolerance, double worst, StepSystem<K>& system)
         } else if (due_.empty() || static_cast<double>(due_.size()) > few * static_cast<double>(rows)) {
             break;
         }
-        if (i % 2 == 1) std::reverse(due_.begin(), due_.end());
-        for (const int row : due_)
-            if (!tied_[row]) relax(row, unbalanced, system);
+        share_out();
+        const bool back = i % 2 == 1;
+        everywhere(back, system.threads, [&](Moves& moves) { relax_all(back, unbalanced, moves, system); });
         follow_moves(unbalanced, system);
     }
     evaluate_residual(system.d, system);

@@ -1,7 +1,10 @@
 #include "libdda/step/step_system.h"
 
 #include <algorithm>
+#include <atomic>
 
+#include "libdda/model/parallel.h"
+#include "libdda/solve/incomplete_factor.h"
 #include "libdda/step/contact_stiffness.h"
 #include "libdda/step/part_timer.h"
 
@@ -73,17 +76,24 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
                      const ContactSetIn<K::dimension>& contacts, double h, const std::vector<Jump<K>>& jumps,
                      StepSystem<K>& system)
 {
-    auto jump = jumps.begin();
     const int count = static_cast<int>(model.blocks.size());
     const double end_time = state.stage_time + h;
     system.h = h;
     system.fracture = 0;
     system.blocks.resize(count);
     system.block_of_row.clear();
+    in_parallel(model.blocks.size(), stage.control.threads, [&](std::size_t first, std::size_t end) {
+        const auto earlier = [](const Jump<K>& jump, std::size_t block) {
+            return jump.block < static_cast<int>(block);
+        };
+        auto jump = std::lower_bound(jumps.begin(), jumps.end(), first, earlier);
+        for (int b = static_cast<int>(first); b < static_cast<int>(end); ++b) {
+            const bool lands = jump != jumps.end() && jump->block == b;
+            begin_block(model, stage, state, b, h, end_time, lands ? &*jump++ : nullptr, system.blocks[b]);
+        }
+    });
     for (int b = 0; b < count; ++b) {
         BlockStep<K>& block = system.blocks[b];
-        const bool lands = jump != jumps.end() && jump->block == b;
-        begin_block(model, stage, state, b, h, end_time, lands ? &*jump++ : nullptr, block);
         bool all_held = true;
         for (const bool held : block.held) all_held = all_held && held;
         block.row = all_held ? -1 : static_cast<int>(system.block_of_row.size());
@@ -96,8 +106,10 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     add_body_accelerations(stage, h, end_time, system.blocks);
     begin_contacts(model, stage, h, contacts, system.blocks, system.contacts);
     system.relaxation.begin();
+    system.patches_of_rows.begin();
 
     const int rows = static_cast<int>(system.block_of_row.size());
+    system.threads = rows < solve::least_rows_in_parts ? 1 : stage.control.threads;
     system.pairs.clear();
     for (const PatchStep<K>& patch : system.contacts.patches)
         if (patch.row_a >= 0 && patch.row_b >= 0)
@@ -107,7 +119,10 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         if (coupling.mutual && row > column && column >= 0) system.pairs.emplace_back(row, column);
     }
     add_bar_pairs(system.blocks, system.bars, system.pairs);
-    solve::set_pattern(system.matrix, K::unknowns, rows, system.pairs);
+    if (system.pairs != system.known_pairs || system.matrix.rows() != rows) {
+        system.known_pairs = system.pairs;
+        solve::set_pattern(system.matrix, K::unknowns, rows, system.pairs);
+    }
     system.d.setZero(rows * K::unknowns);
     system.residual.setZero(rows * K::unknowns);
     system.contact_force.setZero(rows * K::unknowns);
@@ -117,6 +132,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         system.solver = solve::make_linear_solver(stage.control.linear_solver, stage.control.linear_tolerance);
         system.solver_kind = stage.control.linear_solver;
     }
+    system.solver->use_threads(stage.control.threads);
     place_rows(system);
 }
 
@@ -133,26 +149,50 @@ double load_of(const BlockStep<K>& block, const InternalForce<K>& internal, doub
     return load;
 }
 
+/// What the points of a patch press [N].
+template <class K>
+double pressing_of(const PatchStep<K>& patch, const ContactStep<K>& contacts)
+{
+    double pressing = 0;
+    for (int i = patch.first; i < patch.first + patch.count; ++i) pressing += std::abs(contacts.points[i].normal);
+    return pressing;
+}
+
+template <class K>
+void add_contact_force(int row, const typename K::Unknowns& force, double pressing, StepSystem<K>& system)
+{
+    constexpr int n = K::unknowns;
+    system.contact_force.template segment<n>(n * row) += force;
+    system.load[row] += pressing;
+}
+
 template <class K>
 void gather_contact_forces(StepSystem<K>& system)
 {
-    constexpr int n = K::unknowns;
+    const ContactStep<K>& contacts = system.contacts;
     system.contact_force.setZero();
     system.load.assign(system.load.size(), 0.0);
-    for (const PatchStep<K>& patch : system.contacts.patches) {
-        double pressing = 0;
-        for (int i = patch.first; i < patch.first + patch.count; ++i)
-            pressing += std::abs(system.contacts.points[i].normal);
-        if (pressing == 0 && patch.force_a.isZero(0)) continue;
-        if (patch.row_a >= 0) {
-            system.contact_force.template segment<n>(n * patch.row_a) += patch.force_a;
-            system.load[patch.row_a] += pressing;
+    if (system.threads <= 1) {
+        for (const PatchStep<K>& patch : contacts.patches) {
+            const double pressing = pressing_of(patch, contacts);
+            if (pressing == 0 && patch.force_a.isZero(0)) continue;
+            if (patch.row_a >= 0) add_contact_force<K>(patch.row_a, patch.force_a, pressing, system);
+            if (patch.row_b >= 0) add_contact_force<K>(patch.row_b, patch.force_b, pressing, system);
         }
-        if (patch.row_b >= 0) {
-            system.contact_force.template segment<n>(n * patch.row_b) += patch.force_b;
-            system.load[patch.row_b] += pressing;
-        }
+        return;
     }
+    // Row by row, in the same order.
+    system.patches_of_rows.find(contacts.patches, system.block_of_row.size());
+    in_parallel(system.block_of_row.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (int row = static_cast<int>(first); row < static_cast<int>(end); ++row)
+            for (const int k : system.patches_of_rows.of(row)) {
+                const PatchStep<K>& patch = contacts.patches[k];
+                const double pressing = pressing_of(patch, contacts);
+                if (pressing == 0 && patch.force_a.isZero(0)) continue;
+                const auto& force = patch.row_a == row ? patch.force_a : patch.force_b;
+                add_contact_force<K>(row, force, pressing, system);
+            }
+    });
 }
 
 /// What acts on blocks by itself, at the iterate d.
@@ -178,20 +218,22 @@ bool evaluate_residual(const VectorXd& d, StepSystem<K>& system)
     gather_contact_forces(system);
     gather_applied_forces(d, system);
     add_bar_forces(d, system.end_share, system.blocks, system.bars, system.contact_force, system.load);
-    bool admissible = true;
-    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
-        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
-        const typename K::Unknowns unknowns = d.segment<n>(n * row);
-        InternalForce<K>& internal = system.internal[row];
-        internal = internal_force(block, unknowns);
-        admissible = admissible && internal.admissible;
-        auto residual = system.residual.template segment<n>(n * row);
-        residual = block.inertia * unknowns + internal.force - block.steady -
-                   system.contact_force.template segment<n>(n * row);
-        for (int k = 0; k < n; ++k)
-            if (block.held[k]) residual[k] = 0;
-        system.load[row] = load_of(block, internal, system.load[row]);
-    }
+    std::atomic<bool> admissible = true;
+    in_parallel(system.block_of_row.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t row = first; row < end; ++row) {
+            const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+            const typename K::Unknowns unknowns = d.segment<n>(n * row);
+            InternalForce<K>& internal = system.internal[row];
+            internal = internal_force(block, unknowns);
+            if (!internal.admissible) admissible = false;
+            auto residual = system.residual.template segment<n>(n * row);
+            residual = block.inertia * unknowns + internal.force - block.steady -
+                       system.contact_force.template segment<n>(n * row);
+            for (int k = 0; k < n; ++k)
+                if (block.held[k]) residual[k] = 0;
+            system.load[row] = load_of(block, internal, system.load[row]);
+        }
+    });
     return admissible;
 }
 
@@ -222,28 +264,63 @@ void hold_components(StepSystem<K>& system)
 
 }  // namespace
 
+namespace
+{
+
+/// Adds the stiffness of a patch to what the matrix has of its row a and of its row b, as asked for.
+template <class K>
+void add_patch(const PatchStep<K>& patch, bool to_a, bool to_b, solve::BlockMatrix& matrix)
+{
+    using Block = Eigen::Map<typename K::Square>;
+    if (to_a) Block(matrix.block(matrix.diagonal(patch.row_a))) += patch.aa;
+    if (to_b) Block(matrix.block(matrix.diagonal(patch.row_b))) += patch.bb;
+    if (patch.row_a < 0 || patch.row_b < 0) return;
+    // The block between them is in the lower of the two rows.
+    if (patch.row_a > patch.row_b ? to_a : to_b) {
+        if (patch.row_a > patch.row_b)
+            Block(matrix.block(matrix.position(patch.row_a, patch.row_b))) += patch.ab;
+        else
+            Block(matrix.block(matrix.position(patch.row_b, patch.row_a))) += patch.ab.transpose();
+    }
+}
+
+template <class K>
+void assemble_contacts(StepSystem<K>& system)
+{
+    if (system.threads <= 1) {
+        for (const PatchStep<K>& patch : system.contacts.patches)
+            add_patch<K>(patch, patch.row_a >= 0, patch.row_b >= 0, system.matrix);
+        return;
+    }
+    system.patches_of_rows.find(system.contacts.patches, system.block_of_row.size());
+    in_parallel(system.block_of_row.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (int row = static_cast<int>(first); row < static_cast<int>(end); ++row)
+            for (const int k : system.patches_of_rows.of(row)) {
+                const PatchStep<K>& patch = system.contacts.patches[k];
+                add_patch<K>(patch, patch.row_a == row, patch.row_b == row, system.matrix);
+            }
+    });
+}
+
+}  // namespace
+
 template <class K>
 void assemble_matrix(bool published, int threads, StepSystem<K>& system)
 {
     using Block = Eigen::Map<typename K::Square>;
     solve::BlockMatrix& matrix = system.matrix;
     contact_stiffness(published, threads, system.contacts);
-    std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
-    bool any_held = false;
-    for (int row = 0; row < matrix.rows(); ++row) {
-        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
-        Block(matrix.block(matrix.diagonal(row))) = block.base;
-        for (const bool held : block.held) any_held = any_held || held;
-    }
-    for (const PatchStep<K>& patch : system.contacts.patches) {
-        if (patch.row_a >= 0) Block(matrix.block(matrix.diagonal(patch.row_a))) += patch.aa;
-        if (patch.row_b >= 0) Block(matrix.block(matrix.diagonal(patch.row_b))) += patch.bb;
-        if (patch.row_a < 0 || patch.row_b < 0) continue;
-        if (patch.row_a > patch.row_b)
-            Block(matrix.block(matrix.position(patch.row_a, patch.row_b))) += patch.ab;
-        else
-            Block(matrix.block(matrix.position(patch.row_b, patch.row_a))) += patch.ab.transpose();
-    }
+    std::atomic<bool> any_held = false;
+    in_parallel(system.block_of_row.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (int row = static_cast<int>(first); row < static_cast<int>(end); ++row) {
+            std::fill(matrix.block(matrix.row_start[row]), matrix.block(matrix.row_start[row + 1]), 0.0);
+            const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+            Block(matrix.block(matrix.diagonal(row))) = block.base;
+            for (const bool held : block.held)
+                if (held) any_held = true;
+        }
+    });
+    assemble_contacts(system);
     for (const Coupling<K>& coupling : system.applied.couplings) {
         const int row = system.blocks[coupling.block].row, column = system.blocks[coupling.other].row;
         if (coupling.mutual && row > column && column >= 0)

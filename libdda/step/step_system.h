@@ -12,6 +12,7 @@
 #include "libdda/step/block_step.h"
 #include "libdda/step/contact_step.h"
 #include "libdda/step/friction_coupling.h"
+#include "libdda/step/patches_of_rows.h"
 #include "libdda/step/relaxation.h"
 
 namespace voussoir::step
@@ -21,9 +22,11 @@ namespace voussoir::step
 template <class K>
 struct StepSystem {
     double h = 0;                      // s
+    int threads = 1;                   // of loops over rows, which many rows alone are worth
     std::vector<BlockStep<K>> blocks;  // of the scene
     std::vector<int> block_of_row;     // blocks that have unknowns
     ContactStep<K> contacts;
+    PatchesOfRows patches_of_rows;
     AppliedForces<K> applied;                // of viscous boundaries, tied sides, mass damping; empty without
     std::vector<BarStep<K>> bars;            // of the model
     double end_share = 0;                    // of the forces of bars, taken at the end of the step
@@ -34,11 +37,12 @@ struct StepSystem {
     std::vector<InternalForce<K>> internal;  // per row
     std::vector<double> load;                // N per row: weight plus contact forces, the scale of its residual
     solve::BlockMatrix matrix;
-    std::vector<std::pair<int, int>> pairs;  // scratch of the pattern
-    solve::RowPlaces places;                 // of the rows, for the solver
-    Eigen::VectorXd direction, trial;        // scratch
-    std::vector<ContactStatus> statuses;     // scratch, per contact point
-    std::vector<int> states;                 // the same, as the iteration left them
+    std::vector<std::pair<int, int>> pairs;        // scratch of the pattern
+    std::vector<std::pair<int, int>> known_pairs;  // those of the step before: they make the pattern that is there
+    solve::RowPlaces places;                       // of the rows, for the solver
+    Eigen::VectorXd direction, trial;              // scratch
+    std::vector<ContactStatus> statuses;           // scratch, per contact point
+    std::vector<int> states;                       // the same, as the iteration left them
     FrictionCoupling<K> coupling;
     Relaxation<K> relaxation;
     std::unique_ptr<solve::LinearSolver> solver;

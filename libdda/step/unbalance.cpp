@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
+
+#include "libdda/model/parallel.h"
 
 namespace voussoir::step
 {
@@ -11,8 +14,7 @@ Unbalance unbalance(const StepSystem<K>& system, double tolerance)
 {
     constexpr int n = K::unknowns, dimension = K::dimension;
     constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
-    Unbalance most;
-    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
+    const auto look_at = [&](std::size_t row, Unbalance& most) {
         const int b = system.block_of_row[row];
         const BlockStep<K>& block = system.blocks[b];
         const auto r = system.residual.template segment<n>(n * row);
@@ -24,10 +26,19 @@ Unbalance unbalance(const StepSystem<K>& system, double tolerance)
         const double floor =
             rounding * (stiffness * block.size + block.base.diagonal().template head<dimension>().norm() * moved);
         const double allowed = tolerance * system.load[row] + floor + std::numeric_limits<double>::min();
-        if (force / allowed <= most.worst) continue;
-        most = {force / allowed, system.load[row] > 0 ? force / system.load[row] : 0, b};
-    }
-    return most;
+        if (force / allowed > most.worst)
+            most = {force / allowed, system.load[row] > 0 ? force / system.load[row] : 0, b};
+    };
+    Unbalance worst;
+    std::mutex mutex;
+    in_parallel(system.block_of_row.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        Unbalance most;
+        for (std::size_t row = first; row < end; ++row) look_at(row, most);
+        const std::lock_guard lock(mutex);
+        // Of equals the first.
+        if (most.worst > worst.worst || (most.worst == worst.worst && most.block < worst.block)) worst = most;
+    });
+    return worst;
 }
 
 #define VOUSSOIR_INSTANTIATE(K) template Unbalance unbalance(const StepSystem<K>&, double)

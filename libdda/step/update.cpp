@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <vector>
+
+#include "libdda/model/parallel.h"
 
 namespace voussoir::step
 {
@@ -53,7 +56,12 @@ void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>
     using Vector = typename K::Vector;
     ContactSetIn<dimension>& stored = contacts_in<dimension>(state);
     stored = contacts;
-    for (std::size_t k = 0; k < stored.patches.size(); ++k) {
+    struct Found {
+        bool state_changed = false;
+        double penetration = 0;  // m
+        int closed = 0;
+    };
+    const auto update_patch = [&](std::size_t k, Found& found) {
         ContactPatchIn<dimension>& kept = stored.patches[k];
         const PatchStep<K>& patch = system.contacts.patches[k];
         const BlockStep<K>& reference = system.blocks[kept.block_b];
@@ -80,18 +88,27 @@ void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>
             const double carried = std::max(p.normal, -p.normal_stiffness * p.gap_start);
             const bool stays_closed = p.status != ContactStatus::open && point.status != ContactStatus::open;
             const bool at_bound = stays_closed && std::abs(p.trial.norm() - p.bound) <= enough;
-            report.contact_state_changed =
-                report.contact_state_changed || (point.status != p.status && carried > enough && !at_bound);
+            found.state_changed =
+                found.state_changed || (point.status != p.status && carried > enough && !at_bound);
             point.status = p.status;
             point.gap = p.gap;
             point.normal_force = p.normal;
             point.shear_force = p.shear;
             point.position = system.blocks[kept.block_a].predicted.centroid + p.end_lever_a +
                              K::displacement(d_a, p.end_lever_a);
-            report.max_penetration = std::max(report.max_penetration, contact::depth_beyond_fit(model, point));
-            report.closed_points += p.status != ContactStatus::open;
+            found.penetration = std::max(found.penetration, contact::depth_beyond_fit(model, point));
+            found.closed += p.status != ContactStatus::open;
         }
-    }
+    };
+    std::mutex mutex;
+    in_parallel(stored.patches.size(), stage.control.threads, [&](std::size_t first, std::size_t end) {
+        Found found;
+        for (std::size_t k = first; k < end; ++k) update_patch(k, found);
+        const std::lock_guard lock(mutex);
+        report.contact_state_changed = report.contact_state_changed || found.state_changed;
+        report.max_penetration = std::max(report.max_penetration, found.penetration);
+        report.closed_points += found.closed;
+    });
 }
 
 template <class K>

@@ -40,7 +40,7 @@ inline void set_pose(const Model& model, State& state, int block, const Eigen::V
 inline std::vector<contact::PlacedPart> placed(const Model& model, const State& state)
 {
     std::vector<contact::PlacedPart> parts;
-    contact::place_parts(model, state, parts);
+    contact::place_parts(model, state, 1, parts);
     return parts;
 }
 

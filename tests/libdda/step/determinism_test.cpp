@@ -87,6 +87,17 @@ TEST_P(Determinism, ThreadsAndRepetitionChangeNoBit)
     EXPECT_EQ(hash_after_shaking(model, stage, 1, patches), first);
 }
 
+// A wall of more than a thousand stones, whose rows are factorised and relaxed domain by domain.
+TEST_P(Determinism, ThreadsChangeNoBitOfSceneInDomains)
+{
+    const Model model = running_bond(GetParam(), 33, 31);
+    EXPECT_GT(model.blocks.size(), 1025U);
+    std::size_t patches = 0;
+    const Stage stage = shaking(0.008, 2e-3);
+    const std::uint64_t first = hash_after_shaking(model, stage, 1, patches);
+    for (const int threads : {2, 3, 8, 16}) EXPECT_EQ(hash_after_shaking(model, stage, threads, patches), first);
+}
+
 // The same wall interrupted on one thread and continued on four.
 TEST_P(Determinism, ARestartOnOtherThreadsChangesNoBit)
 {

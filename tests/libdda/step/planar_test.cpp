@@ -39,7 +39,7 @@ std::optional<contact::ContactSegment> contact_of(const Vector2d& place, double 
     State state = initial_state(model);
     set_pose(model, state, 1, to_space(place), to_space(Matrix2d(Eigen::Rotation2Dd(angle)), 1));
     std::vector<contact::PlacedOutline> parts;
-    contact::place_parts(model, state, parts);
+    contact::place_parts(model, state, 1, parts);
     return contact::contact_polygon(parts[0], parts[1], margin, std::nullopt);
 }
 

@@ -1,0 +1,108 @@
+// The incomplete factor of a large matrix in parts, which threads make and use side by side.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "libdda/model/parallel.h"
+#include "libdda/solve/block_kernels.h"
+#include "libdda/solve/block_matrix.h"
+
+namespace voussoir::solve
+{
+
+constexpr int least_rows_in_parts = 1024;  // below, threads gain nothing and everything is done in one piece
+
+/// Connected parts of a pattern of some 256 rows; a single one of fewer rows than `least_rows_in_parts`. The
+/// pattern alone decides, not the number of threads: results are the same on any.
+struct Domains {
+    std::vector<int> of_row;
+    int count = 0;
+};
+Domains divide_into_domains(const BlockMatrix& pattern);
+
+/// Incomplete Cholesky, block by block, on the pattern of the matrix: exact for a chain in one domain. First come
+/// the rows inside the domains, then those that border on a domain of a lower number, domain by domain; border
+/// rows of different domains are left uncoupled, the only blocks that are dropped. So each domain's inside, and
+/// then each domain's border, is worked on by itself. Source: docs/numerics.md 3.
+class IncompleteFactor
+{
+ public:
+    template <int N>
+    void factorise(const BlockMatrix& a, int threads)
+    {
+        if (a.block_size != l_.block_size || a.columns != columns_ || a.row_start != row_start_) analyse(a);
+        l_.values.resize(l_.columns.size() * N * N);
+        const auto factorise_rows = [&](int first, int end) {
+            for (int i = first; i < end; ++i) {
+                for (int p = l_.row_start[i]; p < l_.row_start[i + 1]; ++p) {
+                    const auto taken = Kernels<N>::block(a, taken_[p].position);
+                    typename Kernels<N>::Block own(l_.block(p));
+                    if (taken_[p].turned)
+                        own = taken.transpose();
+                    else
+                        own = taken;
+                }
+                Kernels<N>::factorise_row(Kernels<N>::block(a, taken_[l_.diagonal(i)].position), i, l_);
+            }
+        };
+        each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(inside_[d], inside_[d + 1]); });
+        each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(border_[d], border_[d + 1]); });
+    }
+
+    /// z = (L L^T)^-1 r
+    template <int N>
+    void apply(const Eigen::VectorXd& r, int threads, Eigen::VectorXd& z)
+    {
+        z.resize(r.size());
+        if (count_ == 1) {
+            Kernels<N>::precondition(l_, r, z);
+            return;
+        }
+        ordered_.resize(r.size());
+        const auto forward = [&](int first, int end) {
+            for (int i = first; i < end; ++i) ordered_.segment<N>(N * i) = r.segment<N>(N * order_[i]);
+            Kernels<N>::forward(l_, first, end, ordered_);
+        };
+        each_in_parallel(count_, threads, [&](std::size_t d) { forward(inside_[d], inside_[d + 1]); });
+        each_in_parallel(count_, threads, [&](std::size_t d) {
+            forward(border_[d], border_[d + 1]);
+            Kernels<N>::backward_by_columns(l_, below_, border_[d], border_[d + 1], ordered_);
+        });
+        each_in_parallel(count_, threads, [&](std::size_t d) {
+            Kernels<N>::backward_by_columns(l_, below_, inside_[d], inside_[d + 1], ordered_);
+            for (const auto& [first, end] :
+                 {std::pair(inside_[d], inside_[d + 1]), std::pair(border_[d], border_[d + 1])})
+                for (int i = first; i < end; ++i) z.segment<N>(N * order_[i]) = ordered_.segment<N>(N * i);
+        });
+    }
+
+    std::int64_t entries() const { return static_cast<std::int64_t>(l_.values.size()); }
+    /// Of the matrix that was factorised.
+    int block_size() const { return l_.block_size; }
+    const ColumnsOf& columns() const { return of_matrix_; }
+
+ private:
+    /// Where a block of the factor comes from.
+    struct Taken {
+        int position = 0;  // in the matrix
+        bool turned = false;
+    };
+
+    void analyse(const BlockMatrix& a);
+    void set_order(const BlockMatrix& a, std::vector<int>& place);
+
+    std::vector<int> columns_, row_start_;  // of the matrix that was analysed
+    ColumnsOf of_matrix_;
+    Domains domains_;
+    int count_ = 0;                     // of domains
+    std::vector<int> order_;            // rows of the matrix in the order of the factor
+    std::vector<int> inside_, border_;  // (domains + 1) rows of the factor where those of each begin
+    BlockMatrix l_;                     // rows in its own order
+    std::vector<Taken> taken_;          // of each block of it
+    ColumnsOf below_;                   // its columns
+    Eigen::VectorXd ordered_;           // scratch
+};
+
+}  // namespace voussoir::solve
