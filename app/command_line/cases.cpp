@@ -62,11 +62,21 @@ void add_run(CLI::App& program, std::function<int()>& chosen)
         ->capture_default_str();
     add_overrides(*command, arguments->overrides);
     command
-        ->add_option("--threads", arguments->threads,
-                     "Number of threads; the results do not depend on it. More than one is worthwhile on an "
-                     "otherwise idle machine")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+        ->add_option_function<std::string>(
+            "--threads",
+            [arguments](const std::string& number) {
+                if (number != "auto") arguments->threads = std::stoi(number);
+            },
+            "Number of threads; the results do not depend on it. auto: one for each core in scenes of more than a "
+            "thousand blocks, else one")
+        ->type_name("N|auto")
+        ->check(CLI::Validator(
+            [](const std::string& number) {
+                std::string text = number;
+                return text == "auto" ? std::string() : CLI::Range(1, 1024)(text);
+            },
+            ""))
+        ->default_str("auto");
     command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
     add_verbose(*command, arguments->verbose);
     command->callback(

@@ -27,6 +27,7 @@
 #include "importers/process/program_start.h"
 #include "libdda/analysis/joint_openings.h"
 #include "libdda/errors.h"
+#include "libdda/model/parallel.h"
 
 namespace voussoir::app::commands
 {
@@ -235,7 +236,9 @@ int run_command(const RunArguments& arguments)
     if (arguments.resume) refuse_without_restart(folder);
     reader::CaseStones stones;
     Case the_case = reader::read_case(arguments.case_file, arguments.overrides, &stones);
-    for (Stage& stage : the_case.stages) stage.control.threads = arguments.threads;
+    const std::size_t moving = the_case.model.blocks.size() - the_case.model.foundations.size();
+    const int threads = arguments.threads.value_or(worthwhile_threads(moving));
+    for (Stage& stage : the_case.stages) stage.control.threads = threads;
     if (!arguments.quiet) print_case(the_case);
     if (arguments.verbose) print_repairs(stones.geometry);
     expect_tools(the_case);

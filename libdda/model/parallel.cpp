@@ -140,11 +140,26 @@ class Crew
 
 }  // namespace
 
+namespace
+{
+
+int cores()
+{
+    static const int count = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return count;
+}
+
+}  // namespace
+
+int worthwhile_threads(std::size_t blocks)
+{
+    return blocks < static_cast<std::size_t>(blocks_worth_threads) ? 1 : cores();
+}
+
 void parallel::divide(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& turn)
 {
-    static const int cores = static_cast<int>(std::max(2U, std::thread::hardware_concurrency()));
     thread_local Crew crew;
-    crew.run(count, std::min(threads, cores), turn);  // more would stand in one another's way
+    crew.run(count, std::min(threads, std::max(2, cores())), turn);  // more would stand in one another's way
 }
 
 }  // namespace voussoir

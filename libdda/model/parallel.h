@@ -17,6 +17,12 @@ void divide(std::size_t count, int threads, const std::function<void(std::size_t
 
 }  // namespace parallel
 
+constexpr int blocks_worth_threads =
+    1024;  // that move; below, a step is done in one piece and threads gain little
+
+/// How many threads a scene is worth on this machine: one for each core, or one. @param blocks that move
+int worthwhile_threads(std::size_t blocks);
+
 /// Calls `turn(first, end)` for consecutive ranges that together make up 0 ... count, on at most `threads`
 /// threads, the caller's among them. Which thread does which range is left open, so a turn may depend on its own
 /// index only. Helpers belong to the calling thread; after a loop they stay awake for 50 microseconds, then sleep,

@@ -71,7 +71,7 @@ class ConjugateGradientSolver : public LinearSolver
     template <int N>
     void factorise(const BlockMatrix& a)
     {
-        at_work_ = a.rows() < least_rows_in_parts ? 1 : threads_;
+        at_work_ = a.rows() < blocks_worth_threads ? 1 : threads_;
         factor_.factorise<N>(a, at_work_);
         is_coarse_ = coarse_.prepare(a, factor_.columns(), at_work_);
     }
@@ -102,7 +102,7 @@ class ConjugateGradientSolver : public LinearSolver
     template <class Work>
     void each_piece(int rows, const Work& work)
     {
-        const int size = rows < least_rows_in_parts ? std::max(rows, 1) : rows_in_piece;
+        const int size = rows < blocks_worth_threads ? std::max(rows, 1) : rows_in_piece;
         each_in_parallel(static_cast<std::size_t>((rows + size - 1) / size), at_work_, [&](std::size_t piece) {
             const int first = static_cast<int>(piece) * size;
             work(static_cast<int>(piece), first, std::min(first + size, rows));

@@ -19,7 +19,7 @@ constexpr int most_domains = 16;
 Domains divide_into_domains(const BlockMatrix& pattern)
 {
     const int rows = pattern.rows();
-    if (rows < least_rows_in_parts) return {std::vector<int>(rows, 0), 1};
+    if (rows < blocks_worth_threads) return {std::vector<int>(rows, 0), 1};
     Aggregates aggregates =
         aggregate(pattern, std::vector<char>(rows, 1), std::max(rows_in_domain, rows / most_domains));
     return {std::move(aggregates.of_row), aggregates.count};

@@ -12,9 +12,7 @@
 namespace voussoir::solve
 {
 
-constexpr int least_rows_in_parts = 1024;  // below, threads gain nothing and everything is done in one piece
-
-/// Connected parts of a pattern of some 256 rows; a single one of fewer rows than `least_rows_in_parts`. The
+/// Connected parts of a pattern of some 256 rows; a single one of fewer rows than `blocks_worth_threads`. The
 /// pattern alone decides, not the number of threads: results are the same on any.
 struct Domains {
     std::vector<int> of_row;

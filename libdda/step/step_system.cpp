@@ -109,7 +109,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     system.patches_of_rows.begin();
 
     const int rows = static_cast<int>(system.block_of_row.size());
-    system.threads = rows < solve::least_rows_in_parts ? 1 : stage.control.threads;
+    system.threads = rows < blocks_worth_threads ? 1 : stage.control.threads;
     system.pairs.clear();
     for (const PatchStep<K>& patch : system.contacts.patches)
         if (patch.row_a >= 0 && patch.row_b >= 0)

@@ -275,6 +275,7 @@ TEST(Program, BadCommandLinesAreBadInput)
                                                       {"rnu"},
                                                       {"run"},
                                                       {"run", "--threads", "0", "x.yaml"},
+                                                      {"run", "--threads", "some", "x.yaml"},
                                                       {"run", "x.yaml", "--set"},
                                                       {"import", "--up", "w", "x.obj"},
                                                       {"record"}})

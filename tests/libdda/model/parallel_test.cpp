@@ -134,6 +134,13 @@ TEST(Parallel, ThreadsSleepWhileTheyWait)
     EXPECT_LT(cpu_time() - before, 0.25 * seconds_since(start));
 }
 
+TEST(Parallel, FewBlocksAreWorthOneThread)
+{
+    EXPECT_EQ(worthwhile_threads(0), 1);
+    EXPECT_EQ(worthwhile_threads(1023), 1);
+    EXPECT_EQ(worthwhile_threads(1024), static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+}
+
 // Pairs, one after the other, of which the second best counts: what else the machine does meets any of them.
 TEST(Parallel, TwoThreadsBesideABusyProcessAreAtMostHalfSlowerThanOne)
 {
