@@ -21,8 +21,16 @@ constexpr int newton_iterations = 2;     // of a block in a sweep
 constexpr int sweeps_over_all = 2;
 constexpr int most_sweeps = 40;
 constexpr double few = 0.2;  // of the rows: so many may be due in a sweep beyond those over all
+constexpr std::size_t rows_for_threads = 512;
 constexpr int line_evaluations = 8;
 constexpr int bisected = 3;  // every so many of them, where the secant stalls
+
+/// Threads for so many rows: over few of them waiting for one another takes longer than the work.
+template <class K>
+int threads_for(std::size_t rows, const StepSystem<K>& system)
+{
+    return rows < rows_for_threads ? 1 : system.threads;
+}
 
 /// Components that are held have no residual.
 template <class K, class Vector>
@@ -243,7 +251,7 @@ void Relaxation<K>::follow(Moves& moves, StepSystem<K>& system)
 template <class K>
 void Relaxation<K>::follow_moves(double unbalanced, StepSystem<K>& system)
 {
-    everywhere(false, system.threads, [&](Moves& moves) { follow(moves, system); });
+    everywhere(false, threads_for(due_.size(), system), [&](Moves& moves) { follow(moves, system); });
     is_due_.assign(system.block_of_row.size(), false);
     for (const std::vector<Moves>* all : {&inside_, &border_})
         for (const Moves& moves : *all)
@@ -272,7 +280,7 @@ void Relaxation<K>::sweep(double tolerance, double worst, StepSystem<K>& system)
         }
         share_out();
         const bool back = i % 2 == 1;
-        everywhere(back, system.threads, [&](Moves& moves) { relax_all(back, unbalanced, moves, system); });
+        everywhere(back, threads_for(due_.size(), system), [&](Moves& moves) { relax_all(back, unbalanced, moves, system); });
         follow_moves(unbalanced, system);
     }
     evaluate_residual(system.d, system);
