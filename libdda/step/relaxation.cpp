@@ -280,7 +280,8 @@ void Relaxation<K>::sweep(double tolerance, double worst, StepSystem<K>& system)
         }
         share_out();
         const bool back = i % 2 == 1;
-        everywhere(back, threads_for(due_.size(), system), [&](Moves& moves) { relax_all(back, unbalanced, moves, system); });
+        everywhere(back, threads_for(due_.size(), system),
+                   [&](Moves& moves) { relax_all(back, unbalanced, moves, system); });
         follow_moves(unbalanced, system);
     }
     evaluate_residual(system.d, system);
