@@ -71,9 +71,9 @@ void add_run(CLI::App& program, std::function<int()>& chosen)
             "thousand blocks, else one")
         ->type_name("N|auto")
         ->check(CLI::Validator(
-            [](const std::string& number) {
+            [range = CLI::Range(1, 1024)](const std::string& number) {
                 std::string text = number;
-                return text == "auto" ? std::string() : CLI::Range(1, 1024)(text);
+                return text == "auto" ? std::string() : range(text);
             },
             ""))
         ->default_str("auto");
