@@ -19,7 +19,7 @@ struct RunArguments {
     std::filesystem::path case_file;
     std::filesystem::path folder;  // empty: results/<case name>
     std::vector<std::string> overrides;
-    std::optional<int> threads;  // as many as the scene is worth
+    std::optional<int> threads;  // none: as many as the scene is worth
     bool resume = false;         // go on with the run that was interrupted in the folder
     bool other_engine = false;   // even if another build of the program began it
     double save_every = 2;       // s of computing between two savings; 0: with every frame

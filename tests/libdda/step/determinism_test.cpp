@@ -87,7 +87,8 @@ TEST_P(Determinism, ThreadsAndRepetitionChangeNoBit)
     EXPECT_EQ(hash_after_shaking(model, stage, 1, patches), first);
 }
 
-// A wall of more than a thousand stones, whose rows are factorised and relaxed domain by domain.
+// A wall of more than a thousand stones, whose rows are factorised and relaxed domain by domain. On a machine of
+// few cores the larger numbers come down to those.
 TEST_P(Determinism, ThreadsChangeNoBitOfSceneInDomains)
 {
     const Model model = running_bond(GetParam(), 33, 31);
@@ -98,7 +99,7 @@ TEST_P(Determinism, ThreadsChangeNoBitOfSceneInDomains)
     for (const int threads : {2, 3, 8, 16}) EXPECT_EQ(hash_after_shaking(model, stage, threads, patches), first);
 }
 
-// The same wall interrupted on one thread and continued on four.
+// The wall of 281 blocks interrupted on one thread and continued on four.
 TEST_P(Determinism, ARestartOnOtherThreadsChangesNoBit)
 {
     const Model model = running_bond(GetParam(), 16, 17);
