@@ -15,20 +15,20 @@ MIN_TIME_STEP = 1e-3  # s, at h
 LONGEST_SHORT_RUN = 300  # s
 LONGEST_STUDY = 7200  # s, on two cores
 MEMBERS = 5  # whose medians are compared
-# Shortfalls, which the page names: since the integrator takes a quarter of what it took, a few medians are not as near to one
-# another (docs/numerics.md 4).
-MAY_DIFFER = 2  # medians of an ensemble
-MAY_DIFFER_BY = 0.15  # of its largest peak drift
 # The sentence of contacts is that of today and that of the release before, in which the kept figures were made.
 DISTRUST = ("unaccounted for", "supplied by contacts", "came from contacts")  # in what a run warns of
 JUDGED_SETTINGS = (0, 1)  # h and h / 2; the third, a stiffer contact, is a sensitivity
+
+# Beginnings of what the present figures are known not to keep (docs/numerics.md 4). The page tells it as not met; the rule
+# fails for anything else, and for what is kept by now.
+KNOWN = ("aqv, east_top: peak drift", "aqk, south_top: peak drift", "aqk, west_top: peak drift", "aqg, east_top: residual drift",
+         "large_five, west_top: residual drift")
 
 CRITERIA = (f"every run is completed without failure or collapse, at a step h of {1000 * MIN_TIME_STEP:g} ms or more, "
             f"and without warnings of energy that is unaccounted for or came from contacts; energy residual below "
             f"{100 * MAX_RESIDUAL:g} %, damping of the motion below {MAX_DAMPING:g} of the energy put in, the integrator's loss neither "
             f"negative nor the whole of it; in ensembles joints open by more than {MIN_OPENING} mm; medians of {MEMBERS} members at "
-            f"h and h / 2 differ by less than their spread or 10 %, in all but {MAY_DIFFER} measures of a part, and there by less than "
-            f"{100 * MAY_DIFFER_BY:g} % of its largest peak drift; 5 s in one run within {LONGEST_SHORT_RUN / 60:g} min, all "
+            f"h and h / 2 differ by less than their spread or 10 %; 5 s in one run within {LONGEST_SHORT_RUN / 60:g} min, all "
             f"within {LONGEST_STUDY / 3600:g} h; all with one engine, the present one by its golden hashes, and the present case")
 
 
@@ -68,28 +68,6 @@ def faults_of_run(name, run, duration):
             yield f"{name} warns: {warning}"
 
 
-def differences(figures):
-    """Of medians at h and h / 2 those that differ by more than allowed: the words for it, and by which share of the largest peak
-    drift; of numbers of joints, of their own."""
-    drift = max((number(each["medians"][0]) for each in figures["measures"] if "peak drift" in each["measure"]), default=math.nan)
-    for each in figures["measures"]:
-        if not each["agrees"]:
-            coarse, fine = (number(value) for value in each["medians"][:2])
-            whole, name = (fine, "itself") if "joints" in each["measure"] else (drift, "the largest peak drift")
-            share = abs(coarse - fine) / whole if whole else math.inf
-            yield (f"{each['measure']}: medians {coarse:.3g} at h and {fine:.3g} at h / 2 differ by more than "
-                   f"{number(each['allowed']):.3g}, by {100 * share:.2g} % of {name}", share)
-
-
-def faults_of_differences(part, figures):
-    found = list(differences(figures))
-    if len(found) > MAY_DIFFER:
-        yield f"{part}: {len(found)} of {len(figures['measures'])} medians at h and h / 2 differ by more than allowed"
-    for words, share in found:
-        if not share < MAY_DIFFER_BY:
-            yield f"{part}, {words}"
-
-
 def faults_of_ensemble(part, figures, duration, members):
     settings = figures["settings"]
     if len(figures["members"]) != members or len(figures["runs"]) != members * len(settings):
@@ -103,7 +81,11 @@ def faults_of_ensemble(part, figures, duration, members):
     if not opening > MIN_OPENING:
         yield f"{part}: no joint opens by more than {opening:.3g} mm: the house hardly moves"
     if members == MEMBERS:
-        yield from faults_of_differences(part, figures)
+        for each in figures["measures"]:
+            if not each["agrees"]:
+                coarse, fine, allowed = (number(value) for value in (*each["medians"][:2], each["allowed"]))
+                yield (f"{part}, {each['measure']}: medians {coarse:.3g} at h and {fine:.3g} at h / 2 differ by more than "
+                       f"{allowed:.3g}")
 
 
 def run_in_words_of_ensembles(figures):
@@ -163,13 +145,19 @@ def faults(found, expected, behaviours, before=None):
         yield f"all parts together took {total / 60:.0f} minutes"
 
 
+def news(sentences, known=KNOWN):
+    """Of what is not kept, what is not known, and what is known and kept by now."""
+    yield from (sentence for sentence in sentences if not sentence.startswith(known))
+    yield from (f"{beginning} is kept by now: take it off the known ones" for beginning in known
+                if not any(sentence.startswith(beginning) for sentence in sentences))
+
+
 def sound_figures():
     """A house that keeps everything: one ensemble of five members, one run of 5 s."""
     runs = [{"member": str(member), "setting": setting, "failure": "", "collapse_time_s": None, "simulated_time_s": 20.0,
              "energy_residual": 1e-5, "algorithmic_fraction": 0.1, "damping_fraction": 1e-9, "warnings": ["3 joints ..."]}
             for setting in range(3) for member in range(5)]
-    measures = [{"measure": name, "medians": [9.0, 9.1, 8.0], "allowed": 1.0, "agrees": True}
-                for name in ("largest opening", "top: peak drift", "side: peak drift")]
+    measures = [{"measure": "largest opening", "medians": [9.0, 9.1, 8.0], "allowed": 1.0, "agrees": True}]
     energy = {f"{name}_J": 0.0 for name in ("gravity_work", "boundary_work", "load_work", "algorithmic_rotation", "redetection",
                                             "damping_kinetic", "damping_contact")}
     energy.update({"foundation_work_J": 100.0, "algorithmic_J": 9.0, "residual": 1e-5})
@@ -207,9 +195,7 @@ DAMAGES = (
     (lambda f: f["many"]["runs"][0].update(warnings=["5 % of the energy was supplied by contacts"]), "warns"),
     (lambda f: f["many"]["measures"][0].update(medians=[4.9, 4.9, 4.9]), "hardly moves"),
     (lambda f: f["many"]["measures"][0].update(medians=[None, None, None]), "hardly moves"),
-    (lambda f: [each.update(agrees=False) for each in f["many"]["measures"]], "3 of 3 medians"),
-    (lambda f: f["many"]["measures"][0].update(agrees=False, medians=[9.0, 11.0, 8.0]), "22 % of the largest peak drift"),
-    (lambda f: f["many"]["measures"][0].update(agrees=False, medians=[9.0, None, 8.0]), "inf % of the largest peak drift"),
+    (lambda f: f["many"]["measures"][0].update(agrees=False), "differ by more"),
     (lambda f: f["one"].update(outcome="gave_up"), "gave up"),
     (lambda f: f["one"].update(unconverged_steps=1), "1 steps not converged"),
     (lambda f: f["one"]["energy"].update(damping_kinetic_J=1.0), "in dampers"),
@@ -224,9 +210,6 @@ DAMAGES = (
 def self_test():
     found, expected, behaviours = sound_figures()
     wrong = [f"sound figures: {sentence}" for sentence in faults(found, expected, behaviours)]
-    for each in found["many"]["measures"][:2]:
-        each.update(agrees=False)
-    wrong += [f"two medians that differ by little: {sentence}" for sentence in faults(found, expected, behaviours)]
     found["many"]["runs"][12].update(failure="a sensitivity")  # is not judged
     wrong += [f"the sensitivity is judged: {sentence}" for sentence in faults(found, expected, behaviours)]
     found["one"]["study"]["command"] = found["many"]["study"]["case"] = "of its time"
@@ -240,6 +223,8 @@ def self_test():
     found["many"]["study"]["behaviour"] = "e3"
     if not any("was e3" in sentence for sentence in faults(found, expected, behaviours, before="e1")):
         wrong.append("a part of a third engine is not found")
+    if list(news(["a: worse", "b: late"], known=("b", "c"))) != ["a: worse", "c is kept by now: take it off the known ones"]:
+        wrong.append("what is known is not told from what is new")
     for damage, words in DAMAGES:
         found, expected, behaviours = copy.deepcopy(sound_figures())
         damage(found)
