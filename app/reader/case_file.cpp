@@ -68,10 +68,16 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
     read_bars(top, model);  // dowels in the joints that the run will have
 }
 
-bool is_only_for_rest(const std::vector<Stage>& stages)
+/// Whether nothing but weight acts in the stages, at once or as it comes, on stones that begin at rest as they are
+/// drawn.
+bool has_weight_alone(const std::vector<Stage>& stages, const std::vector<std::string>& set_in_motion)
 {
-    return std::all_of(stages.begin(), stages.end(),
-                       [](const Stage& stage) { return stage.type == StageType::static_equilibrium; });
+    const auto is_shaken = [](const Stage& stage) {
+        return !stage.motions.empty() || !stage.body_accelerations.empty() || !stage.incoming_waves.empty();
+    };
+    return set_in_motion.empty() && std::none_of(stages.begin(), stages.end(), [&](const Stage& stage) {
+               return stage.type == StageType::dynamic && is_shaken(stage);
+           });
 }
 
 void read_everything(YamlCursor& top, Case& result, Findings& findings)
@@ -81,7 +87,7 @@ void read_everything(YamlCursor& top, Case& result, Findings& findings)
     read_model(top, result, findings, foundations);
     MotionContext motions{result.file.parent_path(), result.model, result.motions};
     result.stages = read_stages(top, result.model, foundations, motions);
-    if (is_only_for_rest(result.stages)) contact::stiffen_for_rest(result.model);
+    if (has_weight_alone(result.stages, findings.apart)) contact::stiffen_for_rest(result.model);
     result.output = read_output(top, result.model, result.stages);
     refuse_rounded_stresses(result, findings);
     refuse_soft_joints(result, findings);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdda/model/parallel.h"
+
 namespace voussoir
 {
 
@@ -32,14 +34,15 @@ Vector3d mean_normal(const FacingPatch& patch, const PlacedBlock& a, const Place
 
 }  // namespace
 
-std::vector<PlacedBlock> placed_blocks(const Model& model, const State& state)
+std::vector<PlacedBlock> placed_blocks(const Model& model, const State& state, int threads)
 {
-    std::vector<PlacedBlock> blocks;
-    blocks.reserve(model.blocks.size());
-    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-        const Pose pose = pose_of(model.kinematics, state, b);
-        blocks.push_back({pose, is_deformable(model.kinematics) ? cofactors(pose.map) : pose.map});
-    }
+    std::vector<PlacedBlock> blocks(model.blocks.size());
+    in_parallel(blocks.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t b = first; b < end; ++b) {
+            const Pose pose = pose_of(model.kinematics, state, static_cast<int>(b));
+            blocks[b] = {pose, is_deformable(model.kinematics) ? cofactors(pose.map) : pose.map};
+        }
+    });
     return blocks;
 }
 
@@ -74,18 +77,20 @@ std::vector<JointPeaks> no_peaks(const std::vector<WatchedJoint>& joints)
 }
 
 void note_joints(const Model& model, const std::vector<WatchedJoint>& joints, const State& state,
-                 RunReport& report)
+                 RunReport& report, int threads)
 {
     if (joints.empty()) return;
-    const std::vector<PlacedBlock> blocks = placed_blocks(model, state);
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        const JointMotion motion = motion_of(joints[i], blocks);
-        JointPeaks& peaks = report.joints[i];
-        peaks.opening = std::max(peaks.opening, motion.opening);
-        peaks.slip = std::max(peaks.slip, motion.largest_slip);
-        if (!peaks.opened && motion.opening > noteworthy_opening) peaks.opened = state.time;
-        if (!peaks.slid && motion.largest_slip > noteworthy_opening) peaks.slid = state.time;
-    }
+    const std::vector<PlacedBlock> blocks = placed_blocks(model, state, threads);
+    in_parallel(joints.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
+            const JointMotion motion = motion_of(joints[i], blocks);
+            JointPeaks& peaks = report.joints[i];
+            peaks.opening = std::max(peaks.opening, motion.opening);
+            peaks.slip = std::max(peaks.slip, motion.largest_slip);
+            if (!peaks.opened && motion.opening > noteworthy_opening) peaks.opened = state.time;
+            if (!peaks.slid && motion.largest_slip > noteworthy_opening) peaks.slid = state.time;
+        }
+    });
 }
 
 }  // namespace voussoir

@@ -58,7 +58,7 @@ struct PlacedBlock {
 };
 
 /// All blocks of a state.
-std::vector<PlacedBlock> placed_blocks(const Model& model, const State& state);
+std::vector<PlacedBlock> placed_blocks(const Model& model, const State& state, int threads = 1);
 
 /// What a joint has done since the start. Each pair of points is measured along the mean of the normals of its two
 /// faces as they are now: two blocks that turn about a common edge open and do not slip.
@@ -77,6 +77,6 @@ std::vector<JointPeaks> no_peaks(const std::vector<WatchedJoint>& joints);
 
 /// Brings report.joints, one entry for each joint, up to this state.
 void note_joints(const Model& model, const std::vector<WatchedJoint>& joints, const State& state,
-                 RunReport& report);
+                 RunReport& report, int threads = 1);
 
 }  // namespace voussoir

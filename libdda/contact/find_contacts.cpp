@@ -37,21 +37,27 @@ class OldContacts
     OldContacts(const Model& model, const ContactSetIn<D>& contacts, const std::vector<int>& first_part)
         : contacts_(contacts)
     {
+        of_parts_.reserve(contacts.patches.size());
         for (int p = 0; p < static_cast<int>(contacts.patches.size()); ++p) {
             const ContactPatchIn<D>& patch = contacts.patches[p];
-            of_parts_[std::minmax(first_part[patch.block_a] + patch.part_a,
-                                  first_part[patch.block_b] + patch.part_b)] = p;
+            of_parts_.emplace_back(
+                std::minmax(first_part[patch.block_a] + patch.part_a, first_part[patch.block_b] + patch.part_b),
+                p);
             if (model.fit_tolerance > 0) of_stones_[std::minmax(patch.block_a, patch.block_b)].push_back(p);
         }
+        // As they were found they are in order already.
+        if (!std::is_sorted(of_parts_.begin(), of_parts_.end())) std::sort(of_parts_.begin(), of_parts_.end());
     }
     History<D> between(const PairKey& parts, const PairKey& blocks) const
     {
         History<D> history{nullptr, {}, &contacts_, {}};
         const auto stones = of_stones_.find(blocks);
         if (stones != of_stones_.end()) history.of_stones = stones->second;
-        const auto found = of_parts_.find(parts);
-        if (found == of_parts_.end()) return history;
-        history.patch = &contacts_.patches[found->second];
+        // The last one, should there be several.
+        const auto behind = std::upper_bound(of_parts_.begin(), of_parts_.end(), parts,
+                                             [](const PairKey& key, const auto& old) { return key < old.first; });
+        if (behind == of_parts_.begin() || std::prev(behind)->first != parts) return history;
+        history.patch = &contacts_.patches[std::prev(behind)->second];
         history.points =
             std::span(contacts_.points).subspan(history.patch->first_point, history.patch->point_count);
         return history;
@@ -59,7 +65,7 @@ class OldContacts
 
  private:
     const ContactSetIn<D>& contacts_;
-    std::map<PairKey, int> of_parts_;
+    std::vector<std::pair<PairKey, int>> of_parts_;  // ascending
     std::map<PairKey, std::vector<int>> of_stones_;  // only where stones need not fit
 };
 
@@ -82,6 +88,31 @@ std::optional<FoundPatch<D>> find_patch(const Model& model, const State& state,
         polygon_between(first, second, margin, last, model.fit_tolerance);
     if (!polygon) return std::nullopt;
     return attach_history(model, state, fully_held, first, second, *polygon, history, overlap);
+}
+
+/// Puts what was found in a row.
+template <int D>
+void gather(std::vector<std::optional<FoundPatch<D>>>& slots, int threads, ContactSetIn<D>& found)
+{
+    std::vector<FoundPatch<D>*> patches;
+    patches.reserve(slots.size());
+    int points = 0;
+    for (std::optional<FoundPatch<D>>& slot : slots) {
+        if (!slot) continue;
+        slot->patch.first_point = points;
+        slot->patch.point_count = static_cast<int>(slot->points.size());
+        points += slot->patch.point_count;
+        patches.push_back(&*slot);
+    }
+    found.patches.resize(patches.size());
+    found.points.resize(points);
+    in_parallel(patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            found.patches[k] = patches[k]->patch;
+            std::copy(patches[k]->points.begin(), patches[k]->points.end(),
+                      found.points.begin() + patches[k]->patch.first_point);
+        }
+    });
 }
 
 }  // namespace
@@ -109,15 +140,7 @@ void find_contacts(const Model& model, const State& state, const std::vector<dou
                 overlap);
     });
 
-    found.patches.clear();
-    found.points.clear();
-    for (std::optional<FoundPatch<D>>& slot : slots) {
-        if (!slot) continue;
-        slot->patch.first_point = static_cast<int>(found.points.size());
-        slot->patch.point_count = static_cast<int>(slot->points.size());
-        found.patches.push_back(slot->patch);
-        found.points.insert(found.points.end(), slot->points.begin(), slot->points.end());
-    }
+    gather(slots, threads, found);
 }
 
 template <int D>

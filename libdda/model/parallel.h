@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace voussoir
 {
@@ -49,6 +50,22 @@ void each_in_parallel(std::size_t count, int threads, const Turn& turn)
         parallel::divide(count, threads, range);
     else
         range(0, count);
+}
+
+/// Calls `add(part(i))` for every i of 0 ... count in ascending order, so that sums come out the same on any
+/// number of threads; `part` is called on all of them.
+template <class PartOf, class Add>
+void add_in_order(std::size_t count, int threads, const PartOf& part, const Add& add)
+{
+    if (threads <= 1 || count < parallel::least_count) {
+        for (std::size_t i = 0; i < count; ++i) add(part(i));
+        return;
+    }
+    std::vector<decltype(part(count))> parts(count);
+    in_parallel(count, threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) parts[i] = part(i);
+    });
+    for (const auto& each : parts) add(each);
 }
 
 }  // namespace voussoir

@@ -47,7 +47,7 @@ void note_damage(const Stage& stage, double elapsed, RunProgress& progress)
     const double now = progress.state.stage_time;
     note_fallen(progress.model, progress.watch, mean_gravity(stage.gravity_ramp, stage.gravity, now, now),
                 progress.state, progress.report);
-    note_joints(progress.model, progress.joints, progress.state, progress.report);
+    note_joints(progress.model, progress.joints, progress.state, progress.report, stage.control.threads);
     note_bars(progress.model, progress.state, progress.report);
 }
 

@@ -86,6 +86,7 @@ class CoarseSpace::Implementation
  public:
     virtual ~Implementation() = default;
     virtual bool prepare(const BlockMatrix& matrix, const ColumnsOf& columns, int threads) = 0;
+    virtual void factorise() = 0;
     virtual void start(const VectorXd& b, int threads, VectorXd& x) = 0;
     virtual void correct(const VectorXd& r, int threads, VectorXd& z) = 0;
 
@@ -126,9 +127,10 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         });
         coarse_.values.resize(coarse_.columns.size() * n * n);
         each_aggregate(threads, [&](int a) { project(a); });
-        K::factorise(coarse_, factor_);
         return true;
     }
+
+    void factorise() override { K::factorise(coarse_, factor_); }
 
     void start(const VectorXd& b, int threads, VectorXd& x) override
     {
@@ -356,6 +358,11 @@ void CoarseSpace::place(const RowPlaces& places)
 bool CoarseSpace::prepare(const BlockMatrix& matrix, const ColumnsOf& columns, int threads)
 {
     return implementation_ && implementation_->prepare(matrix, columns, threads);
+}
+
+void CoarseSpace::factorise()
+{
+    implementation_->factorise();
 }
 
 void CoarseSpace::start(const VectorXd& b, int threads, VectorXd& x)

@@ -26,10 +26,13 @@ class CoarseSpace
 
     /// Where the rows of the matrices to come are.
     void place(const RowPlaces& places);
-    /// Gets ready for a matrix. Results do not depend on the number of threads, here or below.
+    /// Gets ready for a matrix, but for factorise(). Results do not depend on the number of threads, here or
+    /// below.
     /// @param columns of the matrix
     /// @returns false where it would not pay: no places, few rows, or a chain
     bool prepare(const BlockMatrix& matrix, const ColumnsOf& columns, int threads);
+    /// The factor of P^T K P, on one thread.
+    void factorise();
     /// x = P (P^T K P)^-1 P^T b
     void start(const Eigen::VectorXd& b, int threads, Eigen::VectorXd& x);
     /// z += P (P^T K P)^-1 P^T (r - K z)

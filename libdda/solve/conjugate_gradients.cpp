@@ -9,6 +9,7 @@
 #include "libdda/solve/block_kernels.h"
 #include "libdda/solve/coarse_space.h"
 #include "libdda/solve/incomplete_factor.h"
+#include "libdda/solve/pieces.h"
 
 namespace voussoir::solve
 {
@@ -29,8 +30,6 @@ auto with_block_size(int block_size, const Work& work)
     if (block_size == 6) return work(BlockSize<6>());
     return work(BlockSize<3>());
 }
-
-constexpr int rows_in_piece = 256;
 
 class ConjugateGradientSolver : public LinearSolver
 {
@@ -72,8 +71,11 @@ class ConjugateGradientSolver : public LinearSolver
     void factorise(const BlockMatrix& a)
     {
         at_work_ = a.rows() < blocks_worth_threads ? 1 : threads_;
-        factor_.factorise<N>(a, at_work_);
+        factor_.prepare<N>(a);
         is_coarse_ = coarse_.prepare(a, factor_.columns(), at_work_);
+        factor_.factorise<N>(a, at_work_, [&] {
+            if (is_coarse_) coarse_.factorise();
+        });
     }
 
     /// z = K^-1 r, nearly. The coarse correction comes last: it leaves no residual in the coarse space, as the
@@ -93,32 +95,10 @@ class ConjugateGradientSolver : public LinearSolver
             Kernels<N>::multiply(a, x, y);
             return;
         }
-        each_piece(a.rows(), [&](int, int first, int end) {
-            Kernels<N>::multiply_rows(a, factor_.columns(), first, end, x, y);
+        Pieces(a.rows(), N, at_work_).each([&](Eigen::Index from, Eigen::Index count) {
+            Kernels<N>::multiply_rows(a, factor_.columns(), static_cast<int>(from / N),
+                                      static_cast<int>((from + count) / N), x, y);
         });
-    }
-
-    /// Calls work(piece, first row, row after the last); the rows alone decide what the pieces are.
-    template <class Work>
-    void each_piece(int rows, const Work& work)
-    {
-        const int size = rows < blocks_worth_threads ? std::max(rows, 1) : rows_in_piece;
-        each_in_parallel(static_cast<std::size_t>((rows + size - 1) / size), at_work_, [&](std::size_t piece) {
-            const int first = static_cast<int>(piece) * size;
-            work(static_cast<int>(piece), first, std::min(first + size, rows));
-        });
-    }
-
-    /// The sum of what `part` gives for the unknowns (from, count) of every piece, added up in their order.
-    template <int N, class Part>
-    double sum(int rows, const Part& part)
-    {
-        sums_.assign(rows / rows_in_piece + 1, 0.0);
-        each_piece(rows,
-                   [&](int piece, int first, int end) { sums_[piece] = part(N * first, N * (end - first)); });
-        double total = 0;
-        for (const double of_piece : sums_) total += of_piece;
-        return total;
     }
 
     template <int N>
@@ -126,7 +106,7 @@ class ConjugateGradientSolver : public LinearSolver
     {
         factorise<N>(a);
         LinearReport report{false, 1, 0, factor_.entries()};
-        const int rows = a.rows();
+        Pieces pieces(a.rows(), N, at_work_);
 
         product_.resize(b.size());
         residual_ = b;
@@ -139,31 +119,26 @@ class ConjugateGradientSolver : public LinearSolver
         }
         improve<N>(residual_, z_);
         direction_ = z_;
-        const auto dot = [&](const VectorXd& u, const VectorXd& v) {
-            return sum<N>(rows,
-                          [&](int from, int count) { return u.segment(from, count).dot(v.segment(from, count)); });
-        };
-        double rz = dot(residual_, z_);
-        double square = dot(residual_, residual_);
+        double rz = pieces.dot(residual_, z_);
+        double square = pieces.dot(residual_, residual_);
         const double target = tolerance_ * b.norm();
         while (report.iterations < max_iterations_) {
             if (std::sqrt(square) <= target) break;
             ++report.iterations;
             product<N>(a, direction_, product_);
-            const double curvature = dot(direction_, product_);
+            const double curvature = pieces.dot(direction_, product_);
             if (!(curvature > 0) || !(rz > 0)) return report;  // not positive definite, or not a number
             const double step = rz / curvature;
-            square = sum<N>(rows, [&](int from, int count) {
+            square = pieces.sum([&](Eigen::Index from, Eigen::Index count) {
                 x.segment(from, count) += step * direction_.segment(from, count);
                 residual_.segment(from, count) -= step * product_.segment(from, count);
                 return residual_.segment(from, count).squaredNorm();
             });
             improve<N>(residual_, z_);
-            const double next = dot(residual_, z_);
-            each_piece(rows, [&](int, int first, int end) {
-                direction_.segment(N * first, N * (end - first)) =
-                    z_.segment(N * first, N * (end - first)) +
-                    next / rz * direction_.segment(N * first, N * (end - first));
+            const double next = pieces.dot(residual_, z_);
+            pieces.each([&](Eigen::Index from, Eigen::Index count) {
+                direction_.segment(from, count) =
+                    z_.segment(from, count) + next / rz * direction_.segment(from, count);
             });
             rz = next;
         }
@@ -177,7 +152,6 @@ class ConjugateGradientSolver : public LinearSolver
     IncompleteFactor factor_;
     CoarseSpace coarse_;
     bool is_coarse_ = false;
-    std::vector<double> sums_;  // scratch, of pieces
     VectorXd residual_, z_, direction_, product_;
 };
 

@@ -9,10 +9,10 @@ namespace voussoir::solve
 using Eigen::VectorXd;
 
 LinearReport Gmres::solve(const Operator& multiply, const Operator& precondition, const VectorXd& b,
-                          double tolerance, int max_iterations, VectorXd& x)
+                          double tolerance, int max_iterations, Pieces pieces, VectorXd& x)
 {
     LinearReport report;
-    const double size = b.norm();
+    const double size = std::sqrt(pieces.dot(b, b));
     x.setZero(b.size());
     if (size == 0) {
         report.solved = true;
@@ -23,17 +23,31 @@ LinearReport Gmres::solve(const Operator& multiply, const Operator& precondition
     cosine_.resize(max_iterations);
     sine_.resize(max_iterations);
     basis_.resize(max_iterations + 1);
-    basis_[0] = b / size;
+    const auto add_to_basis = [&](int k, const VectorXd& v, double length) {
+        basis_[k].resize(b.size());
+        pieces.each([&](Eigen::Index from, Eigen::Index count) {
+            basis_[k].segment(from, count) = v.segment(from, count) / length;
+        });
+    };
+    add_to_basis(0, b, size);
     rest_[0] = size;
     int k = 0;
     while (k < max_iterations && std::abs(rest_[k]) > tolerance * size) {
         precondition(basis_[k], z_);
         multiply(z_, w_);
-        for (int i = 0; i <= k; ++i) {
-            upper_(i, k) = w_.dot(basis_[i]);
-            w_ -= upper_(i, k) * basis_[i];
-        }
-        const double left = w_.norm();
+        // What w has of a vector is taken from it on the way to the next.
+        upper_(0, k) = pieces.dot(w_, basis_[0]);
+        for (int i = 1; i <= k; ++i)
+            upper_(i, k) = pieces.sum([&](Eigen::Index from, Eigen::Index count) {
+                auto w = w_.segment(from, count);
+                w -= upper_(i - 1, k) * basis_[i - 1].segment(from, count);
+                return w.dot(basis_[i].segment(from, count));
+            });
+        const double left = std::sqrt(pieces.sum([&](Eigen::Index from, Eigen::Index count) {
+            auto w = w_.segment(from, count);
+            w -= upper_(k, k) * basis_[k].segment(from, count);
+            return w.squaredNorm();
+        }));
         for (int i = 0; i < k; ++i) {
             const double above = upper_(i, k), below = upper_(i + 1, k);
             upper_(i, k) = cosine_[i] * above + sine_[i] * below;
@@ -46,15 +60,18 @@ LinearReport Gmres::solve(const Operator& multiply, const Operator& precondition
         upper_(k, k) = length;
         rest_[k + 1] = -sine_[k] * rest_[k];
         rest_[k] *= cosine_[k];
-        if (left > 0) basis_[k + 1] = w_ / left;
+        if (left > 0) add_to_basis(k + 1, w_, left);
         ++k;
         ++report.iterations;
         if (left == 0) break;
     }
     report.solved = std::abs(rest_[k]) <= tolerance * size;
     const VectorXd y = upper_.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(rest_.head(k));
-    z_.setZero(b.size());
-    for (int i = 0; i < k; ++i) z_ += y[i] * basis_[i];
+    z_.resize(b.size());
+    pieces.each([&](Eigen::Index from, Eigen::Index count) {
+        z_.segment(from, count).setZero();
+        for (int i = 0; i < k; ++i) z_.segment(from, count) += y[i] * basis_[i].segment(from, count);
+    });
     precondition(z_, x);
     return report;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libdda/solve/linear_solver.h"
+#include "libdda/solve/pieces.h"
 
 namespace voussoir::solve
 {
@@ -18,9 +19,10 @@ class Gmres
     using Operator = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& y)>;  // y = A x
 
     /// @param tolerance |b - A x| / |b|
+    /// @param pieces of the vectors
     /// @returns not solved after max_iterations; x is then the best of the space
     LinearReport solve(const Operator& multiply, const Operator& precondition, const Eigen::VectorXd& b,
-                       double tolerance, int max_iterations, Eigen::VectorXd& x);
+                       double tolerance, int max_iterations, Pieces pieces, Eigen::VectorXd& x);
 
  private:
     std::vector<Eigen::VectorXd> basis_;

@@ -16,12 +16,11 @@ constexpr int most_domains = 16;
 
 }  // namespace
 
-Domains divide_into_domains(const BlockMatrix& pattern)
+Domains divide_into_domains(const BlockMatrix& pattern, int least_rows, int most)
 {
     const int rows = pattern.rows();
     if (rows < blocks_worth_threads) return {std::vector<int>(rows, 0), 1};
-    Aggregates aggregates =
-        aggregate(pattern, std::vector<char>(rows, 1), std::max(rows_in_domain, rows / most_domains));
+    Aggregates aggregates = aggregate(pattern, std::vector<char>(rows, 1), std::max(least_rows, rows / most));
     return {std::move(aggregates.of_row), aggregates.count};
 }
 
@@ -53,7 +52,7 @@ void IncompleteFactor::analyse(const BlockMatrix& a)
     columns_ = a.columns;
     row_start_ = a.row_start;
     of_matrix_ = columns_of(a);
-    domains_ = divide_into_domains(a);
+    domains_ = divide_into_domains(a, rows_in_domain, most_domains);
     count_ = domains_.count;
     std::vector<int> place;
     set_order(a, place);

@@ -12,13 +12,14 @@
 namespace voussoir::solve
 {
 
-/// Connected parts of a pattern of some 256 rows; a single one of fewer rows than `blocks_worth_threads`. The
-/// pattern alone decides, not the number of threads: results are the same on any.
+/// Connected parts of a pattern; a single one of fewer rows than `blocks_worth_threads`. The pattern alone
+/// decides, not the number of threads: results are the same on any.
 struct Domains {
     std::vector<int> of_row;
     int count = 0;
 };
-Domains divide_into_domains(const BlockMatrix& pattern);
+/// @param least_rows of a domain; @param most domains, some
+Domains divide_into_domains(const BlockMatrix& pattern, int least_rows, int most);
 
 /// Incomplete Cholesky, block by block, on the pattern of the matrix: exact for a chain in one domain. First come
 /// the rows inside the domains, then those that border on a domain of a lower number, domain by domain; border
@@ -27,11 +28,26 @@ Domains divide_into_domains(const BlockMatrix& pattern);
 class IncompleteFactor
 {
  public:
+    /// Gets ready for the pattern of a matrix: columns() are known.
     template <int N>
-    void factorise(const BlockMatrix& a, int threads)
+    void prepare(const BlockMatrix& a)
     {
         if (a.block_size != l_.block_size || a.columns != columns_ || a.row_start != row_start_) analyse(a);
         l_.values.resize(l_.columns.size() * N * N);
+    }
+
+    template <int N>
+    void factorise(const BlockMatrix& a, int threads)
+    {
+        prepare<N>(a);
+        factorise<N>(a, threads, [] {});
+    }
+
+    /// @param a prepared for
+    /// @param beside other work, which one thread does while others are at this
+    template <int N, class Beside>
+    void factorise(const BlockMatrix& a, int threads, const Beside& beside)
+    {
         const auto factorise_rows = [&](int first, int end) {
             for (int i = first; i < end; ++i) {
                 for (int p = l_.row_start[i]; p < l_.row_start[i + 1]; ++p) {
@@ -45,7 +61,12 @@ class IncompleteFactor
                 Kernels<N>::factorise_row(Kernels<N>::block(a, taken_[l_.diagonal(i)].position), i, l_);
             }
         };
-        each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(inside_[d], inside_[d + 1]); });
+        each_in_parallel(count_ + 1, threads, [&](std::size_t i) {
+            if (i == 0)
+                beside();
+            else
+                factorise_rows(inside_[i - 1], inside_[i]);
+        });
         each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(border_[d], border_[d + 1]); });
     }
 

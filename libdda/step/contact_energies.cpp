@@ -35,33 +35,45 @@ bool rubs_beyond_spring(const PointStep<D>& p)
 }  // namespace
 
 template <class K>
-ContactEnergies contact_energies(const ContactStep<K>& step)
+ContactEnergies contact_energies(int threads, const ContactStep<K>& step)
 {
+    struct Share {
+        ContactEnergies own;
+        double beyond_spring = 0;  // J, rubbed away where friction is more than the spring gives, else lost
+        bool rubs = false;
+    };
+    const auto share_of = [](const PatchStep<K>& patch, const PointStep<K::dimension>& p) {
+        Share share;
+        const double depth_0 = patch.intact ? p.gap_start : std::min(p.gap_start, 0.0);
+        const double depth_1 = patch.intact ? p.gap : std::min(p.gap, 0.0);
+        const double normal_start = 0.5 * p.normal_stiffness * depth_0 * depth_0;
+        const double normal_end = 0.5 * p.normal_stiffness * depth_1 * depth_1;
+        const double closing = p.gap_start - p.gap;
+        const typename K::Vector slip = slip_at_end(patch, p);
+        const typename K::Vector elastic = slip - p.slip_start;
+        const double shear_start = 0.5 * p.shear_stiffness * p.slip_start.squaredNorm();
+        const double shear_end = 0.5 * p.shear_stiffness * slip.squaredNorm();
+        share.own.stored = normal_end + shear_end;
+        share.own.dashpot = (p.normal - p.elastic_normal) * closing;
+        share.own.friction = p.shear.dot(tangential(p.displacement, patch.normal) - elastic);
+        share.own.loss = p.elastic_normal * closing - (normal_end - normal_start);
+        share.beyond_spring = p.shear.dot(elastic) - (shear_end - shear_start);
+        share.rubs = rubs_beyond_spring(p);
+        return share;
+    };
     ContactEnergies sum;
-    for (const PatchStep<K>& patch : step.patches)
-        for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            const PointStep<K::dimension>& p = step.points[i];
-            const double depth_0 = patch.intact ? p.gap_start : std::min(p.gap_start, 0.0);
-            const double depth_1 = patch.intact ? p.gap : std::min(p.gap, 0.0);
-            const double normal_start = 0.5 * p.normal_stiffness * depth_0 * depth_0;
-            const double normal_end = 0.5 * p.normal_stiffness * depth_1 * depth_1;
-            const double closing = p.gap_start - p.gap;
-            const typename K::Vector slip = slip_at_end(patch, p);
-            const typename K::Vector elastic = slip - p.slip_start;
-            const double shear_start = 0.5 * p.shear_stiffness * p.slip_start.squaredNorm();
-            const double shear_end = 0.5 * p.shear_stiffness * slip.squaredNorm();
-            sum.stored += normal_end + shear_end;
-            sum.dashpot += (p.normal - p.elastic_normal) * closing;
-            sum.friction += p.shear.dot(tangential(p.displacement, patch.normal) - elastic);
-            sum.loss += p.elastic_normal * closing - (normal_end - normal_start);
-            const double beyond_spring = p.shear.dot(elastic) - (shear_end - shear_start);
-            (rubs_beyond_spring(p) ? sum.friction : sum.loss) += beyond_spring;
-        }
+    add_points_in_order(step, threads, share_of, [&](const Share& share) {
+        sum.stored += share.own.stored;
+        sum.dashpot += share.own.dashpot;
+        sum.friction += share.own.friction;
+        sum.loss += share.own.loss;
+        (share.rubs ? sum.friction : sum.loss) += share.beyond_spring;
+    });
     return sum;
 }
 
-#define VOUSSOIR_INSTANTIATE(K)                                       \
-    template ContactEnergies contact_energies(const ContactStep<K>&); \
+#define VOUSSOIR_INSTANTIATE(K)                                            \
+    template ContactEnergies contact_energies(int, const ContactStep<K>&); \
     template K::Vector slip_at_end(const PatchStep<K>&, const PointStep<K::dimension>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE

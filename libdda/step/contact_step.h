@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libdda/contact/find_contacts.h"
+#include "libdda/model/parallel.h"
 #include "libdda/step/block_step.h"
 
 namespace voussoir::step
@@ -116,7 +117,27 @@ struct ContactEnergies {
     double stored = 0, friction = 0, dashpot = 0, loss = 0;
 };
 template <class K>
-ContactEnergies contact_energies(const ContactStep<K>& step);
+ContactEnergies contact_energies(int threads, const ContactStep<K>& step);
+
+/// Calls `add(part(patch, point))` for all points in their order; `part` is called on all threads.
+template <class K, class PartOf, class Add>
+void add_points_in_order(const ContactStep<K>& step, int threads, const PartOf& part, const Add& add)
+{
+    const auto each_point = [&](const PatchStep<K>& patch, const auto& visit) {
+        for (int i = patch.first; i < patch.first + patch.count; ++i) visit(i, part(patch, step.points[i]));
+    };
+    if (threads <= 1) {
+        for (const PatchStep<K>& patch : step.patches)
+            each_point(patch, [&](int, const auto& of_point) { add(of_point); });
+        return;
+    }
+    std::vector<decltype(part(step.patches.front(), step.points.front()))> parts(step.points.size());
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k)
+            each_point(step.patches[k], [&](int i, const auto& of_point) { parts[i] = of_point; });
+    });
+    for (const auto& of_point : parts) add(of_point);
+}
 
 /// Elastic slip at the end of the step [m]: of a blend theta, t = (1-theta)/2 k s0 + (1+theta)/2 k s1.
 template <class K>

@@ -96,15 +96,47 @@ double strain_energy_of(const BlockStep<K>& block, const State& state, int b)
     return own + stored_in(block.memory.branches, state, b, block.elasticity, strain);
 }
 
+/// What a block adds to the ledger [J].
+struct RowShare {
+    double gravity_work = 0, load_work = 0, loss = 0, damped = 0, rotation_gain = 0, impact = 0, ground_work = 0,
+           strain = 0, kinetic = 0;
+    bool jumps = false;
+};
+
+template <class K>
+RowShare share_of_row(const State& state, const StepSystem<K>& system, int row)
+{
+    constexpr int n = K::unknowns;
+    using Vector = typename K::Vector;
+    const int b = system.block_of_row[row];
+    const BlockStep<K>& block = system.blocks[b];
+    const InternalForce<K>& internal = system.internal[row];
+    const typename K::Unknowns d = system.d.template segment<n>(n * row);
+    const typename K::Spin moment = K::moment_of(system.contact_force.template segment<n>(n * row));
+    const Vector moved = pose_in<K::dimension>(K::kinematics, state, b).centroid - block.start.centroid;
+    RowShare share;
+    share.gravity_work = block.gravity.dot(moved);
+    share.load_work = (block.body_force - block.gravity).dot(moved);
+    share.loss = internal.loss;
+    share.damped = internal.damped;
+    share.jumps = block.jumps;
+    share.rotation_gain =
+        rotation_gain(block, internal, d, moment, system.h) + block.body_force.dot(block.ballistic);
+    share.impact = block.impact;
+    share.ground_work = block.ground_work;
+    share.strain = strain_energy_of(block, state, b);
+    share.kinetic = kinetic_energy_of(block, state, b);
+    return share;
+}
+
 }  // namespace
 
 template <class K>
 void book_step(const State& state, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
                EnergyLedger& energy)
 {
-    constexpr int n = K::unknowns;
     using Vector = typename K::Vector;
-    const ContactEnergies contact = contact_energies(system.contacts);
+    const ContactEnergies contact = contact_energies(system.threads, system.contacts);
     energy.contact = contact.stored;
     energy.friction += contact.friction;
     energy.damping_contact += contact.dashpot;
@@ -112,36 +144,34 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
     energy.fracture += system.fracture;
     energy.foundation_work += foundation_work(system, contacts);
     energy.kinetic = energy.strain = 0;
-    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
-        const int b = system.block_of_row[row];
-        const BlockStep<K>& block = system.blocks[b];
-        const InternalForce<K>& internal = system.internal[row];
-        const typename K::Unknowns d = system.d.template segment<n>(n * row);
-        const typename K::Spin moment = K::moment_of(system.contact_force.template segment<n>(n * row));
-        const Vector moved = pose_in<K::dimension>(K::kinematics, state, b).centroid - block.start.centroid;
-        energy.gravity_work += block.gravity.dot(moved);
-        energy.load_work += (block.body_force - block.gravity).dot(moved);
-        energy.algorithmic += internal.loss;
-        energy.damping_material += internal.damped;
-        (block.jumps ? energy.impact : energy.algorithmic_rotation) -=
-            rotation_gain(block, internal, d, moment, system.h) + block.body_force.dot(block.ballistic);
-        energy.impact += block.impact;
-        energy.foundation_work += block.ground_work;
-        energy.strain += strain_energy_of(block, state, b);
-        energy.kinetic += kinetic_energy_of(block, state, b);
-    }
-    for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
-        const PatchStep<K>& patch = system.contacts.patches[k];
-        const bool jumps =
-            system.blocks[contacts.patches[k].block_a].jumps || system.blocks[contacts.patches[k].block_b].jumps;
-        double& book = jumps ? energy.impact : energy.algorithmic_rotation;
-        for (int i = patch.first; i < patch.first + patch.count; ++i) {
-            const PointStep<K::dimension>& p = system.contacts.points[i];
-            const Vector force = p.normal * patch.normal - p.shear;
-            const double work = p.normal * (p.gap - p.gap_start) - p.shear.dot(p.displacement);
-            book -= force.dot(p.linear + p.ballistic_a - p.ballistic_b) - work;
-        }
-    }
+    add_in_order(
+        system.block_of_row.size(), system.threads,
+        [&](std::size_t row) { return share_of_row(state, system, static_cast<int>(row)); },
+        [&](const RowShare& share) {
+            energy.gravity_work += share.gravity_work;
+            energy.load_work += share.load_work;
+            energy.algorithmic += share.loss;
+            energy.damping_material += share.damped;
+            (share.jumps ? energy.impact : energy.algorithmic_rotation) -= share.rotation_gain;
+            energy.impact += share.impact;
+            energy.foundation_work += share.ground_work;
+            energy.strain += share.strain;
+            energy.kinetic += share.kinetic;
+        });
+    struct PointShare {
+        double gain = 0;
+        bool jumps = false;
+    };
+    const auto share_of_point = [&](const PatchStep<K>& patch, const PointStep<K::dimension>& p) {
+        const auto& found = contacts.patches[&patch - system.contacts.patches.data()];
+        const Vector force = p.normal * patch.normal - p.shear;
+        const double work = p.normal * (p.gap - p.gap_start) - p.shear.dot(p.displacement);
+        return PointShare{force.dot(p.linear + p.ballistic_a - p.ballistic_b) - work,
+                          system.blocks[found.block_a].jumps || system.blocks[found.block_b].jumps};
+    };
+    add_points_in_order(system.contacts, system.threads, share_of_point, [&](const PointShare& share) {
+        (share.jumps ? energy.impact : energy.algorithmic_rotation) -= share.gain;
+    });
     book_applied_forces(state, system.blocks, system.d, system.h, system.applied, energy);
     book_bars(state, system.blocks, system.bars, system.d, system.h, energy);
     energy.note_peaks();

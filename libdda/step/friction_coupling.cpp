@@ -68,18 +68,29 @@ void add_one_sided(const StepSystem<K>& system, const Eigen::VectorXd& x, Eigen:
 template <class K>
 bool FrictionCoupling<K>::gather(const StepSystem<K>& system)
 {
-    points_.clear();
-    first_of_patch_.clear();
-    for (const PatchStep<K>& patch : system.contacts.patches) {
-        first_of_patch_.push_back(static_cast<int>(points_.size()));
-        if (patch.row_a < 0 && patch.row_b < 0) continue;
-        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+    const std::vector<PatchStep<K>>& patches = system.contacts.patches;
+    const auto visit = [&](std::size_t k, const auto& each) {
+        if (patches[k].row_a < 0 && patches[k].row_b < 0) return;
+        for (int i = patches[k].first; i < patches[k].first + patches[k].count; ++i) {
             const PointStep<K::dimension>& p = system.contacts.points[i];
-            if (!(p.bound > 0) || (p.status != ContactStatus::sliding && !p.turns_round)) continue;
-            points_.push_back({patch.row_a, patch.row_b, p.lever_a, p.lever_b, left_out(patch, p)});
+            if (p.bound > 0 && (p.status == ContactStatus::sliding || p.turns_round)) each(p);
         }
-    }
-    first_of_patch_.push_back(static_cast<int>(points_.size()));
+    };
+    first_of_patch_.assign(patches.size() + 1, 0);
+    in_parallel(patches.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) visit(k, [&](const auto&) { ++first_of_patch_[k + 1]; });
+    });
+    for (std::size_t k = 0; k < patches.size(); ++k) first_of_patch_[k + 1] += first_of_patch_[k];
+    points_.resize(first_of_patch_.back());
+    in_parallel(patches.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            int next = first_of_patch_[k];
+            visit(k, [&](const PointStep<K::dimension>& p) {
+                points_[next++] = {patches[k].row_a, patches[k].row_b, p.lever_a, p.lever_b,
+                                   left_out(patches[k], p)};
+            });
+        }
+    });
     return !points_.empty();
 }
 
@@ -140,7 +151,8 @@ bool FrictionCoupling<K>::solve_direction(const StepControl& control, double tol
     };
     const auto precondition = [&](const VectorXd& r, VectorXd& z) { system.solver->precondition(r, z); };
     const solve::LinearReport linear =
-        gmres_.solve(multiply, precondition, system.residual, tolerance, max_vectors, system.direction);
+        gmres_.solve(multiply, precondition, system.residual, tolerance, max_vectors,
+                     solve::Pieces(system.matrix.rows(), K::unknowns, system.threads), system.direction);
     system.direction = -system.direction;
     report.linear_iterations += linear.iterations;
     return linear.solved && system.direction.allFinite();

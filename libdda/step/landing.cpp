@@ -2,9 +2,12 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <mutex>
 #include <numeric>
+#include <utility>
 
 #include "libdda/contact/strips.h"
+#include "libdda/model/parallel.h"
 #include "libdda/step/impulses.h"
 
 namespace voussoir::step
@@ -197,21 +200,30 @@ template <class K>
 std::vector<int> missed_landings(const Model& model, const Stage& stage, const State& state,
                                  const ContactSetIn<K::dimension>& contacts, const StepSystem<K>& system)
 {
-    std::vector<int> missed;
     const double slow = slow_landing * speed_of_a_step(stage, system.h);
-    contact::Strips<K::dimension> strips(model, contacts);
-    for (const auto& patch : contacts.patches) {
-        if (patch.intact || !model.joint_between(patch.block_a, patch.block_b).has_landing_law()) continue;
-        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            const auto& point = contacts.points[i];
-            if (point.gap < 0 || system.contacts.points[i].normal == 0) continue;
-            const Body<K> a = body_of<K>(model, state, patch.block_a), b = body_of<K>(model, state, patch.block_b);
-            const double approach = -patch.normal.dot(relative_velocity(a, b, point.position));
-            if (!(approach > slow) || point.gap <= system.h * approach) continue;
-            if (strips.is_of_yielding(patch)) break;
-            missed.push_back(i);
+    std::vector<std::pair<int, int>> met;  // point, patch
+    std::mutex mutex;
+    in_parallel(contacts.patches.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            const auto& patch = contacts.patches[k];
+            if (patch.intact || !model.joint_between(patch.block_a, patch.block_b).has_landing_law()) continue;
+            for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+                const auto& point = contacts.points[i];
+                if (point.gap < 0 || system.contacts.points[i].normal == 0) continue;
+                const Body<K> a = body_of<K>(model, state, patch.block_a),
+                              b = body_of<K>(model, state, patch.block_b);
+                const double approach = -patch.normal.dot(relative_velocity(a, b, point.position));
+                if (!(approach > slow) || point.gap <= system.h * approach) continue;
+                const std::lock_guard lock(mutex);
+                met.emplace_back(i, static_cast<int>(k));
+            }
         }
-    }
+    });
+    std::sort(met.begin(), met.end());
+    contact::Strips<K::dimension> strips(model, contacts);
+    std::vector<int> missed;
+    for (const auto& [point, patch] : met)
+        if (!strips.is_of_yielding(contacts.patches[patch])) missed.push_back(point);
     return missed;
 }
 

@@ -1,9 +1,12 @@
 #include "libdda/step/missed_contacts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "libdda/model/parallel.h"
 
 namespace voussoir::step
 {
@@ -65,14 +68,17 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
                       const std::vector<double>& reach, int threads)
 {
     constexpr int D = K::dimension;
-    std::vector<double> went;
+    std::atomic<bool> any = false;
+    in_parallel(reach.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t b = first; b < end; ++b)
+            if (!(farthest(system, static_cast<int>(b), radii[b]) <= reach[b])) any = true;
+    });
+    if (!any) return false;
+    std::vector<double> went = reach;
     for (std::size_t b = 0; b < reach.size(); ++b) {
         const double moved = farthest(system, static_cast<int>(b), radii[b]);
-        if (moved <= reach[b]) continue;
-        if (went.empty()) went = reach;
-        went[b] = moved;
+        if (!(moved <= reach[b])) went[b] = moved;
     }
-    if (went.empty()) return false;
     std::vector<contact::PlacedPartIn<D>> parts;
     ContactSetIn<D> all;
     contact::find_contacts(model, state, went, threads, parts, all);

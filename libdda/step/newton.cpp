@@ -66,12 +66,16 @@ bool fail_inverted(const StepSystem<K>& system, StepReport& report)
 
 /// Whether so many contacts have changed their state that the iteration would be long.
 template <int D>
-bool is_loose(const std::vector<ContactStatus>& before, const std::vector<PointStep<D>>& points)
+bool is_loose(const std::vector<ContactStatus>& before, const std::vector<PointStep<D>>& points, int threads)
 {
-    std::size_t changes = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) changes += points[i].status != before[i];
+    std::atomic<std::size_t> changes = 0;
+    in_parallel(points.size(), threads, [&](std::size_t first, std::size_t end) {
+        std::size_t found = 0;
+        for (std::size_t i = first; i < end; ++i) found += points[i].status != before[i];
+        changes += found;
+    });
     return changes > few_changes &&
-           static_cast<double>(changes) > many_changes * static_cast<double>(points.size());
+           static_cast<double>(changes.load()) > many_changes * static_cast<double>(points.size());
 }
 
 /// The solution of the linear problem in which every contact keeps its present state: system.direction.
@@ -115,8 +119,10 @@ template <class K>
 bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report, Guess& found)
 {
     std::vector<ContactStatus>& before = system.statuses;
-    before.clear();
-    for (const auto& point : system.contacts.points) before.push_back(point.status);
+    before.resize(system.contacts.points.size());
+    in_parallel(before.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) before[i] = system.contacts.points[i].status;
+    });
     if (!solve_with_states(control, system, report)) return false;
     evaluate_contacts(system.d, FrictionBound::exact, control.threads, system.contacts);
     if (!evaluate_residual(system.d, system)) return fail_inverted(system, report);
@@ -127,7 +133,7 @@ bool guess(const StepControl& control, StepSystem<K>& system, StepReport& report
         system.d = system.trial;
         found.known = Known::exact;
     }
-    found.loose = is_loose(before, system.contacts.points);
+    found.loose = is_loose(before, system.contacts.points, system.threads);
     return true;
 }
 

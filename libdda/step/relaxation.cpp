@@ -21,7 +21,10 @@ constexpr int newton_iterations = 2;     // of a block in a sweep
 constexpr int sweeps_over_all = 2;
 constexpr int most_sweeps = 40;
 constexpr double few = 0.2;  // of the rows: so many may be due in a sweep beyond those over all
-constexpr std::size_t rows_for_threads = 512;
+constexpr std::size_t rows_for_threads = 32;
+// Few rows are due in most sweeps, and near one another: domains are small, so that they lie in several.
+constexpr int rows_in_domain = 32;  // at least
+constexpr int most_domains = 1024;  // some
 constexpr int line_evaluations = 8;
 constexpr int bisected = 3;  // every so many of them, where the secant stalls
 
@@ -64,7 +67,7 @@ void Relaxation<K>::divide(const solve::BlockMatrix& pattern)
 {
     columns_ = pattern.columns;
     row_start_ = pattern.row_start;
-    domains_ = solve::divide_into_domains(pattern);
+    domains_ = solve::divide_into_domains(pattern, rows_in_domain, most_domains);
     inside_.resize(domains_.count);
     border_.resize(domains_.count);
     const int rows = pattern.rows();

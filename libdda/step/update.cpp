@@ -36,16 +36,18 @@ template <class K>
 void update_blocks(const StepSystem<K>& system, State& state)
 {
     constexpr int n = K::unknowns;
-    for (std::size_t b = 0; b < system.blocks.size(); ++b) {
-        const BlockStep<K>& block = system.blocks[b];
-        typename K::Unknowns d = K::Unknowns::Zero();
-        typename K::Spin moment = K::Spin::Zero();
-        if (block.row >= 0) {
-            d = system.d.template segment<n>(n * block.row);
-            moment = K::moment_of(system.contact_force.template segment<n>(n * block.row));
+    in_parallel(system.blocks.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t b = first; b < end; ++b) {
+            const BlockStep<K>& block = system.blocks[b];
+            typename K::Unknowns d = K::Unknowns::Zero();
+            typename K::Spin moment = K::Spin::Zero();
+            if (block.row >= 0) {
+                d = system.d.template segment<n>(n * block.row);
+                moment = K::moment_of(system.contact_force.template segment<n>(n * block.row));
+            }
+            update_block(block, d, moment, system.h, static_cast<int>(b), state);
         }
-        update_block(block, d, moment, system.h, static_cast<int>(b), state);
-    }
+    });
 }
 
 template <class K>
@@ -55,7 +57,8 @@ void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>
     constexpr int n = K::unknowns, dimension = K::dimension;
     using Vector = typename K::Vector;
     ContactSetIn<dimension>& stored = contacts_in<dimension>(state);
-    stored = contacts;
+    stored.patches.resize(contacts.patches.size());
+    stored.points.resize(contacts.points.size());
     struct Found {
         bool state_changed = false;
         double penetration = 0;  // m
@@ -63,6 +66,7 @@ void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>
     };
     const auto update_patch = [&](std::size_t k, Found& found) {
         ContactPatchIn<dimension>& kept = stored.patches[k];
+        kept = contacts.patches[k];
         const PatchStep<K>& patch = system.contacts.patches[k];
         const BlockStep<K>& reference = system.blocks[kept.block_b];
         typename K::Unknowns d_a = K::Unknowns::Zero(), d_b = K::Unknowns::Zero();
@@ -79,6 +83,7 @@ void update_contacts(const Model& model, const Stage& stage, const StepSystem<K>
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             const PointStep<dimension>& p = system.contacts.points[i];
             ContactPointIn<dimension>& point = stored.points[i];
+            point = contacts.points[i];
             const Vector slip = slip_at_end(patch, p);
             const Vector sliding =
                 p.displacement - patch.normal.dot(p.displacement) * patch.normal - (slip - p.slip_start);

@@ -41,6 +41,7 @@ TYPED_TEST(CoarseSpace, KnowsTheMotionsOfTheWholeAsOneBlock)
     solve::CoarseSpace coarse;
     coarse.place(lattice.places);
     ASSERT_TRUE(coarse.prepare(lattice.matrix, solve::columns_of(lattice.matrix), 1));
+    coarse.factorise();
     for (int k = 0; k < TypeParam::unknowns; ++k) {
         const VectorXd d = lattice.moved_as_one(TypeParam::Unknowns::Unit(k));
         VectorXd load, found;
@@ -56,6 +57,7 @@ TYPED_TEST(CoarseSpace, LeavesNoResidualThatMovesTheWholeAsOneBlock)
     solve::CoarseSpace coarse;
     coarse.place(lattice.places);
     ASSERT_TRUE(coarse.prepare(lattice.matrix, solve::columns_of(lattice.matrix), 1));
+    coarse.factorise();
     const VectorXd r = numbers(TypeParam::unknowns * 400);
     VectorXd z = 1e-4 * numbers(r.size()), kz;
     coarse.correct(r, 1, z);
@@ -116,6 +118,7 @@ TYPED_TEST(CoarseSpace, RowsThatAreHeldStayOut)
     solve::CoarseSpace coarse;
     coarse.place(lattice.places);
     ASSERT_TRUE(coarse.prepare(lattice.matrix, solve::columns_of(lattice.matrix), 1));
+    coarse.factorise();
     VectorXd x;
     coarse.start(numbers(n * 400), 1, x);
     EXPECT_EQ(lattice.of(x, held).norm(), 0);

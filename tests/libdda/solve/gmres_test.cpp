@@ -33,6 +33,11 @@ VectorXd numbers(int size)
     return b;
 }
 
+solve::Pieces whole(int size)
+{
+    return {size, 1, 1};
+}
+
 void copy(const VectorXd& r, VectorXd& z)
 {
     z = r;
@@ -48,7 +53,7 @@ TEST(Gmres, SolvesSystemsThatAreNotSymmetricToTheTolerance)
     VectorXd x;
     for (const double tolerance : {1e-2, 1e-6, 1e-10}) {
         const solve::LinearReport report =
-            gmres.solve([&](const VectorXd& v, VectorXd& y) { y = a * v; }, copy, b, tolerance, 60, x);
+            gmres.solve([&](const VectorXd& v, VectorXd& y) { y = a * v; }, copy, b, tolerance, 60, whole(60), x);
         EXPECT_TRUE(report.solved);
         EXPECT_LE((b - a * x).norm(), 1.01 * tolerance * b.norm());
     }
@@ -62,7 +67,7 @@ TEST(Gmres, NeedsOneIterationWithTheInverse)
     VectorXd x;
     const solve::LinearReport report =
         gmres.solve([&](const VectorXd& v, VectorXd& y) { y = a * v; },
-                    [&](const VectorXd& r, VectorXd& z) { z = inverse * r; }, b, 1e-10, 5, x);
+                    [&](const VectorXd& r, VectorXd& z) { z = inverse * r; }, b, 1e-10, 5, whole(30), x);
     EXPECT_TRUE(report.solved);
     EXPECT_EQ(report.iterations, 1);
     EXPECT_LT((x - inverse * b).norm(), 1e-10 * x.norm());
@@ -74,7 +79,8 @@ TEST(Gmres, SaysThatItHasNotSolved)
     const VectorXd b = numbers(60);
     solve::Gmres gmres;
     VectorXd x;
-    EXPECT_FALSE(gmres.solve([&](const VectorXd& v, VectorXd& y) { y = a * v; }, copy, b, 1e-12, 3, x).solved);
+    EXPECT_FALSE(
+        gmres.solve([&](const VectorXd& v, VectorXd& y) { y = a * v; }, copy, b, 1e-12, 3, whole(60), x).solved);
     EXPECT_LT((b - a * x).norm(), b.norm());  // the best of what it has
 }
 
@@ -82,7 +88,7 @@ TEST(Gmres, OfNothingIsNothing)
 {
     solve::Gmres gmres;
     VectorXd x = numbers(4);
-    EXPECT_TRUE(gmres.solve(copy, copy, VectorXd::Zero(4), 1e-3, 5, x).solved);
+    EXPECT_TRUE(gmres.solve(copy, copy, VectorXd::Zero(4), 1e-3, 5, whole(4), x).solved);
     EXPECT_EQ(x.norm(), 0);
 }
 

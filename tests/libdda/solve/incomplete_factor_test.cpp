@@ -91,11 +91,11 @@ TYPED_TEST(IncompleteFactor, RowsCollectWhatTheProductSends)
 TEST(Domains, AreAsManyAsTheRowsAsk)
 {
     const Lattice<step::PlanarRigid> small(31, 33), wall(40, 30), long_wall(400, 30);
-    EXPECT_EQ(solve::divide_into_domains(small.matrix).count, 1);
-    const int few = solve::divide_into_domains(wall.matrix).count;
+    EXPECT_EQ(solve::divide_into_domains(small.matrix, 256, 16).count, 1);
+    const int few = solve::divide_into_domains(wall.matrix, 256, 16).count;
     EXPECT_GE(few, 3);
     EXPECT_LE(few, 6);
-    const solve::Domains many = solve::divide_into_domains(long_wall.matrix);
+    const solve::Domains many = solve::divide_into_domains(long_wall.matrix, 256, 16);
     EXPECT_GE(many.count, 12);
     EXPECT_LE(many.count, 20);
     EXPECT_EQ(std::set<int>(many.of_row.begin(), many.of_row.end()).size(), static_cast<std::size_t>(many.count));
