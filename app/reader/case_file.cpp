@@ -68,16 +68,17 @@ void read_model(YamlCursor& top, Case& result, Findings& findings, std::vector<F
     read_bars(top, model);  // dowels in the joints that the run will have
 }
 
-/// Whether nothing but weight acts in the stages, at once or as it comes, on stones that begin at rest as they are
-/// drawn.
-bool has_weight_alone(const std::vector<Stage>& stages, const std::vector<std::string>& set_in_motion)
+/// Whether nothing but a steady weight acts in the stages, and none sees stones move that begin turned or moving.
+/// Who raises the weight slowly wants to see them fall, and has stones that rattle.
+/// @param apart blocks that begin turned or moving
+bool has_weight_alone(const std::vector<Stage>& stages, const std::vector<std::string>& apart)
 {
-    const auto is_shaken = [](const Stage& stage) {
-        return !stage.motions.empty() || !stage.body_accelerations.empty() || !stage.incoming_waves.empty();
+    const auto is_lively = [&](const Stage& stage) {
+        return stage.type == StageType::dynamic &&
+               (!apart.empty() || stage.gravity_ramp.duration > 0 || !stage.motions.empty() ||
+                !stage.body_accelerations.empty() || !stage.incoming_waves.empty());
     };
-    return set_in_motion.empty() && std::none_of(stages.begin(), stages.end(), [&](const Stage& stage) {
-               return stage.type == StageType::dynamic && is_shaken(stage);
-           });
+    return std::none_of(stages.begin(), stages.end(), is_lively);
 }
 
 void read_everything(YamlCursor& top, Case& result, Findings& findings)

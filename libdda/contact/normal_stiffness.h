@@ -13,9 +13,10 @@ namespace voussoir::contact
 /// open and close in a step; those of rigid stones, which rock harder, are softer still.
 double default_stiffness_factor(Kinematics kinematics, const JointMaterial& joint);
 
-/// Gives the joints of rigid stones of which nobody said how stiff they are 300 E / L: for a model that is only to
-/// come to rest. In motion stones on such joints rattle, which costs up to ten times the iterations and what the
-/// integrator takes; at rest they cost half as many again, and limit states come closer to those of rigid bodies.
+/// Gives the joints of rigid stones of which nobody said how stiff they are 300 E / L: for a model that only has
+/// to carry its weight, as it comes to rest or under all of it at once. Shaken stones on such joints rattle, which
+/// costs up to ten times the iterations and what the integrator takes; at rest they cost half as many again, and
+/// limit states come closer to those of rigid bodies.
 void stiffen_for_rest(Model& model);
 
 /// How many E / L a joint has whose stiffness comes from the moduli: those given, else the default.

@@ -186,12 +186,20 @@ bool gathers_speed(const StaticCourse& course, int steps)
     return course.kinetic > 0 && course.steady >= steps;
 }
 
+/// Whether stones are higher than they were drawn, because they were drawn within one another and pressed apart:
+/// they may go far and gather speed, but not by falling.
+bool are_pressed_apart(const RunProgress& progress)
+{
+    const EnergyLedger& energy = progress.report.energy;
+    return progress.state.stage == 0 && energy.start_contact > 0 && energy.input() < 0;
+}
+
 /// Whether stones fall, as far as can be seen by now. @param gone since the stage began
 bool is_falling(const RunProgress& progress, const std::vector<BlockShift>& gone)
 {
     const StaticCourse& course = progress.position.course;
     const double share = largest_share(progress.model, gone);
-    if (settle_by_strain(progress.model, progress.state)) return false;
+    if (settle_by_strain(progress.model, progress.state) || are_pressed_apart(progress)) return false;
     return (course.steady >= enough_steady && share > settled) ||
            (gathers_speed(course, long_steady) && share > creeping) || gathers_speed(course, endless_steady);
 }
@@ -202,8 +210,8 @@ bool end_unbalanced(RunProgress& progress)
     const auto gone = gone_in_stage(progress);
     const StaticCourse& course = progress.position.course;
     const double share = largest_share(progress.model, gone);
-    if (share > overturned || (share > settled && course.steady > 0) || gathers_speed(course, long_steady))
-        collapse(progress, gone);
+    const bool goes_on = (share > settled && course.steady > 0) || gathers_speed(course, long_steady);
+    if (share > overturned || (goes_on && !are_pressed_apart(progress))) collapse(progress, gone);
     return false;
 }
 
