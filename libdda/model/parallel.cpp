@@ -21,8 +21,8 @@ constexpr std::chrono::microseconds awake(50);  // that a thread waits before it
 constexpr int glances_per_look = 32;            // at what is awaited, for each look at the clock
 constexpr std::size_t ranges_per_thread = 4;    // so that a thread that comes late leaves its share to the others
 
-// What the caller waits for a helper that has lost its core; beyond its own share of the loop, or the loop is
-// uneven.
+// What the caller waits for a helper that has lost its core: beyond its own share of the loop, and not in loops of
+// few turns, or the loop is uneven.
 constexpr std::chrono::microseconds stall(500);
 constexpr int stalled_shares = 3;
 constexpr std::chrono::milliseconds first_pause(5), longest_pause(320);
@@ -113,7 +113,7 @@ class Crew
 
  private:
     static constexpr std::size_t line = 64;  // bytes of a cache: what one thread writes keeps apart from others
-    static constexpr int range_bits = 24;
+    static constexpr int range_bits = 8;
     static constexpr std::uint64_t no_range = (std::uint64_t{1} << range_bits) - 1;
 
     struct alignas(line) Share {
@@ -133,8 +133,8 @@ class Crew
         }
     }
 
-    /// Who falls asleep counts itself before it looks for the last time at what it waits for: either it sees that,
-    /// or it is seen by who looks at the count after having changed it.
+    /// Who falls asleep tells so before it looks for the last time at what it waits for: either it sees that, or
+    /// it is seen by who looks after having changed it.
     void wake(std::condition_variable& sleepers)
     {
         {
@@ -218,7 +218,8 @@ class Crew
             caller_sleeps_ = false;
         }
         const Clock::duration waited = Clock::now() - finished;
-        if (waited > stall && waited > stalled_shares * (finished - begun)) go_alone();
+        const bool is_even = count >= shares_in_use_.load(std::memory_order_relaxed) * ranges_per_thread;
+        if (is_even && waited > stall && waited > stalled_shares * (finished - begun)) go_alone();
     }
 
     /// A helper lost its core to another program in the middle of a range. For a while the caller does all by

@@ -26,9 +26,9 @@ int worthwhile_threads(std::size_t blocks);
 
 /// Calls `turn(first, end)` for consecutive ranges that together make up 0 ... count, on at most `threads`
 /// threads, the caller's among them. Which thread does which range is left open, so a turn may depend on its own
-/// index only. Helpers belong to the calling thread; after a loop they stay awake for 50 microseconds, then sleep,
-/// and the caller does what none of them has begun: beside a busy process a loop waits for no thread that has not
-/// been given a core.
+/// index only, and begin no such loop itself. Helpers belong to the calling thread; after a loop they stay awake
+/// for 50 microseconds, then sleep, and the caller does what none of them has begun: beside a busy process a loop
+/// waits for no thread that has not been given a core.
 /// @throws what a turn throws, one of them, when all threads have left the loop
 template <class Turn>
 void in_parallel(std::size_t count, int threads, const Turn& turn)

@@ -11,7 +11,7 @@ namespace voussoir::solve
 namespace
 {
 
-constexpr int rows_in_domain = 256;  // at least
+constexpr int rows_in_domain = 256;  // some, or more
 constexpr int most_domains = 16;
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Domains {
     std::vector<int> of_row;
     int count = 0;
 };
-/// @param least_rows of a domain; @param most domains, some
+/// @param least_rows of a domain, some; @param most domains, some
 Domains divide_into_domains(const BlockMatrix& pattern, int least_rows, int most);
 
 /// Incomplete Cholesky, block by block, on the pattern of the matrix: exact for a chain in one domain. First come

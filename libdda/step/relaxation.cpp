@@ -23,7 +23,7 @@ constexpr int most_sweeps = 40;
 constexpr double few = 0.2;  // of the rows: so many may be due in a sweep beyond those over all
 constexpr std::size_t rows_for_threads = 32;
 // Few rows are due in most sweeps, and near one another: domains are small, so that they lie in several.
-constexpr int rows_in_domain = 32;  // at least
+constexpr int rows_in_domain = 32;  // some
 constexpr int most_domains = 1024;  // some
 constexpr int line_evaluations = 8;
 constexpr int bisected = 3;  // every so many of them, where the secant stalls
@@ -115,11 +115,21 @@ template <class K>
 template <class Work>
 void Relaxation<K>::everywhere(bool back, int threads, const Work& work)
 {
+    // In most sweeps most domains have nothing to do.
+    const auto take = [&](Moves& moves) {
+        if (!moves.due.empty() || !moves.patches.empty()) busy_.push_back(&moves);
+    };
+    const auto side_by_side = [&] {
+        each_in_parallel(busy_.size(), threads, [&](std::size_t i) { work(*busy_[i]); });
+        busy_.clear();
+    };
     const auto inside = [&] {
-        each_in_parallel(inside_.size(), threads, [&](std::size_t domain) { work(inside_[domain]); });
+        for (Moves& moves : inside_) take(moves);
+        side_by_side();
     };
     const auto at_borders = [&](const std::vector<int>& turn) {
-        each_in_parallel(turn.size(), threads, [&](std::size_t i) { work(border_[turn[i]]); });
+        for (const int domain : turn) take(border_[domain]);
+        side_by_side();
     };
     if (!back) inside();
     if (back)

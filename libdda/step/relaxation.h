@@ -32,7 +32,7 @@ class Relaxation
 
  private:
     using Unknowns = typename K::Unknowns;
-    /// What one thread has moved.
+    /// What is due, and what was moved, inside a domain or at its border.
     struct Moves {
         std::vector<int> due;      // rows to be looked at, ascending
         std::vector<int> patches;  // that were moved
@@ -70,6 +70,7 @@ class Relaxation
     std::vector<char> is_at_border_;        // (rows) whether a row has neighbours in other domains
     std::vector<std::vector<int>> turns_;   // domains whose borders are relaxed side by side
     std::vector<Moves> inside_, border_;    // by domain
+    std::vector<Moves*> busy_;              // scratch
     bool is_ready_ = false;
 };
 

@@ -122,6 +122,54 @@ TEST(Parallel, AnExceptionReachesTheCallerAndTheNextLoopRuns)
     }
 }
 
+TEST(Parallel, LoopsOfFewerThreadsAndOfMoreFollowOneAnother)
+{
+    for (int repeat = 0; repeat < 200; ++repeat)
+        for (const int threads : {4, 2, 3, 1, 4}) {
+            std::atomic<std::size_t> done = 0;
+            each_in_parallel(5, threads, [&](std::size_t i) { done += i + 1; });
+            EXPECT_EQ(done, 15U) << threads << " threads";
+        }
+}
+
+TEST(Parallel, PartsAreAddedInTheirOrder)
+{
+    for (const int threads : {1, 2, 3}) {
+        std::vector<std::size_t> added;
+        add_in_order(
+            1000, threads, [](std::size_t i) { return i * i; }, [&](std::size_t part) { added.push_back(part); });
+        ASSERT_EQ(added.size(), 1000U);
+        for (std::size_t i = 0; i < added.size(); ++i) EXPECT_EQ(added[i], i * i);
+    }
+}
+
+// A thread that does not come back from its range for long has lost its core to another program.
+TEST(Parallel, BesideAThreadThatLostItsCoreTheCallerWorksAloneForAWhile)
+{
+    const auto caller = std::this_thread::get_id();
+    const auto helpers_at_work = [&] {
+        std::atomic<bool> any = false;
+        each_in_parallel(8, 2, [&](std::size_t) {
+            if (std::this_thread::get_id() != caller) any = true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        });
+        return any.load();
+    };
+    std::atomic<bool> lost = false;
+    each_in_parallel(8, 2, [&](std::size_t) {
+        if (std::this_thread::get_id() != caller) {
+            if (!lost.exchange(true)) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            return;
+        }
+        const Clock::time_point start = Clock::now();
+        while (!lost && seconds_since(start) < 0.5) std::this_thread::yield();
+    });
+    ASSERT_TRUE(lost);
+    EXPECT_FALSE(helpers_at_work());
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_TRUE(helpers_at_work());
+}
+
 // Where threads wait in a loop for the last of them, each of these millisecond waits costs a core.
 TEST(Parallel, ThreadsSleepWhileTheyWait)
 {
