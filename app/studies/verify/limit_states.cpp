@@ -262,13 +262,10 @@ std::vector<Benchmark> limit_state_benchmarks()
         "|least thickness / mean radius - that of limit analysis|, of static stages or of gravity suddenly there, "
         "the worse";
     thickness.choices =
-        "Mean radius 5 m, 10 GPa, friction 0.7, joints of 300 E/L, the default of a case in which nothing but a "
-        "steady "
-        "weight acts: on the 10 E/L of stones that are shaken the arch bounces when it is suddenly loaded, and "
-        "falls up "
-        "to 0.1073. Bisection of the thickness to 5e-6; suddenly loaded it has fallen when a stone has moved by "
-        "1e-4 of "
-        "the radius after 2 s.";
+        "Mean radius 5 m, 10 GPa, friction 0.7, joints of 300 E/L, the default of a case in which nothing "
+        "but a steady weight acts: on the 10 E/L of stones that are shaken the arch bounces when it is "
+        "suddenly loaded, and falls up to 0.1073. Bisection of the thickness to 5e-6; suddenly loaded it "
+        "has fallen when a stone has moved by 1e-4 of the radius after 2 s.";
     thickness.tolerance = 1e-4;
     thickness.sweep = sweep_of(thickness.setting, {8e-3, 4e-3, 2e-3, 1e-3});
     thickness.run = run_thickness;
