@@ -124,14 +124,15 @@ void note_fallen(const Model& model, const CollapseWatch& watch, const Vector3d&
     std::vector<bool> is_supported;
     std::vector<FallenBlock> more;
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-        if (is_held(model, b)) continue;
         const Vector3d now = centroid(model, state, b) - ground;
         const bool left = (now - watch.middle).norm() > domain * watch.extent;
         if (known[b] != nullptr) {
             known[b]->left = known[b]->left || left;
             continue;
         }
-        if (!left && !(down.dot(now - watch.start[b]) > size_of(model, b))) continue;
+        const double depth = down.dot(now - watch.start[b]);
+        if (!left && !(depth > 0 && depth > size_of(model, b))) continue;
+        if (is_held(model, b)) continue;  // foundations are looked through only for blocks that went far
         if (is_supported.empty()) is_supported = supported(model, state);
         if (!is_supported[b]) more.push_back({b, state.time, left});
     }
@@ -149,10 +150,11 @@ bool structure_has_fallen(const Model& model, const State& state, const RunRepor
 
 bool all_have_left(const Model& model, const RunReport& report)
 {
+    if (report.fallen.empty()) return false;
     std::size_t gone = 0;
     for (const FallenBlock& fallen : report.fallen) gone += fallen.left;
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) gone += is_held(model, b);
-    return !report.fallen.empty() && gone == model.blocks.size();
+    return gone == model.blocks.size();
 }
 
 std::optional<Diagnosis> diagnosis_of_fallen(const RunReport& report)

@@ -213,6 +213,7 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
     const bool forgives = overlap == NewOverlap::forgiven && !patch.intact && !same_features;
     const bool turns_away =
         model.fit_tolerance > 0 && history.patch && !patch.intact && !looks_alike(patch, *history.patch);
+    found.points.reserve(polygon.points.size());
     for (const PolygonPointIn<D>& corner : polygon.points) {
         ContactPointIn<D> point;
         point.feature = corner.feature;

@@ -115,6 +115,8 @@ std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const Pl
     const std::size_t incident_edges = incident_loop.size();
 
     std::vector<ClipPoint> polygon, scratch;
+    polygon.reserve(incident_edges + loop.size());  // a cut adds at most one corner
+    scratch.reserve(incident_edges + loop.size());
     for (std::size_t i = 0; i < incident_edges; ++i)
         polygon.push_back({incident.vertices[incident_loop[i]], static_cast<std::uint32_t>(i)});
     for (std::size_t i = 0; i < loop.size() && polygon.size() >= 3; ++i) {
@@ -131,6 +133,7 @@ std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const Pl
     contact.normal = n;
     const double plane = n.dot(reference.vertices[loop.front()]);
     double nearest = margin;
+    contact.points.reserve(polygon.size());
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const std::uint32_t arriving = polygon[(i + polygon.size() - 1) % polygon.size()].leaving;
         const double gap = n.dot(polygon[i].position) - plane;

@@ -46,9 +46,11 @@ void place_parts(const Model& model, const State& state, int threads, std::vecto
     const auto place_next = [&](int block, int part, const typename ShapeIn<D>::Type& shape) {
         if (count == parts.size()) parts.emplace_back();
         PlacedPartIn<D>& placed = parts[count++];
+        if (placed.shape == &shape && placed.block == block && placed.part == part) return;  // known already
         placed.block = block;
         placed.part = part;
         placed.shape = &shape;
+        placed.size = size_of(model, block);
     };
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
         const auto& shapes = ShapeIn<D>::of(model.blocks[b]);
@@ -59,7 +61,6 @@ void place_parts(const Model& model, const State& state, int threads, std::vecto
         for (std::size_t i = first; i < end; ++i) {
             PlacedPartIn<D>& placed = parts[i];
             const PoseIn<D> pose = pose_in<D>(model.kinematics, state, placed.block);
-            placed.size = size_of(model, placed.block);
             const auto& vertices = placed.shape->vertices;
             placed.vertices.resize(vertices.size());
             for (std::size_t v = 0; v < vertices.size(); ++v)

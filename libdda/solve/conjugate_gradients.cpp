@@ -117,13 +117,19 @@ class ConjugateGradientSolver : public LinearSolver
         } else {
             x.setZero(b.size());
         }
-        improve<N>(residual_, z_);
-        direction_ = z_;
-        double rz = pieces.dot(residual_, z_);
-        double square = pieces.dot(residual_, residual_);
+        double square = pieces.dot(residual_, residual_), rz = 0;
         const double target = tolerance_ * b.norm();
-        while (report.iterations < max_iterations_) {
-            if (std::sqrt(square) <= target) break;
+        while (std::sqrt(square) > target && report.iterations < max_iterations_) {
+            improve<N>(residual_, z_);
+            const double next = pieces.dot(residual_, z_);
+            if (report.iterations == 0)
+                direction_ = z_;
+            else
+                pieces.each([&](Eigen::Index from, Eigen::Index count) {
+                    direction_.segment(from, count) =
+                        z_.segment(from, count) + next / rz * direction_.segment(from, count);
+                });
+            rz = next;
             ++report.iterations;
             product<N>(a, direction_, product_);
             const double curvature = pieces.dot(direction_, product_);
@@ -134,13 +140,6 @@ class ConjugateGradientSolver : public LinearSolver
                 residual_.segment(from, count) -= step * product_.segment(from, count);
                 return residual_.segment(from, count).squaredNorm();
             });
-            improve<N>(residual_, z_);
-            const double next = pieces.dot(residual_, z_);
-            pieces.each([&](Eigen::Index from, Eigen::Index count) {
-                direction_.segment(from, count) =
-                    z_.segment(from, count) + next / rz * direction_.segment(from, count);
-            });
-            rz = next;
         }
         report.solved = std::sqrt(square) <= target;
         return report;

@@ -18,7 +18,7 @@ LinearReport Gmres::solve(const Operator& multiply, const Operator& precondition
         report.solved = true;
         return report;
     }
-    upper_.setZero(max_iterations + 1, max_iterations);
+    upper_.resize(max_iterations + 1, max_iterations);  // what is used of it is written first
     rest_.setZero(max_iterations + 1);
     cosine_.resize(max_iterations);
     sine_.resize(max_iterations);

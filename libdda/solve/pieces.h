@@ -19,8 +19,8 @@ class Pieces
         : size_(static_cast<Eigen::Index>(rows) * unknowns_of_row),
           piece_(static_cast<Eigen::Index>(unknowns_of_row) *
                  (rows < blocks_worth_threads ? std::max(rows, 1) : 256)),
-          threads_(threads),
-          sums_(static_cast<std::size_t>((size_ + piece_ - 1) / piece_))
+          pieces_(static_cast<std::size_t>((size_ + piece_ - 1) / piece_)),
+          threads_(threads)
     {
     }
 
@@ -28,7 +28,7 @@ class Pieces
     template <class Work>
     void each(const Work& work) const
     {
-        each_in_parallel(sums_.size(), threads_, [&](std::size_t piece) {
+        each_in_parallel(pieces_, threads_, [&](std::size_t piece) {
             const Eigen::Index from = static_cast<Eigen::Index>(piece) * piece_;
             work(from, std::min(piece_, size_ - from));
         });
@@ -38,6 +38,8 @@ class Pieces
     template <class Part>
     double sum(const Part& part)
     {
+        if (pieces_ == 1) return part(Eigen::Index{0}, size_);
+        sums_.resize(pieces_);
         each([&](Eigen::Index from, Eigen::Index count) {
             sums_[static_cast<std::size_t>(from / piece_)] = part(from, count);
         });
@@ -55,6 +57,7 @@ class Pieces
 
  private:
     Eigen::Index size_, piece_;
+    std::size_t pieces_;
     int threads_;
     std::vector<double> sums_;  // of the pieces
 };

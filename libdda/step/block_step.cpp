@@ -19,6 +19,7 @@ void hold_components(const Model& model, int block, BlockStep<K>& step)
 {
     step.held.fill(false);
     for (const Foundation& foundation : model.foundations) {
+        if (!step.is_foundation) break;
         if (foundation.block != block) continue;
         for (int k = 0; k < K::dimension; ++k)
             step.held[k] = foundation.translation_held[axis_in_space<K::dimension>(k)];
@@ -36,6 +37,7 @@ void follow_ground(const Model& model, const Stage& stage, const State& state, i
 {
     constexpr int dimension = K::dimension;
     step.ground_velocity.setZero();
+    if (!step.is_foundation) return;
     for (std::size_t f = 0; f < model.foundations.size(); ++f) {
         if (model.foundations[f].block != block) continue;
         for (int k = 0; k < dimension; ++k) {
@@ -99,7 +101,7 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
 {
     constexpr int dimension = K::dimension;
     step.mass = model.mass(block);
-    step.size = size_of(model, block);
+    if (step.size == 0) step.size = size_of(model, block);
     step.density_second = from_space<dimension>(model.mass_second(block));
     step.start = pose_in<dimension>(K::kinematics, state, block);
     hold_components(model, block, step);

@@ -39,10 +39,12 @@ struct BlockStep {
     using Unknowns = typename K::Unknowns;
     using Square = typename K::Square;
 
-    int row = -1;  // of its unknowns in the system; -1: fully held
+    int row = -1;               // of its unknowns in the system; -1: fully held
+    bool is_foundation = true;  // false: foundations need not be looked through for it
     std::array<bool, K::unknowns> held{};
     bool sides_tied = false;                 // it neither turns nor stretches sideways
-    double mass = 0, size = 0;               // kg; m, D-th root of volume or area
+    double mass = 0;                         // kg
+    double size = 0;                         // m, D-th root of volume or area; kept from step to step
     Matrix density_second = Matrix::Zero();  // kg m2, reference configuration
     Matrix spread = Matrix::Zero();          // kg m2, predicted configuration
     PoseIn<dimension> start, predicted;

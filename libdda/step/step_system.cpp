@@ -82,6 +82,8 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     system.fracture = 0;
     system.blocks.resize(count);
     system.block_of_row.clear();
+    for (BlockStep<K>& block : system.blocks) block.is_foundation = false;
+    for (const Foundation& foundation : model.foundations) system.blocks[foundation.block].is_foundation = true;
     in_parallel(model.blocks.size(), stage.control.threads, [&](std::size_t first, std::size_t end) {
         const auto earlier = [](const Jump<K>& jump, std::size_t block) {
             return jump.block < static_cast<int>(block);
