@@ -59,7 +59,7 @@ std::optional<Candidate> best_of(const ConvergeStudy& study)
     for (std::size_t s = 0; s < first.size(); ++s) {
         for (std::size_t r = 0; r < first[s].rows.size(); ++r) {
             if (!is_choice(study, first[s], first[s].rows[r])) continue;
-            Candidate candidate{s, r, 0, 0, 0, first[s].rows[r].cost.cpu()};
+            Candidate candidate{s, r, 0, 0, 0, first[s].rows[r].cost.cpu_to_compare()};
             for (const QuantityStudy& quantity : study.quantities) {
                 const Series& series = quantity.series[s];
                 if (!series.reference) continue;  // it does not move, or its peak stands for it

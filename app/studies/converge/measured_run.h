@@ -1,6 +1,7 @@
 // One run of the case at one setting: what it gave, and what it cost.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -17,6 +18,8 @@ struct RunCost {
     std::int64_t steps = 0, step_cuts = 0, iterations = 0;
 
     double cpu() const { return cpu_static + cpu_dynamic; }
+    /// The same for telling which run is cheaper: of those below 10 ms chance decides, and they count as equal [s].
+    double cpu_to_compare() const { return std::max(cpu(), 0.01); }
     RunCost& operator+=(const RunCost& other);
 };
 

@@ -52,7 +52,8 @@ const SeriesRow* cheapest(const Series& series, double tolerance)
 {
     const SeriesRow* best = nullptr;
     for (const SeriesRow& row : series.rows)
-        if (meets(series, row, tolerance) && (!best || row.cost.cpu() < best->cost.cpu())) best = &row;
+        if (meets(series, row, tolerance) && (!best || row.cost.cpu_to_compare() < best->cost.cpu_to_compare()))
+            best = &row;
     return best;
 }
 

@@ -96,6 +96,17 @@ TEST(Conclusion, IsTheCheapestThatMeetsTheToleranceAsLinesToPaste)
     EXPECT_TRUE(says(in_words(conclude(strict)), "is the best of these"));
 }
 
+// Of runs that take a millisecond chance decides which took longer: the coarser one is the cheaper.
+TEST(Conclusion, DoesNotTellRunsOfAMillisecondApart)
+{
+    Series series = series_of(Varied::time_step, newmark, first_order(1e-4), 1.2e-3);
+    series.rows[1].cost.cpu_dynamic = 0.9e-3;
+    EXPECT_EQ(cheapest(series, 0.01), &series.rows[0]);
+    EXPECT_EQ(conclude(study_of({{"crown.d:peak", "m", {series}, ""}})).row->setting.step_factor, 2);
+    for (SeriesRow& row : series.rows) row.cost.cpu_dynamic *= 1000;
+    EXPECT_EQ(cheapest(series, 0.01), &series.rows[1]);
+}
+
 TEST(Conclusion, OfTheCasesOwnSettingChangesNothing)
 {
     const ConvergeStudy study =
