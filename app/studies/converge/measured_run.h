@@ -18,7 +18,7 @@ struct RunCost {
     std::int64_t steps = 0, step_cuts = 0, iterations = 0;
 
     double cpu() const { return cpu_static + cpu_dynamic; }
-    /// The same for telling which run is cheaper: of those below 10 ms chance decides, and they count as equal [s].
+    /// The same to tell which run is cheaper [s]: below 10 ms chance would decide, and they count as equal.
     double cpu_to_compare() const { return std::max(cpu(), 0.01); }
     RunCost& operator+=(const RunCost& other);
 };
