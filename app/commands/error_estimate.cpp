@@ -29,6 +29,7 @@ struct Beside {
 void halve_step(StepControl& control)
 {
     control.time_step *= 0.5;
+    control.step_error /= 8;  // of steps half as long
     control.min_time_step = std::min(control.min_time_step, control.time_step);
 }
 

@@ -70,8 +70,8 @@ void read_dynamic(YamlCursor& map, StageEntry& entry)
 void read_static(YamlCursor& map, Stage& stage)
 {
     map.forbid("duration", "a static stage ends at equilibrium");
-    for (const char* key :
-         {"motion", "body_acceleration", "incoming_wave", "damping", "collapse", "integrator", "dissipation"})
+    for (const char* key : {"motion", "body_acceleration", "incoming_wave", "damping", "collapse", "integrator",
+                            "dissipation", "step_error"})
         map.forbid(key, "it belongs to dynamic stages");
     stage.unbalanced_tolerance = map.quantity_or("unbalanced_tolerance", words::dimension::number,
                                                  {0, 1, false, false}, stage.unbalanced_tolerance);

@@ -43,11 +43,13 @@ void read_open_close(YamlCursor& stage, StepControl& control)
 void read_motion_control(YamlCursor& stage, StepControl& control)
 {
     if (control.open_close == OpenClose::published) {
-        for (const char* key : {"integrator", "dissipation", "divide_up_to_blocks"})
+        for (const char* key : {"integrator", "dissipation", "step_error", "divide_up_to_blocks"})
             stage.forbid(key, "the published iteration has the integrator newmark and undivided steps");
         return;
     }
     read_integrator(stage, control);
+    control.step_error =
+        stage.find_quantity("step_error", words::dimension::length, words::Range::positive()).value_or(0);
     control.divide_up_to_blocks =
         stage.integer_or("divide_up_to_blocks", 0, 1'000'000'000, control.divide_up_to_blocks);
 }

@@ -16,14 +16,9 @@ namespace
 
 bool is_sound(const RunReport& report)
 {
-    const std::array counts{report.steps,
-                            report.step_cuts,
-                            report.unconverged_steps,
-                            report.divided_steps,
-                            report.open_close_iterations,
-                            report.factorisations,
-                            report.linear_iterations,
-                            report.factor_entries};
+    const std::array counts{report.steps,          report.step_cuts,         report.unconverged_steps,
+                            report.divided_steps,  report.refused_steps,     report.open_close_iterations,
+                            report.factorisations, report.linear_iterations, report.factor_entries};
     return report.outcome >= Outcome::completed && report.outcome <= Outcome::interrupted &&
            std::all_of(counts.begin(), counts.end(), is_count) &&
            (!report.diagnosis || is_whole(*report.diagnosis)) &&
@@ -46,9 +41,9 @@ bool is_sound(const RunPosition& at)
     const std::array<std::int64_t, 9> counts{at.parts,       at.frames,          at.multiples,
                                              at.divisions,   at.load_increments, at.static_steps,
                                              at.quiet_steps, at.course.steady,   at.course.idle};
-    return is_sound(at.report) && are_finite(at.course.start) && are_finite(at.course.before) &&
-           std::isfinite(at.course.acceleration) && std::isfinite(at.course.kinetic) &&
-           std::all_of(counts.begin(), counts.end(), is_count);
+    return is_sound(at.report) && are_finite(at.pace.accelerations) && std::isfinite(at.pace.time_step) &&
+           are_finite(at.course.start) && are_finite(at.course.before) && std::isfinite(at.course.acceleration) &&
+           std::isfinite(at.course.kinetic) && std::all_of(counts.begin(), counts.end(), is_count);
 }
 
 /// The clock of the stage is where its grid is, and the counters of a static stage are within its own.
@@ -60,6 +55,7 @@ bool fits(const State& state, const RunPosition& at, const Stage& stage)
         return place.empty() || place.size() == state.coordinates.size();
     };
     if (!is_place(at.course.start) || !is_place(at.course.before)) return false;
+    if (!at.pace.accelerations.empty() && at.pace.accelerations.size() != state.velocities.size()) return false;
     if (stage.type == StageType::static_equilibrium)
         return at.load_increments <= stage.gravity_increments && at.static_steps <= stage.max_static_steps;
     return state.stage_time >= 0 && state.stage_time <= stage.duration * (1 + rounding) &&

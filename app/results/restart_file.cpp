@@ -15,7 +15,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 18\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 19\n";  // its number rises when the layout changes
 constexpr const char* what = "a restart file";
 constexpr std::size_t head_bytes = 1 + 8 + 8;  // whether it ended, its time, the bytes of what follows
 
@@ -46,12 +46,13 @@ void diagnosis_fields(Archive& archive, SomeDiagnosis& diagnosis)
 template <typename Archive, typename Report>
 void report_fields(Archive& archive, Report& report)
 {
-    auto& [outcome, diagnosis, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
-           factorisations, linear_iterations, factor_entries, simulated_time, max_penetration, deepest,
-           static_unbalanced, energy, fallen, crushed, joints, bars, seconds, warnings] = report;
-    archive.fields(outcome, steps, step_cuts, unconverged_steps, divided_steps, open_close_iterations,
-                   factorisations, linear_iterations, factor_entries, simulated_time, max_penetration,
-                   static_unbalanced, seconds);
+    auto& [outcome, diagnosis, steps, step_cuts, unconverged_steps, divided_steps, refused_steps,
+           open_close_iterations, factorisations, linear_iterations, factor_entries, simulated_time,
+           max_penetration, deepest, static_unbalanced, energy, fallen, crushed, joints, bars, seconds, warnings] =
+        report;
+    archive.fields(outcome, steps, step_cuts, unconverged_steps, divided_steps, refused_steps,
+                   open_close_iterations, factorisations, linear_iterations, factor_entries, simulated_time,
+                   max_penetration, static_unbalanced, seconds);
     ledger_fields(archive, energy);
     auto& [share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn] = deepest;
     archive.fields(share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn);
@@ -86,11 +87,14 @@ void report_fields(Archive& archive, Report& report)
 template <typename Archive, typename Position>
 void position_fields(Archive& archive, Position& position)
 {
-    auto& [report, frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
-           step_unbalanced, course] = position;
+    auto& [report, frames, stage_done, multiples, divisions, parts, pace, load_increments, static_steps,
+           quiet_steps, step_unbalanced, course] = position;
     report_fields(archive, report);
     archive.fields(frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
                    step_unbalanced);
+    auto& [accelerations, time_step] = pace;
+    archive.list(accelerations);
+    archive.field(time_step);
     auto& [start, before, acceleration, steady, kinetic, idle] = course;
     archive.list(start);
     archive.list(before);

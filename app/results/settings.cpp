@@ -75,6 +75,7 @@ Json to_json(const StepControl& control)
 {
     return {{"time_step_s", control.time_step},
             {"min_time_step_s", control.min_time_step},
+            {"step_error_m", control.step_error},
             {"integrator", name_of(control.integrator)},
             {"dissipation", control.dissipation_used()},
             {"divide_up_to_blocks", control.divide_up_to_blocks},

@@ -175,6 +175,7 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
     json["integrator"] = integrators(the_case.stages);
     json["steps"] = report.steps;
     json["step_cuts"] = report.step_cuts;
+    if (report.refused_steps > 0) json["refused_steps"] = report.refused_steps;
     json["unconverged_steps"] = report.unconverged_steps;
     json["open_close_iterations"] = report.open_close_iterations;
     json["factorisations"] = report.factorisations;

@@ -85,17 +85,18 @@ void add_if_found(const TrustFinding& finding, Trust& trust)
     if (finding.value > 0) trust.findings.push_back(finding);
 }
 
-void judge_damping(Trust& trust)
+/// @param steps_follow the stage's: a vibration that a step damps is then no larger than its error may be
+void judge_damping(bool steps_follow, Trust& trust)
 {
     TrustFinding algorithmic{TrustFinding::Kind::algorithmic_damping}, dashpots{TrustFinding::Kind::dashpots};
     TrustFinding period{TrustFinding::Kind::period};
     for (const DampingAt& at : trust.damping) {
         if (!at.matters) continue;
-        note(at.frequency, at.algorithmic, limit_of(at, trust), algorithmic);
+        if (!steps_follow) note(at.frequency, at.algorithmic, limit_of(at, trust), algorithmic);
         note(at.frequency, at.dashpots, limit_of(at, trust), dashpots);
     }
     const DampingAt& first = trust.damping.front();
-    if (first.matters) note(first.frequency, first.period_error, most_period_error, period);
+    if (first.matters && !steps_follow) note(first.frequency, first.period_error, most_period_error, period);
     for (const TrustFinding& finding : {algorithmic, dashpots, period}) add_if_found(finding, trust);
 }
 
@@ -152,7 +153,7 @@ Trust trust_in(const TrustStart& start, const std::vector<Stage>& stages, const 
     trust.stage = coarsest(stages);
     if (trust.stage >= 0) {
         find_damping(stages[trust.stage], trust);
-        judge_damping(trust);
+        judge_damping(stages[trust.stage].control.step_error > 0, trust);
         trust.shares = shares_of(now, start);
     }
     judge_joints(trust);

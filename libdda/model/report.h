@@ -102,6 +102,7 @@ struct StepReport {
     double time_step = 0;                          // s, of the accepted step
     int open_close_iterations = 0;                 // of all attempts
     int cuts = 0;                                  // attempts that failed
+    int refused = 0;                               // attempts whose error was larger than step_error
     bool divided = false;                          // ended just before stones land
     int factorisations = 0;                        // of the linear systems
     int linear_iterations = 0;                     // of conjugate gradients
@@ -168,6 +169,7 @@ struct RunReport {
     std::optional<Diagnosis> diagnosis;                            // why, when not completed
     std::int64_t steps = 0, step_cuts = 0, unconverged_steps = 0;  // counts
     std::int64_t divided_steps = 0;                                // that ended just before stones land
+    std::int64_t refused_steps = 0;  // done again, their error larger than step_error
     std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;  // counts
     std::int64_t factor_entries = 0;                              // of the last factorisation
     double simulated_time = 0;                                    // s, dynamic stages only

@@ -32,8 +32,10 @@ enum class LinearSolverKind {
 
 /// Time step, integrator, tolerances.
 struct StepControl {
-    double time_step = 1e-3;                              // s, nominal; cut steps return to this grid
-    double min_time_step = 1e-9;                          // s; below it the run gives up
+    double time_step = 1e-3;      // s, nominal; cut steps return to this grid
+    double min_time_step = 1e-9;  // s; below it the run gives up
+    // m, by which a step may displace a block wrongly; 0: all steps are as long as time_step, else at most as long
+    double step_error = 0;
     Integrator integrator = Integrator::energy_decaying;  // of the step
     // 0..1, of energy_decaying; none: as much as keeps the method second order, 10/s x time_step, at most 0.1
     std::optional<double> dissipation;

@@ -55,17 +55,37 @@ bool is_due(const Grid& grid, const RunProgress& progress)
            progress.state.grid == grid.steps;
 }
 
-/// One step towards the next grid time. @param undivided the stage, its steps not to be divided
+/// How long the next step is to be, of what is left of a nominal one [s].
+double next_step(const Stage& stage, const State& state, double left)
+{
+    if (state.next_time_step == 0) return left;
+    // Steps that follow their error share what is left: none is a crumb.
+    return stage.control.step_error > 0 ? left / std::ceil(left / state.next_time_step - 1e-9)
+                                        : std::min(state.next_time_step, left);
+}
+
+/// The stage as a step of h [s] is made in it. @param now a copy of the stage
+void suit_to_step(const Stage& stage, const RunPosition& at, double h, Stage& now)
+{
+    now.control.divide_up_to_blocks = at.divisions < max_divisions ? stage.control.divide_up_to_blocks : 0;
+    if (stage.control.step_error == 0) return;
+    StepControl of_step = stage.control;
+    of_step.time_step = h;
+    now.control.dissipation = of_step.dissipation_used();
+}
+
+/// One step towards the next grid time. @param now a copy of the stage
 /// @returns false when the run ends here
-bool step_on_grid(const Stage& stage, const Stage& undivided, const Grid& grid, RunProgress& progress)
+bool step_on_grid(const Stage& stage, Stage& now, const Grid& grid, RunProgress& progress)
 {
     State& state = progress.state;
     RunPosition& at = progress.position;
     const double next = grid.time(state.grid + 1);
     const double left = next - state.stage_time;
-    const double h = state.next_time_step > 0 ? std::min(state.next_time_step, left) : left;
+    const double h = next_step(stage, state, left);
+    suit_to_step(stage, at, h, now);
     StepReport step;
-    if (!step_once(at.divisions < max_divisions ? stage : undivided, h, progress, step)) return false;
+    if (!step_once(now, h, progress, step)) return false;
     const bool on_grid = step.time_step == left;
     at.divisions = on_grid ? 0 : at.divisions + step.divided;
     at.parts = on_grid ? 0 : at.parts + !step.divided;
@@ -74,8 +94,9 @@ bool step_on_grid(const Stage& stage, const Stage& undivided, const Grid& grid, 
         state.stage_time = next;
         ++state.grid;
     }
-    // After a division the rest of the step is done at once.
-    state.next_time_step = step.divided || (step.cuts == 0 && on_grid) ? 0 : regrowth * step.time_step;
+    // After a division the rest of the step is done at once. Steps that follow their error have found the next.
+    if (stage.control.step_error == 0)
+        state.next_time_step = step.divided || (step.cuts == 0 && on_grid) ? 0 : regrowth * step.time_step;
     if (progress.observer.step) progress.observer.step(state, step, progress.report);
     if (on_grid && is_due(grid, progress)) {
         at.multiples = multiples_until(state.stage_time, progress.observer.every);
@@ -94,11 +115,10 @@ std::int64_t multiples_until(double time, double every)
 bool run_dynamic(const Stage& stage, RunProgress& progress)
 {
     const Grid grid(stage);
-    Stage undivided = stage;
-    undivided.control.divide_up_to_blocks = 0;
+    Stage now = stage;
     while (progress.state.grid < grid.steps) {
         if (has_collapsed(stage, progress)) return false;
-        if (!step_on_grid(stage, undivided, grid, progress)) return false;
+        if (!step_on_grid(stage, now, grid, progress)) return false;
     }
     return !has_collapsed(stage, progress);
 }

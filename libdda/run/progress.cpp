@@ -1,11 +1,13 @@
 #include "libdda/run/progress.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "libdda/analysis/bar_forces.h"
 #include "libdda/analysis/crushing.h"
 #include "libdda/analysis/diagnosis.h"
+#include "libdda/run/step_error.h"
 #include "libdda/step/advance.h"
 #include "libdda/step/part_timer.h"
 
@@ -20,6 +22,7 @@ void add_step(const StepReport& step, RunReport& report)
     ++report.steps;
     report.step_cuts += step.cuts;
     report.divided_steps += step.divided;
+    report.refused_steps += step.refused;
     report.open_close_iterations += step.open_close_iterations;
     report.factorisations += step.factorisations;
     report.linear_iterations += step.linear_iterations;
@@ -97,14 +100,34 @@ void count_step(const Stage& stage, const StepReport& step, RunProgress& progres
     progress.shown = false;
 }
 
-/// What a step that was taken back has cost; the next attempt is one more cut of the same step.
-void add_cost(const StepReport& unsound, StepReport& step)
+/// What a step that was taken back has cost.
+void add_cost(const StepReport& undone, StepReport& step)
 {
-    step.cuts += unsound.cuts + 1;
-    step.open_close_iterations += unsound.open_close_iterations;
-    step.factorisations += unsound.factorisations;
-    step.linear_iterations += unsound.linear_iterations;
-    for (std::size_t i = 0; i < step.seconds.size(); ++i) step.seconds[i] += unsound.seconds[i];
+    step.cuts += undone.cuts;
+    step.refused += undone.refused;
+    step.open_close_iterations += undone.open_close_iterations;
+    step.factorisations += undone.factorisations;
+    step.linear_iterations += undone.linear_iterations;
+    for (std::size_t i = 0; i < step.seconds.size(); ++i) step.seconds[i] += undone.seconds[i];
+}
+
+constexpr double shortest_share = 1.0 / 1024;  // of time_step, that an error may ask for
+
+/// The step that the error of the one that was made allows; as good as it is, nothing.
+std::optional<double> finer_step(const Stage& stage, RunProgress& progress, const StepReport& step)
+{
+    const StepControl& control = stage.control;
+    if (control.step_error == 0) return std::nullopt;
+    StepPace& pace = progress.position.pace;
+    StepPace now{mean_accelerations(progress.before, progress.state, step.time_step), step.time_step};
+    const double error =
+        step_error(progress.model, pace.accelerations, pace.time_step, now.accelerations, now.time_step);
+    const double shortest = std::max(control.min_time_step, shortest_share * control.time_step);
+    const double next = std::max(next_share(error, control.step_error) * step.time_step, shortest);
+    if (error > control.step_error && next < step.time_step) return next;
+    pace = std::move(now);
+    progress.state.next_time_step = std::min(next, control.time_step);
+    return std::nullopt;
 }
 
 }  // namespace
@@ -119,17 +142,26 @@ bool keep_step(const Stage& stage, RunProgress& progress, const StepReport& step
 bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step)
 {
     const DeepestOverlap deepest = progress.report.deepest;
-    std::optional<StepReport> unsound;
-    for (int shortened = 0;; ++shortened) {
+    std::optional<StepReport> undone;
+    int shortened = 0;
+    for (;;) {
         if (!try_step(stage, h, progress, step)) return false;
-        if (unsound) add_cost(*unsound, step);
-        auto wrong = judge(progress);
-        if (!wrong) break;
-        h = shortening * step.time_step;
-        if (shortened == most_shortened || h < stage.control.min_time_step)
-            return give_up(std::move(*wrong), progress);
+        if (undone) add_cost(*undone, step);
+        if (auto wrong = judge(progress)) {
+            h = shortening * step.time_step;
+            if (shortened == most_shortened || h < stage.control.min_time_step)
+                return give_up(std::move(*wrong), progress);
+            ++shortened;
+            ++step.cuts;
+        } else if (const std::optional<double> finer = finer_step(stage, progress, step)) {
+            take_back(progress);
+            h = *finer;
+            ++step.refused;
+        } else {
+            break;
+        }
         progress.report.deepest = deepest;
-        unsound = step;
+        undone = step;
     }
     count_step(stage, step, progress);
     return true;

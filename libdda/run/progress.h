@@ -47,8 +47,8 @@ void take_back(RunProgress& progress);
 /// Judges and counts the step that was made; false, and the step undone, when to go on would be nonsense.
 bool keep_step(const Stage& stage, RunProgress& progress, const StepReport& step);
 
-/// Both: one step of at most h [s], judged and counted, and shortened where to go on after it would be nonsense;
-/// false when it gave up.
+/// Both: one step of at most h [s], judged and counted, and shortened where to go on after it would be nonsense
+/// or its error is larger than step_error; false when it gave up.
 bool step_once(const Stage& stage, double h, RunProgress& progress, StepReport& step);
 
 /// Lets the caller keep the state as a place to go on from. What that takes is output.

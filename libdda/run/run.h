@@ -13,6 +13,12 @@
 namespace voussoir
 {
 
+/// The last step of a dynamic stage whose steps follow their error.
+struct StepPace {
+    std::vector<double> accelerations;  // (blocks x unknowns) means over it; empty: none, all was at rest
+    double time_step = 0;               // s
+};
+
 /// Where a run stands: with its State, all that is needed to go on as if nothing had happened.
 struct RunPosition {
     RunReport report;         // so far
@@ -22,6 +28,7 @@ struct RunPosition {
     std::int64_t multiples = 0;  // dynamic: of RunObserver::every that had their frame
     int divisions = 0;           // dynamic: of the nominal step under way, before landings
     int parts = 0;               // dynamic: of the nominal step under way, those that cutting made
+    StepPace pace;               // dynamic, with step_error
     int load_increments = 0;     // static: complete ones
     int static_steps = 0;        // static: of the load increment under way
     int quiet_steps = 0;         // static: the last of these, in which nothing moved any more

@@ -164,12 +164,18 @@ ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case)
     return plan;
 }
 
+double with_factor(double step_error, const ConvergeSetting& setting)
+{
+    return step_error * setting.step_factor * setting.step_factor * setting.step_factor;
+}
+
 Case with_setting(const Case& the_case, const ConvergeSetting& setting)
 {
     Case changed = the_case;
     for (Stage& stage : changed.stages) {
         if (stage.type != StageType::dynamic) continue;
         stage.control.time_step *= setting.step_factor;
+        stage.control.step_error = with_factor(stage.control.step_error, setting);
         if (stage.control.integrator == setting.integrator) continue;
         stage.control.integrator = setting.integrator;
         stage.control.dissipation = StepControl{}.dissipation;  // that of another integrator says nothing

@@ -46,6 +46,10 @@ const Stage& leading_stage(const Case& the_case);
 /// stage has thresholds, over contact stiffnesses, and nothing else to compare
 ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case);
 
+/// A `step_error` with a setting put in: a step's error goes with its third power, so that steps which follow it
+/// change by the setting's factor, as the others do.
+double with_factor(double step_error, const ConvergeSetting& setting);
+
 /// The case with a setting put in.
 Case with_setting(const Case& the_case, const ConvergeSetting& setting);
 

@@ -200,8 +200,8 @@ ConvergeStudy begin_study(const Case& the_case, const CollapseRule& rule)
     for (std::size_t s = 0; s < the_case.stages.size(); ++s) {
         const Stage& stage = the_case.stages[s];
         if (stage.type == StageType::dynamic)
-            study.stages.push_back(
-                {static_cast<int>(s), stage.name, stage.control.time_step, stage.control.integrator});
+            study.stages.push_back({static_cast<int>(s), stage.name, stage.control.time_step,
+                                    stage.control.step_error, stage.control.integrator});
     }
     for (const JointMaterial& joint : the_case.model.joints)
         study.joints.push_back(

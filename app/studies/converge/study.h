@@ -20,7 +20,8 @@ struct QuantityStudy {
 struct StudiedStage {
     int index = 0;  // in the case
     std::string name;
-    double time_step = 0;  // s
+    double time_step = 0;   // s
+    double step_error = 0;  // m; 0: steps do not follow it
     Integrator integrator = Integrator::newmark;
 };
 

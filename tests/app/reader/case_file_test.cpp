@@ -257,6 +257,14 @@ TEST(CaseFile, KeysOfTheOtherKindOfStageSaySo)
               "--set stages[1].dissipation: has no meaning here; it belongs to integrator: energy_decaying");
 }
 
+TEST(CaseFile, StepsOfMotionMayFollowTheirError)
+{
+    EXPECT_EQ(faults_of(two_boxes, {"stages[1].step_error=0.01 mm"}), "no fault");
+    EXPECT_NE(faults_of(two_boxes, {"stages[0].step_error=0.01 mm"}), "no fault");
+    EXPECT_NE(faults_of(two_boxes, {"stages[1].step_error=0 mm"}), "no fault");
+    EXPECT_NE(faults_of(two_boxes, {"stages[1].step_error=2 ms"}), "no fault");
+}
+
 TEST(CaseFile, NewmarkRefusesARestitutionThatItWouldLeaveOut)
 {
     const std::string bouncing = with(two_boxes, "friction: 30 deg}", "friction: 30 deg, restitution: 0.3}");
@@ -280,7 +288,7 @@ TEST(CaseFile, ThePublishedIterationRefusesWhatItDoesNotKnow)
         EXPECT_EQ(faults_of(with(joint, ", open_close: published", "")), "no fault");
     }
     for (const std::string key : {"max_open_close: 6", "force_tolerance: 1e-3", "integrator: energy_decaying",
-                                  "divide_up_to_blocks: 10"}) {
+                                  "step_error: 0.1 mm", "divide_up_to_blocks: 10"}) {
         const std::string stage = with(published, "published}", "published, " + key + "}");
         EXPECT_NE(faults_of(stage).find("has no meaning here; the published iteration has"), std::string::npos)
             << faults_of(stage);

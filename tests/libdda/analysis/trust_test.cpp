@@ -196,6 +196,20 @@ TEST(Trust, JudgesStiffOrLooseStructuresAtTenHertz)
             << step;
 }
 
+// What such a step damps is no larger than the error that it may make.
+TEST(Trust, LeavesToStepsThatFollowTheirErrorHowLongTheyAre)
+{
+    const Model model = layer(Kinematics::planar_deformable, 300);
+    const TrustStart start{false, natural_modes(model, initial_state(model)), {}};
+    Stage stage = dynamic_stage(1, 2e-2);
+    stage.control.integrator = Integrator::newmark;
+    EXPECT_TRUE(has(trust_in(start, {stage}, {}), Kind::algorithmic_damping));
+    EXPECT_TRUE(has(trust_in(start, {stage}, {}), Kind::period));
+    stage.control.step_error = 1e-5;
+    EXPECT_FALSE(has(trust_in(start, {stage}, {}), Kind::algorithmic_damping));
+    EXPECT_FALSE(has(trust_in(start, {stage}, {}), Kind::period));
+}
+
 TEST(Trust, SaysWhenTheIntegratorTookTheEnergy)
 {
     for (const bool old : {true, false}) {

@@ -50,7 +50,8 @@ ConvergeStudy study_of(std::vector<QuantityStudy> quantities, double tolerance =
     study.case_file = "arch.yaml";
     study.quantities = std::move(quantities);
     study.tolerance = tolerance;
-    study.stages = {{1, "earthquake", 2e-3, Integrator::newmark}, {2, "aftershock", 4e-3, Integrator::newmark}};
+    study.stages = {{1, "earthquake", 2e-3, 0, Integrator::newmark},
+                    {2, "aftershock", 4e-3, 0, Integrator::newmark}};
     study.joints = {{"dry", 2, 30}};
     study.may_be_ensemble = true;
     return study;
@@ -94,6 +95,19 @@ TEST(Conclusion, IsTheCheapestThatMeetsTheToleranceAsLinesToPaste)
     EXPECT_FALSE(conclude(strict).meets);
     EXPECT_EQ(conclude(strict).row->setting, (ConvergeSetting{decaying, 0.125, 1})) << "the best known";
     EXPECT_TRUE(says(in_words(conclude(strict)), "is the best of these"));
+}
+
+// Steps that follow their error change by the factor too.
+TEST(Conclusion, ChangesTheStepErrorWithTheThirdPowerOfTheStep)
+{
+    ConvergeStudy study =
+        study_of({{"crown.d:peak", "m", {series_of(Varied::time_step, newmark, first_order(0.005), 3)}, ""}});
+    study.stages.front().step_error = 1e-5;
+    const Conclusion conclusion = conclude(study);
+    ASSERT_EQ(conclusion.row->setting.step_factor, 2);
+    EXPECT_EQ(conclusion.case_lines,
+              (std::vector<std::string>{"# stages[1], 'earthquake'", "time_step: 4 ms", "step_error: 8e-05 m",
+                                        "# stages[2], 'aftershock'", "time_step: 8 ms"}));
 }
 
 // Of runs that take a millisecond chance decides which took longer: the coarser one is the cheaper.

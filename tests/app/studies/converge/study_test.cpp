@@ -233,6 +233,9 @@ TEST(Plan, HasTheDefaultIntegratorBesideTheCasesOwn)
     const ConvergeSetting finer{Integrator::energy_decaying, 0.5, 1};
     EXPECT_EQ(with_setting(of_energy, finer).stages[0].control.dissipation, 0.7);
     EXPECT_EQ(with_setting(of_newmark, finer).stages[0].control.dissipation, StepControl{}.dissipation);
+    const Case of_error = incline({"stages[0].step_error=0.8 mm"});
+    EXPECT_DOUBLE_EQ(with_setting(of_error, {Integrator::energy_decaying, 0.5, 1}).stages[0].control.step_error,
+                     1e-4);
 }
 
 // Three blocks on one another whose top one leans out: a static stage has no equilibrium from an overhang on.
