@@ -14,7 +14,8 @@ namespace
 ProgramRun run_house(const char* duration)
 {
     return run_case(VOUSSOIR_CASES "/house_large.yaml",
-                    {"kinematics=spatial_rigid", std::string("stages[1].duration=") + duration, "output=null"});
+                    {"joints.dry.contact_stiffness=10 E/L", "stages[1].time_step=2 ms", "stages[1].force_tolerance=1e-5",
+                     std::string("stages[1].duration=") + duration, "output=null"});
 }
 
 }  // namespace
