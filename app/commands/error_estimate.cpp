@@ -11,6 +11,7 @@
 #include "app/results/histories.h"
 #include "app/results/scene_vectors.h"
 #include "app/results/surface_mesh.h"
+#include "app/studies/converge/setting.h"
 #include "app/words/diagnosis_words.h"
 #include "libdda/run/run.h"
 
@@ -29,7 +30,7 @@ struct Beside {
 void halve_step(StepControl& control)
 {
     control.time_step *= 0.5;
-    control.step_error /= 8;  // of steps half as long
+    control.step_error = studies::converge::scaled_step_error(control.step_error, 0.5);
     control.min_time_step = std::min(control.min_time_step, control.time_step);
 }
 

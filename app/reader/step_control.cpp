@@ -17,10 +17,14 @@ void read_integrator(YamlCursor& stage, StepControl& control)
     control.integrator = stage.choice_or<Integrator>(
         "integrator", {{"newmark", Integrator::newmark}, {"energy_decaying", Integrator::energy_decaying}},
         control.integrator);
-    if (control.integrator == Integrator::energy_decaying)
-        control.dissipation = stage.find_quantity("dissipation", words::dimension::number, {0, 1, true, true});
-    else
-        stage.forbid("dissipation", "it belongs to integrator: energy_decaying");
+    if (control.integrator == Integrator::newmark) {
+        for (const char* key : {"dissipation", "step_error"})
+            stage.forbid(key, "it belongs to integrator: energy_decaying");
+        return;
+    }
+    control.dissipation = stage.find_quantity("dissipation", words::dimension::number, {0, 1, true, true});
+    control.step_error =
+        stage.find_quantity("step_error", words::dimension::length, words::Range::positive()).value_or(0);
 }
 
 void read_open_close(YamlCursor& stage, StepControl& control)
@@ -48,8 +52,6 @@ void read_motion_control(YamlCursor& stage, StepControl& control)
         return;
     }
     read_integrator(stage, control);
-    control.step_error =
-        stage.find_quantity("step_error", words::dimension::length, words::Range::positive()).value_or(0);
     control.divide_up_to_blocks =
         stage.integer_or("divide_up_to_blocks", 0, 1'000'000'000, control.divide_up_to_blocks);
 }

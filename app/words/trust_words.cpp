@@ -137,8 +137,9 @@ std::string damping_in_words(const Trust& trust)
     for (const DampingAt& at : trust.damping)
         if (at.matters && (!worst || at.algorithmic > worst->algorithmic)) worst = &at;
     if (!worst) return "";
-    const std::string which = trust.of_modes ? "them by at most" : fmt::format("{:g} Hz by", worst->frequency);
-    return fmt::format("; the integrator damps {} {} of critical", which, percent(worst->algorithmic));
+    const std::string which = trust.of_modes ? "them" : fmt::format("{:g} Hz", worst->frequency);
+    return fmt::format("; the integrator damps {} by {}{} of critical", which,
+                       trust.of_modes || trust.steps_follow ? "at most " : "", percent(worst->algorithmic));
 }
 
 }  // namespace

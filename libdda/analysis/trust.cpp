@@ -85,18 +85,18 @@ void add_if_found(const TrustFinding& finding, Trust& trust)
     if (finding.value > 0) trust.findings.push_back(finding);
 }
 
-/// @param steps_follow the stage's: a vibration that a step damps is then no larger than its error may be
-void judge_damping(bool steps_follow, Trust& trust)
+/// Of steps that follow their error: a vibration that one of them damps is no larger than its error may be.
+void judge_damping(Trust& trust)
 {
     TrustFinding algorithmic{TrustFinding::Kind::algorithmic_damping}, dashpots{TrustFinding::Kind::dashpots};
     TrustFinding period{TrustFinding::Kind::period};
     for (const DampingAt& at : trust.damping) {
         if (!at.matters) continue;
-        if (!steps_follow) note(at.frequency, at.algorithmic, limit_of(at, trust), algorithmic);
+        if (!trust.steps_follow) note(at.frequency, at.algorithmic, limit_of(at, trust), algorithmic);
         note(at.frequency, at.dashpots, limit_of(at, trust), dashpots);
     }
     const DampingAt& first = trust.damping.front();
-    if (first.matters && !steps_follow) note(first.frequency, first.period_error, most_period_error, period);
+    if (first.matters && !trust.steps_follow) note(first.frequency, first.period_error, most_period_error, period);
     for (const TrustFinding& finding : {algorithmic, dashpots, period}) add_if_found(finding, trust);
 }
 
@@ -153,7 +153,8 @@ Trust trust_in(const TrustStart& start, const std::vector<Stage>& stages, const 
     trust.stage = coarsest(stages);
     if (trust.stage >= 0) {
         find_damping(stages[trust.stage], trust);
-        judge_damping(stages[trust.stage].control.step_error > 0, trust);
+        trust.steps_follow = stages[trust.stage].control.step_error > 0;
+        judge_damping(trust);
         trust.shares = shares_of(now, start);
     }
     judge_joints(trust);

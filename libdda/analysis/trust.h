@@ -76,9 +76,10 @@ struct Trust {
     TrustStart start;  // when the motion began
     int stage = -1;    // the dynamic stage that damps most; -1 in a case without
     std::vector<DampingAt>
-        damping;            // of every mode; at 1, 5 and 10 Hz where no mode matters; empty without a stage
-    bool of_modes = false;  // the damping is that of the modes
-    EnergyShares shares;    // of what has been run so far
+        damping;                // of every mode; at 1, 5 and 10 Hz where no mode matters; empty without a stage
+    bool of_modes = false;      // the damping is that of the modes
+    bool steps_follow = false;  // their error: the damping is that of the longest, and no finding
+    EnergyShares shares;        // of what has been run so far
     std::vector<TrustFinding> findings;  // what is beyond its limit; empty: nothing is
 };
 

@@ -113,7 +113,8 @@ void add_cost(const StepReport& undone, StepReport& step)
 
 constexpr double shortest_share = 1.0 / 1024;  // of time_step, that an error may ask for
 
-/// The step that the error of the one that was made allows; as good as it is, nothing.
+/// The step that the error of the one that was made allows. Nothing if that one may stay: then it notes its pace,
+/// and how long the next may be.
 std::optional<double> finer_step(const Stage& stage, RunProgress& progress, const StepReport& step)
 {
     const StepControl& control = stage.control;

@@ -13,9 +13,10 @@ namespace
 
 ProgramRun run_house(const char* duration)
 {
-    return run_case(VOUSSOIR_CASES "/house_large.yaml",
-                    {"joints.dry.contact_stiffness=10 E/L", "stages[1].time_step=2 ms", "stages[1].force_tolerance=1e-5",
-                     std::string("stages[1].duration=") + duration, "output=null"});
+    return run_case(
+        VOUSSOIR_CASES "/house_large.yaml",
+        {"joints.dry.contact_stiffness=10 E/L", "stages[1].time_step=2 ms", "stages[1].force_tolerance=1e-5",
+         std::string("stages[1].duration=") + duration, "output=null"});
 }
 
 }  // namespace

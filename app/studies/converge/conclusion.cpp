@@ -103,7 +103,8 @@ void add_case_lines(const ConvergeStudy& study, const ConvergeSetting& setting, 
         if (setting.step_factor != 1)
             keys.emplace_back("time_step", words::step_in_words(setting.step_factor * stage.time_step));
         if (setting.step_factor != 1 && stage.step_error > 0)
-            keys.emplace_back("step_error", fmt::format("{:g} m", with_factor(stage.step_error, setting)));
+            keys.emplace_back("step_error",
+                              fmt::format("{:g} m", scaled_step_error(stage.step_error, setting.step_factor)));
         if (setting.integrator != stage.integrator)
             keys.emplace_back("integrator", std::string(results::name_of(setting.integrator)));
         if (keys.empty()) continue;

@@ -164,9 +164,9 @@ ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case)
     return plan;
 }
 
-double with_factor(double step_error, const ConvergeSetting& setting)
+double scaled_step_error(double step_error, double step_factor)
 {
-    return step_error * setting.step_factor * setting.step_factor * setting.step_factor;
+    return step_error * step_factor * step_factor * step_factor;
 }
 
 Case with_setting(const Case& the_case, const ConvergeSetting& setting)
@@ -175,10 +175,11 @@ Case with_setting(const Case& the_case, const ConvergeSetting& setting)
     for (Stage& stage : changed.stages) {
         if (stage.type != StageType::dynamic) continue;
         stage.control.time_step *= setting.step_factor;
-        stage.control.step_error = with_factor(stage.control.step_error, setting);
+        stage.control.step_error = scaled_step_error(stage.control.step_error, setting.step_factor);
         if (stage.control.integrator == setting.integrator) continue;
         stage.control.integrator = setting.integrator;
         stage.control.dissipation = StepControl{}.dissipation;  // that of another integrator says nothing
+        stage.control.step_error = 0;                           // and is estimated for energy_decaying alone
     }
     for (JointMaterial& joint : changed.model.joints) joint.stiffness.factor *= setting.stiffness_factor;
     return changed;

@@ -46,9 +46,9 @@ const Stage& leading_stage(const Case& the_case);
 /// stage has thresholds, over contact stiffnesses, and nothing else to compare
 ConvergePlan plan_of(const ConvergeChoices& choices, const Case& the_case);
 
-/// A `step_error` with a setting put in: a step's error goes with its third power, so that steps which follow it
-/// change by the setting's factor, as the others do.
-double with_factor(double step_error, const ConvergeSetting& setting);
+/// The `step_error` [m] with which steps that follow it change by a factor, as all others do: a step's error goes
+/// with its third power.
+double scaled_step_error(double step_error, double step_factor);
 
 /// The case with a setting put in.
 Case with_setting(const Case& the_case, const ConvergeSetting& setting);

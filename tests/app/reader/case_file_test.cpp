@@ -261,6 +261,8 @@ TEST(CaseFile, StepsOfMotionMayFollowTheirError)
 {
     EXPECT_EQ(faults_of(two_boxes, {"stages[1].step_error=0.01 mm"}), "no fault");
     EXPECT_NE(faults_of(two_boxes, {"stages[0].step_error=0.01 mm"}), "no fault");
+    EXPECT_EQ(faults_of(two_boxes, {"stages[1].integrator=newmark", "stages[1].step_error=0.01 mm"}),
+              "--set stages[1].step_error: has no meaning here; it belongs to integrator: energy_decaying");
     EXPECT_NE(faults_of(two_boxes, {"stages[1].step_error=0 mm"}), "no fault");
     EXPECT_NE(faults_of(two_boxes, {"stages[1].step_error=2 ms"}), "no fault");
 }

@@ -48,6 +48,10 @@ TEST(TrustWords, AreOneLineWhenAllIsWell)
     EXPECT_EQ(
         vibrations_in_words(loose),
         "no joint is closed, so there are no natural modes; the integrator damps 10 Hz by 0.06 % of critical");
+    loose.steps_follow = true;  // that of the longest step
+    EXPECT_EQ(vibrations_in_words(loose),
+              "no joint is closed, so there are no natural modes; the integrator damps 10 Hz by at most 0.06 % of "
+              "critical");
     EXPECT_EQ(vibrations_in_words({}), "no joint is closed, so there are no natural modes");
 }
 

@@ -138,6 +138,8 @@ TEST_P(StepError, DecidesTheErrorOfTheRunAndItsSteps)
         ASSERT_EQ(report.outcome, Outcome::completed);
         EXPECT_GT(report.refused_steps, 0);
         steps.push_back(static_cast<double>(report.steps));
+        EXPECT_LT(static_cast<double>(report.refused_steps), 0.1 * steps.back())
+            << "the next is found by the last";
         std::printf("  wanted %g m: %g m in %g steps, %d done again\n", wanted, errors.back(), steps.back(),
                     static_cast<int>(report.refused_steps));
         EXPECT_LT(errors.back(), wanted * steps.back());

@@ -236,6 +236,7 @@ TEST(Plan, HasTheDefaultIntegratorBesideTheCasesOwn)
     const Case of_error = incline({"stages[0].step_error=0.8 mm"});
     EXPECT_DOUBLE_EQ(with_setting(of_error, {Integrator::energy_decaying, 0.5, 1}).stages[0].control.step_error,
                      1e-4);
+    EXPECT_EQ(with_setting(of_error, {Integrator::newmark, 0.5, 1}).stages[0].control.step_error, 0);
 }
 
 // Three blocks on one another whose top one leans out: a static stage has no equilibrium from an overhang on.
