@@ -62,18 +62,21 @@ bool attempt(const Model& model, const Stage& stage, const State& state, double&
     report.divided = false;
     work.jumps.clear();
     if (!step::stones_land(stage)) return solve(model, stage, state, h, work, report);
-    work.jumps = step::find_jumps<K>(model, stage, state, work.contacts, h, {});
+    std::optional<step::Landings<K>> landings(std::in_place, model, stage, state, work.contacts, h);
+    work.jumps = landings->find();
     const int moving = static_cast<int>(model.blocks.size() - model.foundations.size());
     if (step::may_divide(stage, moving))
         if (const std::optional<double> before = step::step_to_landing(stage, work.jumps, h)) {
             h = *before;
             report.divided = true;
             work.jumps.clear();
+            landings.emplace(model, stage, state, work.contacts, h);
         }
     if (!solve(model, stage, state, h, work, report)) return false;
-    const std::vector<int> missed = step::missed_landings(model, stage, state, work.contacts, work.system);
+    const std::vector<step::ClosingPoint> missed =
+        step::missed_landings(model, stage, state, work.contacts, work.system);
     if (missed.empty()) return true;
-    work.jumps = step::find_jumps<K>(model, stage, state, work.contacts, h, missed);
+    work.jumps = landings->find_also(missed);
     return solve(model, stage, state, h, work, report);
 }
 

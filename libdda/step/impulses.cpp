@@ -13,11 +13,20 @@ namespace
 constexpr int max_sweeps = 200;  // over the contacts that impulses have reached
 // Of a blow that runs through a wall a hundredth is left after that many impulses a contact; the springs answer
 // it.
-constexpr std::size_t max_impulses = 60;      // at each contact, on the average
-constexpr std::size_t so_few_contacts = 100;  // which may have more
+constexpr std::size_t max_impulses = 40;      // at each contact, on the average
+constexpr std::size_t few_impulses = 6000;    // in all: few contacts may have more
+constexpr std::size_t so_few_contacts = 100;  // finish by sweeps alone, in any case to the digits that count
 constexpr double still = 1e-6;   // of the largest approach speed: a smaller change has not reached a block
 constexpr double slight = 0.02;  // of the speed that a step at rest may gain: the same among many contacts
 constexpr double unmoved = 0.5;  // of such a change: a point whose stones moved less need not act again
+
+/// The share of a friction impulse that a bound leaves.
+template <class Vector>
+double share_within(double bound, const Vector& rubbed)
+{
+    const double square = rubbed.squaredNorm();
+    return square > bound * bound ? bound / std::sqrt(square) : 1;
+}
 
 }  // namespace
 
@@ -69,21 +78,27 @@ Meeting<K> Impulses<K>::meeting(const ContactPatchIn<D>& patch, const ContactPoi
     m.a = body(patch.block_a);
     m.b = body(patch.block_b);
     const Body<K>&a = bodies_[m.a], &b = bodies_[m.b];
-    m.lever_a = point.position - a.centroid;
-    m.lever_b = point.position - b.centroid + flight * (a.velocity_at(m.lever_a) - b.velocity);
-    m.lever_a += flight * (a.velocity_at(m.lever_a) - a.velocity);
+    const Vector from_a = point.position - a.centroid, from_b = point.position - b.centroid;
+    const Vector flown = flight * a.start_velocity_at(from_a);
+    const Vector lever_a = from_a + flown - flight * a.start_velocity,
+                 lever_b = from_b + flown - flight * b.start_velocity;
+    m.arm_a = arm_at<K>(lever_a);
+    m.arm_b = arm_at<K>(lever_b);
     m.normal = patch.normal;
     m.friction = model_.friction_factor(patch.block_a, patch.block_b) *
                  std::tan(model_.joint_between(patch.block_a, patch.block_b).friction_angle);
     m.bonded = patch.intact;
-    const Vector velocity = relative_velocity(bodies_[m.a], bodies_[m.b], point.position);
+    const Vector velocity = start_velocity(a, b, point.position);
     m.target = patch.normal.dot(velocity);
     m.target_slip.setZero();
-    m.yielding = a.mobility(m.lever_a) + b.mobility(m.lever_b);
+    // Friction opposes what slip there is, also that of a joint that slides already.
+    if (patch.intact) m.target_slip = velocity - m.target * patch.normal;
+    m.yielding = a.mobility(lever_a) + b.mobility(lever_b);
     m.parting = m.yielding * patch.normal;
     m.mobility = patch.normal.dot(m.parting);
-    m.turning_a = a.turning(m.lever_a);
-    m.turning_b = b.turning(m.lever_b);
+    m.inertia = m.mobility > 0 ? 1 / m.mobility : 0;
+    m.turning_a = a.turning(lever_a);
+    m.turning_b = b.turning(lever_b);
     return m;
 }
 
@@ -116,17 +131,7 @@ void Impulses<K>::reach(int index)
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const ContactPointIn<D>& point = contacts_.points[i];
             if (point.gap >= 0 && !patch.intact) continue;
-            Meeting<K> m = meeting(patch, point, 0);
-            // As it was before the impulses.
-            Body<K> a = bodies_[m.a], b = bodies_[m.b];
-            a.velocity = a.start_velocity;
-            a.spin = a.start_spin;
-            b.velocity = b.start_velocity;
-            b.spin = b.start_spin;
-            const Vector velocity = relative_velocity(a, b, point.position);
-            m.target = patch.normal.dot(velocity);
-            // Friction opposes what slip there is, also that of a joint that slides already.
-            if (patch.intact) m.target_slip = velocity - m.target * patch.normal;
+            const Meeting<K> m = meeting(patch, point, 0);
             if (m.mobility > 0) meetings_.push_back(m);
         }
     }
@@ -147,58 +152,107 @@ bool Impulses<K>::is_still(const Meeting<K>& m) const
     return std::max(bodies_[m.a].moved - m.seen_a, bodies_[m.b].moved - m.seen_b) <= unmoved * negligible();
 }
 
-/// One impulse at one point. @returns by how much it changed the velocity there [m/s]
+/// Lets an impulse act on the bodies of a point.
 template <class K>
-double Impulses<K>::act(Meeting<K>& m)
+void Impulses<K>::push(const Meeting<K>& m, const Vector& impulse)
 {
-    Body<K>&a = bodies_[m.a], &b = bodies_[m.b];
-    const Vector velocity = a.velocity_at(m.lever_a) - b.velocity_at(m.lever_b);
-    double press = (m.target - m.normal.dot(velocity)) / m.mobility;
+    bodies_[m.a].push(m.turning_a, impulse);
+    bodies_[m.b].push(m.turning_b, -impulse);
+}
+
+/// One impulse at one point. @returns whether it changed the velocity there by more than what is negligible
+template <class K>
+bool Impulses<K>::act(Meeting<K>& m)
+{
+    const Body<K>&a = bodies_[m.a], &b = bodies_[m.b];
+    const Vector velocity = a.velocity - b.velocity + (m.arm_a * a.spin - m.arm_b * b.spin);
+    double press = (m.target - m.normal.dot(velocity)) * m.inertia;
     if (!m.bonded) press = std::max(press, -m.pressed);
     m.pressed += press;
     Vector slip = velocity + press * m.parting - m.target_slip;
     slip -= m.normal.dot(slip) * m.normal;
+    const Vector before = m.rubbed;
     const double square = slip.squaredNorm();
-    Vector rub = Vector::Zero();
-    double rubbed = 0;
-    if (square > 0) {
-        const double yielding = slip.dot(m.yielding * slip);  // times the square
-        const Vector before = m.rubbed;
-        if (yielding > 0) m.rubbed -= square / yielding * slip;
-        const double bound = m.friction * m.pressed, size = m.rubbed.squaredNorm();
-        if (!m.bonded && size > bound * bound) m.rubbed *= bound / std::sqrt(size);
-        rub = m.rubbed - before;
-        rubbed = rub.norm() * yielding / square;
-    }
+    const double yielding = slip.dot(m.yielding * slip);  // times the square
+    if (yielding > 0) m.rubbed -= square / yielding * slip;
+    if (!m.bonded) m.rubbed *= share_within(m.friction * m.pressed, m.rubbed);
+    const Vector rub = m.rubbed - before;
     // Its own impulse is not seen yet: friction turns a stone and so changes what presses the point.
     m.seen_a = a.moved;
     m.seen_b = b.moved;
-    const Vector impulse = press * m.normal + rub;
-    a.push(m.turning_a, impulse);
-    b.push(m.turning_b, -impulse);
-    return std::max(std::abs(press) * m.mobility, rubbed);
+    push(m, press * m.normal + rub);
+    const double least = negligible();
+    return std::abs(press) * m.mobility > least ||
+           rub.squaredNorm() * yielding * yielding > least * least * square * square;
+}
+
+/// Lets every point act once whose stones have moved. @returns whether one did more than what is negligible
+template <class K>
+bool Impulses<K>::sweep(bool back)
+{
+    bool any = false;
+    const std::size_t before = meetings_.size();
+    for (std::size_t k = 0; k < meetings_.size(); ++k) {  // grows
+        const std::size_t i = back && k < before ? before - 1 - k : k;
+        if (is_still(meetings_[i])) continue;
+        ++impulses_;
+        if (!act(meetings_[i])) continue;
+        any = true;
+        const int a = meetings_[i].a, b = meetings_[i].b;
+        reach(a);
+        reach(b);
+    }
+    return any;
+}
+
+template <class K>
+void Impulses<K>::remember()
+{
+    for (Meeting<K>& m : meetings_) m.before = m.pressed * m.normal + m.rubbed;
+    remembered_ = meetings_.size();
+}
+
+/// Goes on where the sweeps there and back led, with what they did before in it, as a gradient after Fletcher and
+/// Reeves; within what can press and rub. New contacts, and sweeps that do more than those before, begin it anew.
+template <class K>
+void Impulses<K>::accelerate()
+{
+    double square = 0;
+    for (std::size_t i = 0; i < remembered_; ++i) {
+        const Meeting<K>& m = meetings_[i];
+        square += m.mobility * (m.pressed * m.normal + m.rubbed - m.before).squaredNorm();
+    }
+    const bool anew = remembered_ < meetings_.size() || !(square <= last_square_);
+    const double share = anew ? 0 : square / last_square_;
+    last_square_ = square;
+    for (std::size_t i = 0; i < remembered_; ++i) {
+        Meeting<K>& m = meetings_[i];
+        const Vector now = m.pressed * m.normal + m.rubbed;
+        const Vector farther = share * m.course;
+        m.course = farther + (now - m.before);
+        if (farther.isZero(0)) continue;
+        m.pressed += m.normal.dot(farther);
+        if (!m.bonded) m.pressed = std::max(m.pressed, 0.0);
+        m.rubbed += farther - m.normal.dot(farther) * m.normal;
+        if (!m.bonded) m.rubbed *= share_within(m.friction * m.pressed, m.rubbed);
+        push(m, m.pressed * m.normal + m.rubbed - now);
+        ++impulses_;
+    }
 }
 
 template <class K>
 void Impulses<K>::solve()
 {
-    std::size_t impulses = 0;
-    for (int sweep = 0; sweep < max_sweeps; ++sweep) {
-        double most = 0;
+    impulses_ = 0;
+    last_square_ = 0;
+    for (int i = 0; i < max_sweeps; ++i) {
+        const bool back = i % 2 == 1;
+        if (!back) remember();
         // There and back, so that what is left of a symmetrical blow is nearly so.
-        const std::size_t before = meetings_.size();
-        for (std::size_t k = 0; k < meetings_.size(); ++k) {  // grows
-            const std::size_t i = sweep % 2 == 1 && k < before ? before - 1 - k : k;
-            if (is_still(meetings_[i])) continue;
-            ++impulses;
-            const double change = act(meetings_[i]);
-            most = std::max(most, change);
-            if (change <= negligible()) continue;
-            const int a = meetings_[i].a, b = meetings_[i].b;
-            reach(a);
-            reach(b);
-        }
-        if (most <= negligible() || impulses > max_impulses * std::max(meetings_.size(), so_few_contacts)) return;
+        if (!sweep(back)) return;
+        if (impulses_ > std::max(max_impulses * meetings_.size(), few_impulses)) return;
+        // Few are finished anyway, and so to the same bits whatever they are measured in.
+        if (back && meetings_.size() > so_few_contacts) accelerate();
     }
 }
 

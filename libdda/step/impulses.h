@@ -1,6 +1,7 @@
 // Impulses between stones: bodies, the contacts at which they meet, and the impulses there.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "libdda/step/step_system.h"
@@ -10,6 +11,18 @@ namespace voussoir::step
 
 template <class K>
 using TurningIn = Eigen::Matrix<double, K::Spin::RowsAtCompileTime, K::dimension>;
+
+template <class K>
+using ArmIn = Eigen::Matrix<double, K::dimension, K::Spin::RowsAtCompileTime>;
+
+/// Velocities of a point at a lever by unit spins, as columns [m].
+template <class K>
+ArmIn<K> arm_at(const typename K::Vector& lever)
+{
+    ArmIn<K> result;
+    for (int k = 0; k < result.cols(); ++k) result.col(k) = velocity_by(typename K::Spin(K::Spin::Unit(k)), lever);
+    return result;
+}
 
 /// A block as impulses move it: rigid, for what a deformable one stores in a blow is no motion.
 template <class K>
@@ -24,9 +37,11 @@ struct Body {
     Spin start_spin;
     double size = 0;       // m
     bool reached = false;  // by an impulse: its joints take part
-    double moved = 0;      // m/s, sum of what impulses did to the velocity of its points
+    double moved = 0;      // m/s, sum of the most that impulses did to the velocity of its points
 
-    Vector velocity_at(const Vector& lever) const { return velocity + skew(spin) * lever; }
+    Vector velocity_at(const Vector& lever) const { return velocity + velocity_by(spin, lever); }
+    /// Before any impulse.
+    Vector start_velocity_at(const Vector& lever) const { return start_velocity + velocity_by(start_spin, lever); }
     /// Spins that unit impulses along the axes at a lever give, as columns [1/(kg m)].
     TurningIn<K> turning(const Vector& lever) const
     {
@@ -42,7 +57,7 @@ struct Body {
         const Spin turned = turning * impulse;
         velocity += faster;
         spin += turned;
-        moved += faster.norm() + size * turned.norm();
+        moved += std::sqrt(2 * (faster.squaredNorm() + size * size * turned.squaredNorm()));
     }
     /// Velocity that a unit impulse along u gives its own point, along u.
     double mobility(const Vector& lever, const Vector& u) const
@@ -55,7 +70,7 @@ struct Body {
     {
         const TurningIn<K> turned = turning(lever);
         typename K::Matrix result = inverse_mass.asDiagonal();
-        for (int k = 0; k < K::dimension; ++k) result.col(k) += skew(Spin(turned.col(k))) * lever;
+        for (int k = 0; k < K::dimension; ++k) result.col(k) += velocity_by(Spin(turned.col(k)), lever);
         return result;
     }
 };
@@ -64,12 +79,12 @@ struct Body {
 template <class K>
 struct Meeting {
     using Vector = typename K::Vector;
-    int a = 0, b = 0;         // blocks
-    Vector lever_a, lever_b;  // m
-    Vector normal;            // unit
-    double friction = 0;      // -
-    double target = 0;        // m/s, least normal speed afterwards
-    Vector target_slip;       // m/s, tangential velocity that sticking keeps: that of a bond, else none
+    int a = 0, b = 0;       // blocks
+    ArmIn<K> arm_a, arm_b;  // m, velocities of the point by unit spins of the blocks, as columns
+    Vector normal;          // unit
+    double friction = 0;    // -
+    double target = 0;      // m/s, least normal speed afterwards
+    Vector target_slip;     // m/s, tangential velocity that sticking keeps: that of a bond, else none
     bool bonded = false;
     bool lands = false;
     double approach = 0;                // m/s, if it lands
@@ -77,24 +92,28 @@ struct Meeting {
     typename K::Matrix yielding;        // 1/kg, how fast a unit impulse there makes them part
     Vector parting;                     // 1/kg, velocity that a unit impulse along the normal makes
     double mobility = 0;                // 1/kg, of that along the normal
+    double inertia = 0;                 // kg, 1 / mobility
     TurningIn<K> turning_a, turning_b;  // 1/(kg m), of the blocks by impulses there
     double seen_a = -1, seen_b = -1;    // m/s, what the bodies had moved before it last acted
     double pressed = 0;                 // Ns, so far
     Vector rubbed = Vector::Zero();     // Ns, so far
+    Vector before;                      // Ns, whole impulse when the sweeps there and back began
+    Vector course = Vector::Zero();     // Ns, where these take it, see Impulses::accelerate
 };
 
 /// Moves as the part of its motion does that carries momentum.
 template <class K>
 Body<K> body_of(const Model& model, const State& state, int block);
 
-/// Speed at which the stones of a point part, as rigid bodies [m/s].
+/// Velocity of a against b at a point before any impulse, as rigid bodies [m/s].
 template <class K>
-typename K::Vector relative_velocity(const Body<K>& a, const Body<K>& b, const typename K::Vector& place)
+typename K::Vector start_velocity(const Body<K>& a, const Body<K>& b, const typename K::Vector& place)
 {
-    return a.velocity_at(place - a.centroid) - b.velocity_at(place - b.centroid);
+    return a.start_velocity_at(place - a.centroid) - b.start_velocity_at(place - b.centroid);
 }
 
-/// What impulses do to the blocks that they reach: found contact by contact (projected Gauss-Seidel).
+/// What impulses do to the blocks that they reach: found contact by contact (projected Gauss-Seidel), sweeps there
+/// and back made quicker as those of conjugate gradients are [SilcowitzNiebeErleben2010].
 template <class K>
 class Impulses
 {
@@ -117,7 +136,8 @@ class Impulses
     Meeting<K> meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double flight);
     /// Adds one that lands.
     void add(const Meeting<K>& meeting);
-    /// Lets impulses act until every landing point has its speed and no joint is closed any further.
+    /// Lets impulses act until every landing point has its speed and no joint is closed any further. May be called
+    /// again when more points land: it goes on from the impulses so far.
     void solve();
 
     const std::vector<Body<K>>& bodies() const { return bodies_; }
@@ -128,7 +148,11 @@ class Impulses
     void reach(int body);
     double negligible() const;
     bool is_still(const Meeting<K>& meeting) const;
-    double act(Meeting<K>& meeting);
+    bool act(Meeting<K>& meeting);
+    void push(const Meeting<K>& meeting, const Vector& impulse);
+    bool sweep(bool back);
+    void remember();
+    void accelerate();
 
     const Model& model_;
     const State& state_;
@@ -141,6 +165,9 @@ class Impulses
     std::vector<std::vector<int>> patches_of_;  // by block, made when first needed
     double fastest_ = 0;                        // m/s, of what lands
     double slow_ = 0;                           // m/s
+    std::size_t impulses_ = 0;                  // that acted
+    std::size_t remembered_ = 0;                // meetings when the sweeps there and back began
+    double last_square_ = 0;                    // Nms, of what the sweeps before did
 };
 
 }  // namespace voussoir::step

@@ -28,81 +28,80 @@ double speed_of_a_step(const Stage& stage, double h)
     return stage.gravity.norm() * h;
 }
 
-template <class K>
-class Landing
-{
- public:
-    using Vector = typename K::Vector;
-    using Spin = typename K::Spin;
-    static constexpr int D = K::dimension;
-
-    /// @param gained speed that a step at rest may gain [m/s]
-    Landing(const Model& model, const State& state, const ContactSetIn<D>& contacts, double gained)
-        : model_(model),
-          contacts_(contacts),
-          slow_(slow_landing * gained),
-          impulses_(model, state, contacts, gained)
-    {
-    }
-
-    /// Adds what lands, with the restitution of its joint. @returns whether anything does
-    bool find(double h, const std::vector<int>& also);
-    void solve() { impulses_.solve(); }
-    std::vector<Jump<K>> jumps() const;
-
- private:
-    struct Blow {
-        double fraction = 1;  // of the step
-        double approach = 0;  // m/s, of the fastest landing
-    };
-    std::vector<Blow> blows() const;
-    std::vector<double> ground_works() const;
-
-    const Model& model_;
-    const ContactSetIn<D>& contacts_;
-    double slow_;
-    Impulses<K> impulses_;
-};
-
-template <class K>
-bool Landing<K>::find(double h, const std::vector<int>& also)
-{
-    contact::Strips<D> strips(model_, contacts_);
-    for (const ContactPatchIn<D>& patch : contacts_.patches) {
-        if (patch.intact || !model_.joint_between(patch.block_a, patch.block_b).has_landing_law()) continue;
-        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            const ContactPointIn<D>& point = contacts_.points[i];
-            if (point.gap < 0) continue;
-            const int a = impulses_.body(patch.block_a), b = impulses_.body(patch.block_b);
-            const Vector velocity =
-                relative_velocity(impulses_.bodies()[a], impulses_.bodies()[b], point.position);
-            const double approach = -patch.normal.dot(velocity);
-            if (!(approach > slow_)) continue;
-            const bool known = std::binary_search(also.begin(), also.end(), i);
-            if (point.gap > h * approach && !known) continue;
-            if (strips.is_of_yielding(patch)) break;
-            const double fraction = std::min(1.0, point.gap / (h * approach));
-            Meeting<K> m = impulses_.meeting(patch, point, h * fraction);
-            if (m.mobility == 0) continue;
-            m.lands = true;
-            m.approach = approach;
-            m.fraction = fraction;
-            m.target = *model_.joint_between(patch.block_a, patch.block_b).restitution * approach;
-            impulses_.add(m);
-        }
-    }
-    return !impulses_.meetings().empty();
-}
-
 int root_of(int i, std::vector<int>& parent)
 {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
 }
 
+}  // namespace
+
+template <class K>
+Landings<K>::Landings(const Model& model, const Stage& stage, const State& state, const ContactSetIn<D>& contacts,
+                      double h)
+    : model_(model),
+      contacts_(contacts),
+      h_(h),
+      slow_(slow_landing * speed_of_a_step(stage, h)),
+      impulses_(model, state, contacts, speed_of_a_step(stage, h))
+{
+}
+
+/// Speed at which the stones of a point come together before the step [m/s]
+template <class K>
+double Landings<K>::approach_of(const ClosingPoint& closing)
+{
+    const ContactPatchIn<D>& patch = contacts_.patches[closing.patch];
+    const int a = impulses_.body(patch.block_a), b = impulses_.body(patch.block_b);
+    return -patch.normal.dot(
+        start_velocity(impulses_.bodies()[a], impulses_.bodies()[b], contacts_.points[closing.point].position));
+}
+
+/// Lets a point land, with the restitution of its joint.
+template <class K>
+void Landings<K>::add(const ClosingPoint& closing, double approach)
+{
+    const ContactPatchIn<D>& patch = contacts_.patches[closing.patch];
+    const ContactPointIn<D>& point = contacts_.points[closing.point];
+    const double fraction = std::min(1.0, point.gap / (h_ * approach));
+    Meeting<K> m = impulses_.meeting(patch, point, h_ * fraction);
+    if (m.mobility == 0) return;
+    m.lands = true;
+    m.approach = approach;
+    m.fraction = fraction;
+    m.target = *model_.joint_between(patch.block_a, patch.block_b).restitution * approach;
+    impulses_.add(m);
+}
+
+template <class K>
+std::vector<Jump<K>> Landings<K>::find()
+{
+    contact::Strips<D> strips(model_, contacts_);
+    for (int k = 0; k < static_cast<int>(contacts_.patches.size()); ++k) {
+        const ContactPatchIn<D>& patch = contacts_.patches[k];
+        if (patch.intact || !model_.joint_between(patch.block_a, patch.block_b).has_landing_law()) continue;
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+            const double gap = contacts_.points[i].gap;
+            if (gap < 0) continue;
+            const double approach = approach_of({i, k});
+            if (!(approach > slow_) || gap > h_ * approach) continue;
+            if (strips.is_of_yielding(patch)) break;
+            add({i, k}, approach);
+        }
+    }
+    return solve();
+}
+
+template <class K>
+std::vector<Jump<K>> Landings<K>::find_also(const std::vector<ClosingPoint>& missed)
+{
+    for (const ClosingPoint& closing : missed) add(closing, approach_of(closing));
+    return solve();
+}
+
 /// What makes each body jump: bodies that one blow reaches do it together, at its first landing.
 template <class K>
-std::vector<typename Landing<K>::Blow> Landing<K>::blows() const
+std::vector<typename Landings<K>::Blow> Landings<K>::blows() const
 {
     const std::vector<Body<K>>& bodies = impulses_.bodies();
     std::vector<int> parent(bodies.size());
@@ -126,7 +125,7 @@ std::vector<typename Landing<K>::Blow> Landing<K>::blows() const
 /// What foundations that move do in the blows, for they push at their own speed; booked with a body that they
 /// strike [J].
 template <class K>
-std::vector<double> Landing<K>::ground_works() const
+std::vector<double> Landings<K>::ground_works() const
 {
     const std::vector<Body<K>>& bodies = impulses_.bodies();
     std::vector<double> works(bodies.size(), 0.0);
@@ -146,8 +145,10 @@ std::vector<double> Landing<K>::ground_works() const
 }
 
 template <class K>
-std::vector<Jump<K>> Landing<K>::jumps() const
+std::vector<Jump<K>> Landings<K>::solve()
 {
+    if (impulses_.meetings().empty()) return {};
+    impulses_.solve();
     const std::vector<Blow> by = blows();
     const std::vector<double> works = ground_works();
     std::vector<Jump<K>> result;
@@ -168,18 +169,6 @@ std::vector<Jump<K>> Landing<K>::jumps() const
     return result;
 }
 
-}  // namespace
-
-template <class K>
-std::vector<Jump<K>> find_jumps(const Model& model, const Stage& stage, const State& state,
-                                const ContactSetIn<K::dimension>& contacts, double h, const std::vector<int>& also)
-{
-    Landing<K> landing(model, state, contacts, speed_of_a_step(stage, h));
-    if (!landing.find(h, also)) return {};
-    landing.solve();
-    return landing.jumps();
-}
-
 template <class K>
 std::optional<double> step_to_landing(const Stage& stage, const std::vector<Jump<K>>& jumps, double h)
 {
@@ -197,11 +186,11 @@ std::optional<double> step_to_landing(const Stage& stage, const std::vector<Jump
 }
 
 template <class K>
-std::vector<int> missed_landings(const Model& model, const Stage& stage, const State& state,
-                                 const ContactSetIn<K::dimension>& contacts, const StepSystem<K>& system)
+std::vector<ClosingPoint> missed_landings(const Model& model, const Stage& stage, const State& state,
+                                          const ContactSetIn<K::dimension>& contacts, const StepSystem<K>& system)
 {
     const double slow = slow_landing * speed_of_a_step(stage, system.h);
-    std::vector<std::pair<int, int>> met;  // point, patch
+    std::vector<ClosingPoint> met;
     std::mutex mutex;
     in_parallel(contacts.patches.size(), system.threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t k = first; k < end; ++k) {
@@ -212,27 +201,26 @@ std::vector<int> missed_landings(const Model& model, const Stage& stage, const S
                 if (point.gap < 0 || system.contacts.points[i].normal == 0) continue;
                 const Body<K> a = body_of<K>(model, state, patch.block_a),
                               b = body_of<K>(model, state, patch.block_b);
-                const double approach = -patch.normal.dot(relative_velocity(a, b, point.position));
+                const double approach = -patch.normal.dot(start_velocity(a, b, point.position));
                 if (!(approach > slow) || point.gap <= system.h * approach) continue;
                 const std::lock_guard lock(mutex);
-                met.emplace_back(i, static_cast<int>(k));
+                met.push_back({i, static_cast<int>(k)});
             }
         }
     });
-    std::sort(met.begin(), met.end());
+    std::sort(met.begin(), met.end(),
+              [](const ClosingPoint& a, const ClosingPoint& b) { return a.point < b.point; });
     contact::Strips<K::dimension> strips(model, contacts);
-    std::vector<int> missed;
-    for (const auto& [point, patch] : met)
-        if (!strips.is_of_yielding(contacts.patches[patch])) missed.push_back(point);
-    return missed;
+    std::erase_if(
+        met, [&](const ClosingPoint& closing) { return strips.is_of_yielding(contacts.patches[closing.patch]); });
+    return met;
 }
 
-#define VOUSSOIR_INSTANTIATE(K)                                                                                   \
-    template std::vector<Jump<K>> find_jumps(const Model&, const Stage&, const State&,                            \
-                                             const ContactSetIn<K::dimension>&, double, const std::vector<int>&); \
-    template std::optional<double> step_to_landing(const Stage&, const std::vector<Jump<K>>&, double);            \
-    template std::vector<int> missed_landings(const Model&, const Stage&, const State&,                           \
-                                              const ContactSetIn<K::dimension>&, const StepSystem<K>&)
+#define VOUSSOIR_INSTANTIATE(K)                                                                        \
+    template class Landings<K>;                                                                        \
+    template std::optional<double> step_to_landing(const Stage&, const std::vector<Jump<K>>&, double); \
+    template std::vector<ClosingPoint> missed_landings(const Model&, const Stage&, const State&,       \
+                                                       const ContactSetIn<K::dimension>&, const StepSystem<K>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

@@ -11,19 +11,53 @@
 #include <optional>
 #include <vector>
 
+#include "libdda/step/impulses.h"
 #include "libdda/step/step_system.h"
 
 namespace voussoir::step
 {
 
-/// Finds the stones that land in a step of length h.
-/// @param also points (indices into contacts.points, ascending) that are known to close in it, whatever a straight
-/// flight says
-/// @returns their jumps, in ascending order of the block; none where nothing lands
+/// A contact point and the patch that it is of, as indices into a contact set.
+struct ClosingPoint {
+    int point = 0, patch = 0;
+};
+
+/// The stones that land in a step of length h. All references must outlive it.
 template <class K>
-std::vector<Jump<K>> find_jumps(const Model& model, const Stage& stage, const State& state,
-                                const ContactSetIn<K::dimension>& contacts, double h,
-                                const std::vector<int>& also);
+class Landings
+{
+ public:
+    using Vector = typename K::Vector;
+    using Spin = typename K::Spin;
+    static constexpr int D = K::dimension;
+
+    Landings(const Model& model, const Stage& stage, const State& state, const ContactSetIn<D>& contacts,
+             double h);
+
+    /// Finds what lands in straight flight.
+    /// @returns the jumps of the stones, in ascending order of the block; none where nothing lands
+    std::vector<Jump<K>> find();
+    /// Lets points land besides that close in the step, whatever a straight flight says: the impulses go on from
+    /// those found so far. @returns all jumps
+    std::vector<Jump<K>> find_also(const std::vector<ClosingPoint>& missed);
+
+ private:
+    struct Blow {
+        double fraction = 1;  // of the step
+        double approach = 0;  // m/s, of the fastest landing
+    };
+    void add(const ClosingPoint& closing, double approach);
+    double approach_of(const ClosingPoint& closing);
+    std::vector<Jump<K>> solve();
+    std::vector<Blow> blows() const;
+    std::vector<double> ground_works() const;
+
+    const Model& model_;
+    const ContactSetIn<D>& contacts_;
+    double h_;     // s
+    double slow_;  // m/s: slower landings are left to the springs
+    Impulses<K> impulses_;
+};
 
 /// The part of a step that may be done before the first of the jumps, so that what presses until then does so for
 /// as long as it does [s]; nothing where they are all at its start, or slower than gravity makes
@@ -32,9 +66,9 @@ template <class K>
 std::optional<double> step_to_landing(const Stage& stage, const std::vector<Jump<K>>& jumps, double h);
 
 /// The points that closed in a converged step although a straight flight did not bring their stones together, and
-/// that were approaching fast enough for a landing: forces bent their way. In ascending order.
+/// that were approaching fast enough for a landing: forces bent their way. In ascending order of the point.
 template <class K>
-std::vector<int> missed_landings(const Model& model, const Stage& stage, const State& state,
-                                 const ContactSetIn<K::dimension>& contacts, const StepSystem<K>& system);
+std::vector<ClosingPoint> missed_landings(const Model& model, const Stage& stage, const State& state,
+                                          const ContactSetIn<K::dimension>& contacts, const StepSystem<K>& system);
 
 }  // namespace voussoir::step

@@ -36,6 +36,9 @@ constexpr double hardening = 4;          // from there, each time by this
 constexpr double soft_tolerance = 1e-2;  // unbalanced force / load: only the states of the contacts are wanted
 constexpr double many_changes = 0.05;    // of the points
 constexpr std::size_t few_changes = 8;   // points
+// Of the tolerance: so far stones are relaxed in motion, and a step that is left with no more is done. What sweeps
+// leave is not small like what a direction leaves: at the whole tolerance it shakes an arch that rests.
+constexpr double relaxed = 0.3;
 
 /// What the open points of a joint that breaks had stored at the start of the step [J].
 template <class K>
@@ -157,6 +160,16 @@ std::size_t note_changes(StepSystem<K>& system)
     return changes;
 }
 
+/// Notes how far the residual last evaluated is from equilibrium. @returns residual / tolerance of the worst block
+template <class K>
+double note_unbalance(double tolerance, const StepSystem<K>& system, StepReport& report)
+{
+    const Unbalance now = unbalance(system, tolerance);
+    report.unbalanced = now.ratio;
+    report.worst_block = now.block;
+    return now.worst;
+}
+
 /// Newton iteration from system.d until every block is in equilibrium within the tolerance.
 template <class K>
 bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& system, StepReport& report)
@@ -170,30 +183,33 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
     for (int iteration = 0;; ++iteration) {
         if (!evaluate_exactly(known, control.threads, system)) return fail_inverted(system, report);
         if (!system.residual.allFinite()) return fail(Trouble::inaccurate_solution, report);
-        const Unbalance now = unbalance(system, tolerance);
-        report.unbalanced = now.ratio;
-        report.worst_block = now.block;
-        if (now.worst <= 1) return true;
-        if (bold.have_failed(now.worst, system)) {
+        const double worst = note_unbalance(tolerance, system, report);
+        if (worst <= 1) return true;
+        if (bold.have_failed(worst, system)) {
             known = Known::nothing;
             last = std::numeric_limits<double>::infinity();
             continue;
         }
         if (iteration >= control.max_open_close) return fail(Trouble::chatter, report);
-        stalled = now.worst > 0.7 * last ? stalled + 1 : 0;
-        last = now.worst;
+        stalled = worst > 0.7 * last ? stalled + 1 : 0;
+        last = worst;
 
         const std::size_t changed = note_changes(system);
         const bool changes = changed > few_changes;
         // On the way to rest the steps are long, and may have other solutions than the one that the potential
         // leads to.
         if (is_motion(stage) && bold.are_due(changed, system.contacts.points.size()) &&
-            bold.take(control, tolerance, now.worst, changes, system, report)) {
+            bold.take(control, tolerance, worst, changes, system, report)) {
             known = Known::exact;
             continue;
         }
         // At rest what an elastic stone does reaches far, and nothing is saved.
-        if (changes && (!K::deformable || is_motion(stage))) system.relaxation.sweep(tolerance, now.worst, system);
+        if (changes && (!K::deformable || is_motion(stage))) {
+            const double share = is_motion(stage) ? relaxed : 1;
+            system.relaxation.sweep(share * tolerance, worst / share, system);
+            // On the way to rest one more direction makes it exact, which rest needs.
+            if (is_motion(stage) && note_unbalance(tolerance, system, report) <= share) return true;
+        }
         const double slack = changes && is_motion(stage) ? slack_of_changes : 1;
         system.contacts.brake = is_motion(stage) && went < small_share ? braked : 0;
         const bool solved = solve_direction(control, false, slack, system, report);

@@ -48,6 +48,16 @@ inline SpinIn<2> moment_about(const Eigen::Vector2d& y, const Eigen::Vector2d& f
     return SpinIn<2>(y.x() * f.y() - y.y() * f.x());
 }
 
+/// The velocity r x y of a point at lever y by a spin r.
+inline Eigen::Vector3d velocity_by(const SpinIn<3>& r, const Eigen::Vector3d& y)
+{
+    return r.cross(y);
+}
+inline Eigen::Vector2d velocity_by(const SpinIn<2>& r, const Eigen::Vector2d& y)
+{
+    return {-r[0] * y.y(), r[0] * y.x()};
+}
+
 inline Eigen::Quaterniond quaternion_of(const SpinIn<3>& vector)
 {
     const double angle = vector.norm();

@@ -19,6 +19,7 @@ struct SceneSetting {
     // Joints as in the papers, not the program's defaults: impacts are left to springs, and where a paper gives no
     // stiffness these have E/L in rigid scenes and 10 E/L in deformable ones.
     bool papers_joints = false;
+    double error_rate = 0;  // m/s3: steps follow an error of so much x time_step^3; 0: they are of one length
 };
 
 }  // namespace voussoir::app::studies::scenes

@@ -1,5 +1,7 @@
 #include "app/studies/scenes/stages.h"
 
+#include <cmath>
+
 namespace voussoir::app::studies::scenes
 {
 
@@ -39,6 +41,7 @@ Stage dynamic_stage(const SceneSetting& setting, double duration, const Eigen::V
     stage.control.integrator = setting.integrator;
     stage.control.open_close = setting.open_close;
     if (setting.open_close == OpenClose::published) stage.control.max_open_close = 6;
+    stage.control.step_error = setting.error_rate * std::pow(setting.time_step, 3);
     return stage;
 }
 

@@ -29,8 +29,9 @@ StabilityScene coordinate_scene(const CaseReader& read);
 StabilityScene gravity_scene();
 StabilityScene shaking_scene();
 StabilityScene impact_scene();
-StabilityScene uplift_scene();   // a pulse lifts a block off soft springs
-StabilityScene landing_scene();  // a rocking block comes down
+StabilityScene uplift_scene();      // a pulse lifts a block off soft springs
+StabilityScene step_error_scene();  // steps that follow their error
+StabilityScene landing_scene();     // a rocking block comes down
 
 StabilityScene ground_scene();  // waves through boundaries, damped ground
 

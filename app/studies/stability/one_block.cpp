@@ -160,6 +160,7 @@ OneBlockHistory run_one_block(const OneBlock& scene, double time_step, CellRun& 
     if (scene.start_lean == 0 && !run_counted(model, {scenes::rest_stage()}, state, {}, cell)) return history;
     Stage motion = scenes::motion_stage(scene.duration, time_step);
     motion.control.integrator = scene.integrator;
+    motion.control.step_error = scene.step_error;
     if (scene.amplitude > 0) {
         const GroundMotion pulse =
             GroundMotion::sine_acceleration(scene.amplitude, 1 / scene.period, 0, scene.pulse_end);

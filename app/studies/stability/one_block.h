@@ -25,6 +25,7 @@ struct OneBlock {
     double duration = 1;                       // s
     double start_lean = 0;                     // rad, on its +x edge; 0: it stands
     Integrator integrator = Integrator::energy_decaying;
+    double step_error = 0;  // m; 0: steps of one length
 };
 
 /// What the engine and the reference found at the end of every accepted step.

@@ -89,4 +89,27 @@ StabilityScene uplift_scene()
     return scene;
 }
 
+StabilityScene step_error_scene()
+{
+    StabilityScene scene;
+    scene.name = "step_error";
+    scene.title = "A block rocks in steps that follow their error";
+    scene.quantity = "largest distance from the reference over all times / largest lean";
+    scene.text =
+        "The pier of `rocking` on springs of 1e8 N/m, whose steps are at most as long as the time step and err by "
+        "no "
+        "more than the wanted error. Errors too large to be noticed leave the time step alone; of errors below "
+        "what its springs yield, steps follow the vibration on them.";
+    scene.reference = "block on the springs under its edges (ODE)";
+    scene.tolerance = 0.02;
+    for (const double error : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3})
+        for (const double h : {2e-3, 1e-2, 5e-2})
+            add_cell(scene, fmt::format("e={:.0e}", error), {{"error of a step", error, "m"}}, h, [error, h] {
+                OneBlock pier = leaning_pier(1e8);
+                pier.step_error = error;
+                return run_swing(pier, h);
+            });
+    return scene;
+}
+
 }  // namespace voussoir::app::studies::stability

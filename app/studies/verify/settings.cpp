@@ -19,6 +19,7 @@ std::string method_name(const scenes::SceneSetting& setting)
     name += setting.integrator == Integrator::newmark ? ", Newmark" : ", energy decaying";
     if (setting.papers_joints) name += ", joints as in the papers";
     if (setting.open_close == OpenClose::published) name += ", published iteration";
+    if (setting.error_rate > 0) name += ", steps follow their error";
     return name;
 }
 
