@@ -69,7 +69,7 @@ bool attempt(const Model& model, const Stage& stage, const State& state, double&
         if (const std::optional<double> before = step::step_to_landing(stage, work.jumps, h)) {
             h = *before;
             report.divided = true;
-            work.jumps.clear();
+            work.jumps.clear();  // what lands before that, more slowly, is left to the springs
             landings.emplace(model, stage, state, work.contacts, h);
         }
     if (!solve(model, stage, state, h, work, report)) return false;

@@ -11,11 +11,11 @@ namespace
 {
 
 constexpr int max_sweeps = 200;  // over the contacts that impulses have reached
-// Of a blow that runs through a wall a hundredth is left after that many impulses a contact; the springs answer
-// it.
+// What is left of a blow then is answered by the springs: of one that runs through a whole house a third to a half
+// of what impulses could take (numerics.md 4).
 constexpr std::size_t max_impulses = 40;      // at each contact, on the average
 constexpr std::size_t few_impulses = 6000;    // in all: few contacts may have more
-constexpr std::size_t so_few_contacts = 100;  // finish by sweeps alone, in any case to the digits that count
+constexpr std::size_t so_few_contacts = 100;  // are left to sweeps alone
 constexpr double still = 1e-6;   // of the largest approach speed: a smaller change has not reached a block
 constexpr double slight = 0.02;  // of the speed that a step at rest may gain: the same among many contacts
 constexpr double unmoved = 0.5;  // of such a change: a point whose stones moved less need not act again
@@ -222,7 +222,7 @@ void Impulses<K>::accelerate()
         const Meeting<K>& m = meetings_[i];
         square += m.mobility * (m.pressed * m.normal + m.rubbed - m.before).squaredNorm();
     }
-    const bool anew = remembered_ < meetings_.size() || !(square <= last_square_);
+    const bool anew = remembered_ < meetings_.size() || !(square < last_square_);
     const double share = anew ? 0 : square / last_square_;
     last_square_ = square;
     for (std::size_t i = 0; i < remembered_; ++i) {
@@ -251,7 +251,7 @@ void Impulses<K>::solve()
         // There and back, so that what is left of a symmetrical blow is nearly so.
         if (!sweep(back)) return;
         if (impulses_ > std::max(max_impulses * meetings_.size(), few_impulses)) return;
-        // Few are finished anyway, and so to the same bits whatever they are measured in.
+        // Not among few: what it leaves unfinished depends on rounding, and so on the frame and the units.
         if (back && meetings_.size() > so_few_contacts) accelerate();
     }
 }

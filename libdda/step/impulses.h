@@ -39,7 +39,6 @@ struct Body {
     bool reached = false;  // by an impulse: its joints take part
     double moved = 0;      // m/s, sum of the most that impulses did to the velocity of its points
 
-    Vector velocity_at(const Vector& lever) const { return velocity + velocity_by(spin, lever); }
     /// Before any impulse.
     Vector start_velocity_at(const Vector& lever) const { return start_velocity + velocity_by(start_spin, lever); }
     /// Spins that unit impulses along the axes at a lever give, as columns [1/(kg m)].
@@ -79,7 +78,7 @@ struct Body {
 template <class K>
 struct Meeting {
     using Vector = typename K::Vector;
-    int a = 0, b = 0;       // blocks
+    int a = 0, b = 0;       // bodies
     ArmIn<K> arm_a, arm_b;  // m, velocities of the point by unit spins of the blocks, as columns
     Vector normal;          // unit
     double friction = 0;    // -
@@ -98,7 +97,7 @@ struct Meeting {
     double pressed = 0;                 // Ns, so far
     Vector rubbed = Vector::Zero();     // Ns, so far
     Vector before;                      // Ns, whole impulse when the sweeps there and back began
-    Vector course = Vector::Zero();     // Ns, where these take it, see Impulses::accelerate
+    Vector course = Vector::Zero();     // Ns, direction of the conjugate gradients
 };
 
 /// Moves as the part of its motion does that carries momentum.
@@ -112,8 +111,8 @@ typename K::Vector start_velocity(const Body<K>& a, const Body<K>& b, const type
     return a.start_velocity_at(place - a.centroid) - b.start_velocity_at(place - b.centroid);
 }
 
-/// What impulses do to the blocks that they reach: found contact by contact (projected Gauss-Seidel), sweeps there
-/// and back made quicker as those of conjugate gradients are [SilcowitzNiebeErleben2010].
+/// What impulses do to the blocks that they reach: found contact by contact (projected Gauss-Seidel, there and
+/// back), among many contacts accelerated by nonlinear conjugate gradients [SilcowitzNiebeErleben2010].
 template <class K>
 class Impulses
 {
@@ -167,7 +166,7 @@ class Impulses
     double slow_ = 0;                           // m/s
     std::size_t impulses_ = 0;                  // that acted
     std::size_t remembered_ = 0;                // meetings when the sweeps there and back began
-    double last_square_ = 0;                    // Nms, of what the sweeps before did
+    double last_square_ = 0;                    // J, of what the sweeps before did
 };
 
 }  // namespace voussoir::step

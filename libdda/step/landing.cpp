@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <mutex>
 #include <numeric>
-#include <utility>
 
 #include "libdda/contact/strips.h"
 #include "libdda/model/parallel.h"

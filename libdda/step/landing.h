@@ -38,7 +38,7 @@ class Landings
     /// @returns the jumps of the stones, in ascending order of the block; none where nothing lands
     std::vector<Jump<K>> find();
     /// Lets points land besides that close in the step, whatever a straight flight says: the impulses go on from
-    /// those found so far. @returns all jumps
+    /// those found so far. @returns the jumps by all of them
     std::vector<Jump<K>> find_also(const std::vector<ClosingPoint>& missed);
 
  private:

@@ -160,14 +160,15 @@ std::size_t note_changes(StepSystem<K>& system)
     return changes;
 }
 
-/// Notes how far the residual last evaluated is from equilibrium. @returns residual / tolerance of the worst block
+/// Notes how far the residual last evaluated is from equilibrium. @returns residual / tolerance of the worst
+/// block, infinity if the residual is no number
 template <class K>
 double note_unbalance(double tolerance, const StepSystem<K>& system, StepReport& report)
 {
     const Unbalance now = unbalance(system, tolerance);
     report.unbalanced = now.ratio;
     report.worst_block = now.block;
-    return now.worst;
+    return system.residual.allFinite() ? now.worst : std::numeric_limits<double>::infinity();
 }
 
 /// Newton iteration from system.d until every block is in equilibrium within the tolerance.

@@ -96,10 +96,9 @@ StabilityScene step_error_scene()
     scene.title = "A block rocks in steps that follow their error";
     scene.quantity = "largest distance from the reference over all times / largest lean";
     scene.text =
-        "The pier of `rocking` on springs of 1e8 N/m, whose steps are at most as long as the time step and err by "
-        "no "
-        "more than the wanted error. Errors too large to be noticed leave the time step alone; of errors below "
-        "what its springs yield, steps follow the vibration on them.";
+        "The pier of `rocking` on springs of 1e8 N/m, whose steps are at most as long as the time step and "
+        "err by at most the wanted error. Errors too large to be noticed leave the time step alone; errors "
+        "smaller than the springs yield make the steps follow the vibration on them.";
     scene.reference = "block on the springs under its edges (ODE)";
     scene.tolerance = 0.02;
     for (const double error : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3})
