@@ -101,7 +101,7 @@ TEST(Impulses, StopWhatOnlyTheStepBringsDown)
 TEST(Impulses, RubWithinTheConeOfFriction)
 {
     constexpr int courses = 26;
-    constexpr double sideways = 1;
+    constexpr double sideways = 5;  // m/s, too fast for it to stick
     const FallingPile pile(Kinematics::spatial_rigid, courses, 0.5, sideways);
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
     double gained = 0;  // J
@@ -110,8 +110,8 @@ TEST(Impulses, RubWithinTheConeOfFriction)
         impulse += pile.model.mass(jump.block) * jump.velocity;
         gained += 0.5 * pile.model.mass(jump.block) * (after.squaredNorm() - before.squaredNorm());
     }
-    EXPECT_GT(impulse.z(), 0.5 * pile.model.mass(1) * courses * speed);
-    EXPECT_LT(impulse.x(), -0.5 * std::tan(30 * degrees) * impulse.z());
+    EXPECT_GT(impulse.z(), 0.3 * pile.model.mass(1) * courses * speed);
+    EXPECT_LT(impulse.x(), -0.9 * std::tan(30 * degrees) * impulse.z());
     EXPECT_GT(impulse.x(), -1.0001 * std::tan(30 * degrees) * impulse.z());
     EXPECT_LT(gained, 0);
 }
