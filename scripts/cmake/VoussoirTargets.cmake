@@ -58,9 +58,9 @@ endif()
 # Half of the compile time is Eigen's headers. They are parsed once for all targets that share their flags; a target
 # with flags of its own (CGAL's rounding) parses them once for itself. Sources include what they use all the
 # same: a build with the option off shows it.
-option(VOUSSOIR_PCH "Precompile the headers of Eigen and the standard library" ON)
-set(voussoir_precompiled_headers <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <map> <memory> <optional>
-    <string> <vector>)
+option(VOUSSOIR_PCH "Precompile the headers of Eigen, the standard library and GoogleTest" ON)
+set(voussoir_precompiled_headers <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <filesystem> <functional> <map>
+    <memory> <numeric> <optional> <set> <span> <sstream> <stdexcept> <string> <variant> <vector>)
 if(VOUSSOIR_PCH)
   # With precompiled headers g++ 12 also sees copies that leave the buffer of a std::string: past its end (GCC bug
   # 109299: stringop-overflow, array-bounds; read_ply.cpp shows it) and past what is read (GCC bug 98465:
@@ -77,6 +77,7 @@ if(VOUSSOIR_PCH)
   target_link_libraries(voussoir_precompiled PRIVATE voussoir_flags Eigen3::Eigen)
   target_precompile_headers(voussoir_precompiled PRIVATE ${voussoir_precompiled_headers})
 endif()
+# voussoir_precompile(TARGET [FROM]): with the headers of FROM, an object library; voussoir_precompiled if none is named.
 function(voussoir_precompile target)
   if(NOT VOUSSOIR_PCH OR target STREQUAL voussoir_text)  # no Eigen there, and in a package other flags
     return()
@@ -85,7 +86,11 @@ function(voussoir_precompile target)
   if(target MATCHES "^voussoir_(dda|exact)$" OR type STREQUAL SHARED_LIBRARY)
     target_precompile_headers(${target} PRIVATE ${voussoir_precompiled_headers})
   else()
-    target_precompile_headers(${target} REUSE_FROM voussoir_precompiled)
+    set(shared voussoir_precompiled)
+    if(ARGC GREATER 1)
+      set(shared ${ARGV1})
+    endif()
+    target_precompile_headers(${target} REUSE_FROM ${shared})
     target_link_libraries(${target} PRIVATE Eigen3::Eigen)
   endif()
 endfunction()
