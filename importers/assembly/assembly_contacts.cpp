@@ -38,9 +38,9 @@ ContactSet search(const Model& model, const State& state, double share)
 {
     std::vector<double> reach(model.blocks.size());
     for (std::size_t b = 0; b < reach.size(); ++b) reach[b] = share * size_of(model, static_cast<int>(b));
-    std::vector<contact::PlacedPart> parts;
+    contact::SearchMemory<3> memory;
     ContactSet found;
-    contact::find_contacts<3>(model, state, reach, 1, parts, found);
+    contact::find_contacts<3>(model, state, reach, 1, memory, found);
     return found;
 }
 

@@ -65,7 +65,9 @@ std::vector<Joint> joints_of(const std::vector<contact::PlacedPart>& parts, std:
 {
     std::vector<Joint> joints;
     const std::vector<double> reach(stones, width);
-    for (const auto& [i, j] : contact::candidate_pairs(parts, reach, std::vector<bool>(stones, false))) {
+    contact::Candidates close;
+    contact::find_candidates(parts, reach, std::vector<bool>(stones, false), 1, close);
+    for (const auto& [i, j] : close.pairs) {
         const contact::PlacedPart &first = parts[i], &second = parts[j];
         const double size = std::min(first.size, second.size), slack = slack_share * size;
         const std::optional<contact::ContactPolygon> found =

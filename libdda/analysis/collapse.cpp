@@ -118,7 +118,8 @@ void note_fallen(const Model& model, const CollapseWatch& watch, const Vector3d&
 {
     if (model.foundations.empty() && model.boundaries.empty()) return;
     const Vector3d down = gravity.norm() > 0 ? Vector3d(gravity.normalized()) : Vector3d::Zero();
-    std::vector<FallenBlock*> known(model.blocks.size(), nullptr);
+    std::vector<FallenBlock*> known;  // by block, if any has fallen
+    if (!report.fallen.empty()) known.assign(model.blocks.size(), nullptr);
     for (FallenBlock& fallen : report.fallen) known[fallen.block] = &fallen;
     const Vector3d ground = ground_displacement(model, watch, state);
     std::vector<bool> is_supported;
@@ -126,7 +127,7 @@ void note_fallen(const Model& model, const CollapseWatch& watch, const Vector3d&
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
         const Vector3d now = centroid(model, state, b) - ground;
         const bool left = (now - watch.middle).norm() > domain * watch.extent;
-        if (known[b] != nullptr) {
+        if (!known.empty() && known[b] != nullptr) {
             known[b]->left = known[b]->left || left;
             continue;
         }

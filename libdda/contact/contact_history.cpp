@@ -191,14 +191,16 @@ double new_rest_gap(const Model& model, const State& state, const ContactPatchIn
 }  // namespace
 
 template <int D>
-FoundPatch<D> attach_history(const Model& model, const State& state, const std::vector<bool>& fully_held,
-                             const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
-                             const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap)
+void attach_history(const Model& model, const State& state, const std::vector<bool>& fully_held,
+                    const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
+                    const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap,
+                    FoundPatch<D>& found)
 {
     const PlacedPartIn<D>& reference = polygon.second_is_reference ? second : first;
     const PlacedPartIn<D>& incident = polygon.second_is_reference ? first : second;
     const double size = std::min(first.size, second.size);
-    FoundPatch<D> found{patch_of(reference, incident, polygon), {}};
+    found.patch = patch_of(reference, incident, polygon);
+    found.points.clear();
     ContactPatchIn<D>& patch = found.patch;
     const bool same_features = history.patch && has_same_features(patch, *history.patch);
     patch.stiffness = same_features ? history.patch->stiffness
@@ -234,13 +236,12 @@ FoundPatch<D> attach_history(const Model& model, const State& state, const std::
         forgive_overlap(patch.stiffness,
                         history.patch ? pressed_energy(history.patch->stiffness, history.points) : 0,
                         found.points);
-    return found;
 }
 
-#define VOUSSOIR_INSTANTIATE(D)                                                                 \
-    template FoundPatch<D> attach_history(const Model&, const State&, const std::vector<bool>&, \
-                                          const PlacedPartIn<D>&, const PlacedPartIn<D>&,       \
-                                          const ContactPolygonIn<D>&, const History<D>&, NewOverlap)
+#define VOUSSOIR_INSTANTIATE(D)                                                                                \
+    template void attach_history(const Model&, const State&, const std::vector<bool>&, const PlacedPartIn<D>&, \
+                                 const PlacedPartIn<D>&, const ContactPolygonIn<D>&, const History<D>&,        \
+                                 NewOverlap, FoundPatch<D>&)
 VOUSSOIR_INSTANTIATE(3);
 VOUSSOIR_INSTANTIATE(2);
 #undef VOUSSOIR_INSTANTIATE

@@ -47,16 +47,17 @@ struct FoundPatch {
     std::vector<ContactPointIn<D>> points;
 };
 
-/// The contact of two parts with what it remembers. Every point takes over the slip of the point of the same
-/// feature, or of the nearest old point of its pair, or the pair's area-weighted mean, in this order; slips are
-/// projected on the new tangent plane.
-/// Rest gaps go the same way. Of a dry joint they last until the stones part, of one that was drawn to fit within
-/// the model's tolerance until it is out of touch; a positive one does not go over to a face that looks elsewhere.
+/// The contact of two parts with what it remembers, in place of what `found` was; its memory is used again. Every
+/// point takes over the slip of the point of the same feature, or of the nearest old point of its pair, or the
+/// pair's area-weighted mean, in this order; slips are projected on the new tangent plane. Rest gaps go the same
+/// way. Of a dry joint they last until the stones part, of one that was drawn to fit within the model's tolerance
+/// until it is out of touch; a positive one does not go over to a face that looks elsewhere.
 /// @param polygon of the two parts, as contact_polygon found it
 /// @param fully_held (blocks)
 template <int D>
-FoundPatch<D> attach_history(const Model& model, const State& state, const std::vector<bool>& fully_held,
-                             const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
-                             const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap);
+void attach_history(const Model& model, const State& state, const std::vector<bool>& fully_held,
+                    const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
+                    const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap,
+                    FoundPatch<D>& found);
 
 }  // namespace voussoir::contact

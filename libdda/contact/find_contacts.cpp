@@ -34,9 +34,11 @@ template <int D>
 class OldContacts
 {
  public:
-    OldContacts(const Model& model, const ContactSetIn<D>& contacts, const std::vector<int>& first_part)
-        : contacts_(contacts)
+    OldContacts(const Model& model, const ContactSetIn<D>& contacts, SearchMemory<D>& memory)
+        : contacts_(contacts), of_parts_(memory.old)
     {
+        const std::vector<int>& first_part = memory.first_part;
+        of_parts_.clear();
         of_parts_.reserve(contacts.patches.size());
         for (int p = 0; p < static_cast<int>(contacts.patches.size()); ++p) {
             const ContactPatchIn<D>& patch = contacts.patches[p];
@@ -65,20 +67,19 @@ class OldContacts
 
  private:
     const ContactSetIn<D>& contacts_;
-    std::vector<std::pair<PairKey, int>> of_parts_;  // ascending
-    std::map<PairKey, std::vector<int>> of_stones_;  // only where stones need not fit
+    std::vector<std::pair<PairKey, int>>& of_parts_;  // ascending
+    std::map<PairKey, std::vector<int>> of_stones_;   // only where stones need not fit
 };
 
-/// The contact of two parts, with the history that goes with it, if they are close enough.
+/// The contact of two parts, with the history that goes with it, if they are close enough; else no points.
 template <int D>
-std::optional<FoundPatch<D>> find_patch(const Model& model, const State& state,
-                                        const std::vector<bool>& fully_held,
-                                        const std::vector<PlacedPartIn<D>>& parts,
-                                        const std::vector<double>& reach, const PairKey& pair,
-                                        const History<D>& history, NewOverlap overlap)
+void find_patch(const Model& model, const State& state, const SearchMemory<D>& memory,
+                const std::vector<double>& reach, const PairKey& pair, const History<D>& history,
+                NewOverlap overlap, FoundPatch<D>& found)
 {
-    const PlacedPartIn<D>& first = parts[pair.first];
-    const PlacedPartIn<D>& second = parts[pair.second];
+    found.points.clear();
+    const PlacedPartIn<D>& first = memory.parts[pair.first];
+    const PlacedPartIn<D>& second = memory.parts[pair.second];
     std::optional<LastContact> last;
     if (history.patch)
         last = LastContact{history.patch->block_b == second.block, history.patch->edge_edge,
@@ -86,31 +87,30 @@ std::optional<FoundPatch<D>> find_patch(const Model& model, const State& state,
     const double margin = reach[first.block] + reach[second.block];
     const std::optional<ContactPolygonIn<D>> polygon =
         polygon_between(first, second, margin, last, model.fit_tolerance);
-    if (!polygon) return std::nullopt;
-    return attach_history(model, state, fully_held, first, second, *polygon, history, overlap);
+    if (polygon) attach_history(model, state, memory.fully_held, first, second, *polygon, history, overlap, found);
 }
 
-/// Puts what was found in a row.
+/// Puts the first `count` of what was found in a row.
 template <int D>
-void gather(std::vector<std::optional<FoundPatch<D>>>& slots, int threads, ContactSetIn<D>& found)
+void gather(std::size_t count, int threads, SearchMemory<D>& memory, ContactSetIn<D>& contacts)
 {
-    std::vector<FoundPatch<D>*> patches;
-    patches.reserve(slots.size());
     int points = 0;
-    for (std::optional<FoundPatch<D>>& slot : slots) {
-        if (!slot) continue;
-        slot->patch.first_point = points;
-        slot->patch.point_count = static_cast<int>(slot->points.size());
-        points += slot->patch.point_count;
-        patches.push_back(&*slot);
+    memory.kept.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+        FoundPatch<D>& found = memory.found[k];
+        if (found.points.empty()) continue;
+        found.patch.first_point = points;
+        found.patch.point_count = static_cast<int>(found.points.size());
+        points += found.patch.point_count;
+        memory.kept.push_back(&found);
     }
-    found.patches.resize(patches.size());
-    found.points.resize(points);
-    in_parallel(patches.size(), threads, [&](std::size_t first, std::size_t end) {
+    contacts.patches.resize(memory.kept.size());
+    contacts.points.resize(points);
+    in_parallel(memory.kept.size(), threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t k = first; k < end; ++k) {
-            found.patches[k] = patches[k]->patch;
-            std::copy(patches[k]->points.begin(), patches[k]->points.end(),
-                      found.points.begin() + patches[k]->patch.first_point);
+            const FoundPatch<D>& found = *memory.kept[k];
+            contacts.patches[k] = found.patch;
+            std::copy(found.points.begin(), found.points.end(), contacts.points.begin() + found.patch.first_point);
         }
     });
 }
@@ -119,28 +119,30 @@ void gather(std::vector<std::optional<FoundPatch<D>>>& slots, int threads, Conta
 
 template <int D>
 void find_contacts(const Model& model, const State& state, const std::vector<double>& reach, int threads,
-                   std::vector<PlacedPartIn<D>>& parts, ContactSetIn<D>& found, NewOverlap overlap)
+                   SearchMemory<D>& memory, ContactSetIn<D>& found, NewOverlap overlap)
 {
-    place_parts(model, state, threads, parts);
-    std::vector<bool> fully_held(model.blocks.size(), false);
+    place_parts(model, state, threads, memory.parts);
+    const std::vector<PlacedPartIn<D>>& parts = memory.parts;
+    memory.fully_held.assign(model.blocks.size(), false);
     for (const Foundation& foundation : model.foundations)
-        if (foundation.fully_held()) fully_held[foundation.block] = true;
-    std::vector<int> first_part(model.blocks.size() + 1, 0);
+        if (foundation.fully_held()) memory.fully_held[foundation.block] = true;
+    memory.first_part.assign(model.blocks.size() + 1, 0);
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
-        first_part[b + 1] = first_part[b] + static_cast<int>(ShapeIn<D>::of(model.blocks[b]).size());
+        memory.first_part[b + 1] = memory.first_part[b] + static_cast<int>(ShapeIn<D>::of(model.blocks[b]).size());
 
-    const OldContacts<D> old(model, contacts_in<D>(state), first_part);
-    const std::vector<PairKey> pairs = candidate_pairs(parts, reach, fully_held, threads);
-    std::vector<std::optional<FoundPatch<D>>> slots(pairs.size());
+    const OldContacts<D> old(model, contacts_in<D>(state), memory);
+    find_candidates(parts, reach, memory.fully_held, threads, memory.candidates);
+    const std::vector<PairKey>& pairs = memory.candidates.pairs;
+    if (memory.found.size() < pairs.size()) memory.found.resize(pairs.size());
     in_parallel(pairs.size(), threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i)
-            slots[i] = find_patch(
-                model, state, fully_held, parts, reach, pairs[i],
+            find_patch(
+                model, state, memory, reach, pairs[i],
                 old.between(pairs[i], std::minmax(parts[pairs[i].first].block, parts[pairs[i].second].block)),
-                overlap);
+                overlap, memory.found[i]);
     });
 
-    gather(slots, threads, found);
+    gather(pairs.size(), threads, memory, found);
 }
 
 template <int D>
@@ -159,9 +161,9 @@ double spring_energy(const Model& model, const ContactSetIn<D>& contacts)
     return energy;
 }
 
-#define VOUSSOIR_INSTANTIATE(D)                                                               \
-    template void find_contacts(const Model&, const State&, const std::vector<double>&, int,  \
-                                std::vector<PlacedPartIn<D>>&, ContactSetIn<D>&, NewOverlap); \
+#define VOUSSOIR_INSTANTIATE(D)                                                                                \
+    template void find_contacts(const Model&, const State&, const std::vector<double>&, int, SearchMemory<D>&, \
+                                ContactSetIn<D>&, NewOverlap);                                                 \
     template double spring_energy(const Model&, const ContactSetIn<D>&)
 VOUSSOIR_INSTANTIATE(3);
 VOUSSOIR_INSTANTIATE(2);

@@ -16,9 +16,9 @@ void find_contacts_at_rest(const Model& model, State& state)
     std::vector<double> reach(model.blocks.size());
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
         reach[b] = contact::contact_distance * size_of(model, static_cast<int>(b)) + model.fit_tolerance / 2;
-    std::vector<contact::PlacedPartIn<D>> parts;
+    contact::SearchMemory<D> search;
     ContactSetIn<D> contacts;
-    contact::find_contacts(model, state, reach, 1, parts, contacts);
+    contact::find_contacts(model, state, reach, 1, search, contacts);
     contacts_in<D>(state) = std::move(contacts);
 }
 

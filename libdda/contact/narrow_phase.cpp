@@ -114,7 +114,8 @@ std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const Pl
     const std::vector<int>& incident_loop = incident.shape->faces[opposed];
     const std::size_t incident_edges = incident_loop.size();
 
-    std::vector<ClipPoint> polygon, scratch;
+    thread_local std::vector<ClipPoint> polygon, scratch;  // kept: this is done for each pair in each step
+    polygon.clear();
     polygon.reserve(incident_edges + loop.size());  // a cut adds at most one corner
     scratch.reserve(incident_edges + loop.size());
     for (std::size_t i = 0; i < incident_edges; ++i)

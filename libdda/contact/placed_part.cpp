@@ -1,6 +1,7 @@
 #include "libdda/contact/placed_part.h"
 
 #include <Eigen/Geometry>
+#include <cstring>
 
 #include "libdda/model/parallel.h"
 
@@ -37,6 +38,14 @@ void place_normals(PlacedOutline& placed)
     }
 }
 
+/// To the last bit.
+template <int D>
+bool is_same(const PoseIn<D>& a, const PoseIn<D>& b)
+{
+    return std::memcmp(a.centroid.data(), b.centroid.data(), sizeof(a.centroid)) == 0 &&
+           std::memcmp(a.map.data(), b.map.data(), sizeof(a.map)) == 0;
+}
+
 }  // namespace
 
 template <int D>
@@ -47,6 +56,7 @@ void place_parts(const Model& model, const State& state, int threads, std::vecto
         if (count == parts.size()) parts.emplace_back();
         PlacedPartIn<D>& placed = parts[count++];
         if (placed.shape == &shape && placed.block == block && placed.part == part) return;  // known already
+        placed.vertices.clear();
         placed.block = block;
         placed.part = part;
         placed.shape = &shape;
@@ -61,6 +71,7 @@ void place_parts(const Model& model, const State& state, int threads, std::vecto
         for (std::size_t i = first; i < end; ++i) {
             PlacedPartIn<D>& placed = parts[i];
             const PoseIn<D> pose = pose_in<D>(model.kinematics, state, placed.block);
+            if (!placed.vertices.empty() && is_same(placed.pose, pose)) continue;
             const auto& vertices = placed.shape->vertices;
             placed.vertices.resize(vertices.size());
             for (std::size_t v = 0; v < vertices.size(); ++v)
@@ -71,6 +82,7 @@ void place_parts(const Model& model, const State& state, int threads, std::vecto
                 placed.upper = placed.upper.cwiseMax(x);
             }
             place_normals(placed);
+            placed.pose = pose;
         }
     });
 }

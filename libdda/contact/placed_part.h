@@ -30,11 +30,12 @@ struct ShapeIn<2> {
 template <int D>
 struct PlacedPartIn {
     int block = 0, part = 0;
-    const typename ShapeIn<D>::Type* shape = nullptr;  // topology
-    std::vector<VectorIn<D>> vertices;                 // m
-    std::vector<VectorIn<D>> normals;                  // unit, outward, per face
-    VectorIn<D> lower, upper;                          // m, bounding box
-    double size = 0;                                   // m, D-th root of the reference volume or area
+    const typename ShapeIn<D>::Type* shape = nullptr;          // topology
+    std::vector<VectorIn<D>> vertices;                         // m
+    std::vector<VectorIn<D>> normals;                          // unit, outward, per face
+    VectorIn<D> lower, upper;                                  // m, bounding box
+    PoseIn<D> pose{VectorIn<D>::Zero(), MatrixIn<D>::Zero()};  // of the block, where all this is
+    double size = 0;                                           // m, D-th root of the reference volume or area
 
     /// Largest direction . x over the vertices [m].
     double support(const VectorIn<D>& direction) const
@@ -52,7 +53,8 @@ using PlacedOutline = PlacedPartIn<2>;
 double face_measure(const PlacedPart& part, int face);
 double face_measure(const PlacedOutline& part, int edge);
 
-/// All parts of all blocks, in order of block and part. Reuses the memory of `parts`.
+/// All parts of all blocks, in order of block and part. Reuses the memory of `parts`; those of blocks that have
+/// not moved since stay as they are. The shapes of a model do not change while it runs.
 template <int D>
 void place_parts(const Model& model, const State& state, int threads, std::vector<PlacedPartIn<D>>& parts);
 

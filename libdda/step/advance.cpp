@@ -27,9 +27,9 @@ void look_for_contacts(const Model& model, const Stage& stage, const State& stat
                        StepReport& report)
 {
     const step::PartTimer timer(report.seconds, Part::contact_search);
-    if (work.radii.empty()) work.radii = step::radii_of<K::dimension>(model);
-    step::find_reach<K>(model, stage, state, time_step, work.radii, work.reach);
-    contact::find_contacts(model, state, work.reach, stage.control.threads, work.parts, work.contacts,
+    if (work.extents.empty()) work.extents = step::extents_of<K::dimension>(model);
+    step::find_reach<K>(model, stage, state, time_step, work.extents, work.reach);
+    contact::find_contacts(model, state, work.reach, stage.control.threads, work.search, work.contacts,
                            step::new_overlaps_in(model, stage, state));
 }
 
@@ -84,7 +84,7 @@ bool attempt(const Model& model, const Stage& stage, const State& state, double&
 template <class K>
 bool knew_its_contacts(const Model& model, const Stage& stage, const State& state, const Work<K>& work)
 {
-    return !step::misses_a_contact(model, state, work.system, work.contacts, work.radii, work.reach,
+    return !step::misses_a_contact(model, state, work.system, work.contacts, work.extents, work.reach,
                                    stage.control.threads);
 }
 

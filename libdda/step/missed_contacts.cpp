@@ -64,24 +64,24 @@ std::vector<std::pair<PartOfBlock, PartOfBlock>> pairs_in(const ContactSetIn<D>&
 
 template <class K>
 bool misses_a_contact(const Model& model, const State& state, const StepSystem<K>& system,
-                      const ContactSetIn<K::dimension>& contacts, const std::vector<double>& radii,
+                      const ContactSetIn<K::dimension>& contacts, const std::vector<Extent>& extents,
                       const std::vector<double>& reach, int threads)
 {
     constexpr int D = K::dimension;
     std::atomic<bool> any = false;
     in_parallel(reach.size(), threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t b = first; b < end; ++b)
-            if (!(farthest(system, static_cast<int>(b), radii[b]) <= reach[b])) any = true;
+            if (!(farthest(system, static_cast<int>(b), extents[b].radius) <= reach[b])) any = true;
     });
     if (!any) return false;
     std::vector<double> went = reach;
     for (std::size_t b = 0; b < reach.size(); ++b) {
-        const double moved = farthest(system, static_cast<int>(b), radii[b]);
+        const double moved = farthest(system, static_cast<int>(b), extents[b].radius);
         if (!(moved <= reach[b])) went[b] = moved;
     }
-    std::vector<contact::PlacedPartIn<D>> parts;
+    contact::SearchMemory<D> memory;
     ContactSetIn<D> all;
-    contact::find_contacts(model, state, went, threads, parts, all);
+    contact::find_contacts(model, state, went, threads, memory, all);
     const auto known = pairs_in(contacts);
     for (const ContactPatchIn<D>& patch : all.patches) {
         if (std::binary_search(known.begin(), known.end(), parts_of(patch))) continue;
@@ -101,7 +101,7 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                   \
     template bool misses_a_contact(const Model&, const State&, const StepSystem<K>&,              \
-                                   const ContactSetIn<K::dimension>&, const std::vector<double>&, \
+                                   const ContactSetIn<K::dimension>&, const std::vector<Extent>&, \
                                    const std::vector<double>&, int)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE

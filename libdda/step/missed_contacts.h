@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "libdda/contact/find_contacts.h"
+#include "libdda/step/reach.h"
 #include "libdda/step/step_system.h"
 
 namespace voussoir::step
@@ -12,10 +13,10 @@ namespace voussoir::step
 /// Whether two blocks end the step within one another that had no contact in it. Only where a block moved beyond
 /// its reach, which a static step under gravity may do (its velocity is taken, its h is long), are contacts looked
 /// for again, as far as the blocks went; motions are linear in between.
-/// @param radii (blocks) [m]; @param reach (blocks) [m] that `contacts` were found with
+/// @param extents (blocks); @param reach (blocks) [m] that `contacts` were found with
 template <class K>
 bool misses_a_contact(const Model& model, const State& state, const StepSystem<K>& system,
-                      const ContactSetIn<K::dimension>& contacts, const std::vector<double>& radii,
+                      const ContactSetIn<K::dimension>& contacts, const std::vector<Extent>& extents,
                       const std::vector<double>& reach, int threads);
 
 }  // namespace voussoir::step

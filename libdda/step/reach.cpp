@@ -10,16 +10,16 @@ namespace voussoir::step
 {
 
 template <int D>
-std::vector<double> radii_of(const Model& model)
+std::vector<Extent> extents_of(const Model& model)
 {
-    std::vector<double> radii;
-    for (const Block& block : model.blocks) {
+    std::vector<Extent> extents;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         double square = 0;
-        for (const auto& part : contact::ShapeIn<D>::of(block))
+        for (const auto& part : contact::ShapeIn<D>::of(model.blocks[b]))
             for (const VectorIn<D>& x : part.vertices) square = std::max(square, x.squaredNorm());
-        radii.push_back(std::sqrt(square));
+        extents.push_back({std::sqrt(square), size_of(model, static_cast<int>(b))});
     }
-    return radii;
+    return extents;
 }
 
 namespace
@@ -43,7 +43,7 @@ void add_fit(const Model& model, const State& state, std::vector<double>& reach)
 
 template <class K>
 void find_reach(const Model& model, const Stage& stage, const State& state, double h,
-                const std::vector<double>& radii, std::vector<double>& reach)
+                const std::vector<Extent>& extents, std::vector<double>& reach)
 {
     constexpr int n = K::unknowns, dimension = K::dimension;
     double dashpot = 0;
@@ -55,9 +55,9 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
         const double* v = state.velocities.data() + b * n;
         double turning = 0;
         for (int k = dimension; k < n; ++k) turning += v[k] * v[k];
-        const double speed = typename K::Vector(v).norm() + std::sqrt(turning) * radii[b];
+        const double speed = typename K::Vector(v).norm() + std::sqrt(turning) * extents[b].radius;
         reach[b] = (h + dashpot) * speed + h * h * gravity * (stage.type == StageType::dynamic) +
-                   contact::contact_distance * size_of(model, static_cast<int>(b));
+                   contact::contact_distance * extents[b].size;
     }
     add_fit<dimension>(model, state, reach);
     // A bond lasts until its strength breaks it, however soft it is: it is looked for as far as it has stretched.
@@ -76,11 +76,11 @@ void find_reach(const Model& model, const Stage& stage, const State& state, doub
     }
 }
 
-template std::vector<double> radii_of<2>(const Model&);
-template std::vector<double> radii_of<3>(const Model&);
+template std::vector<Extent> extents_of<2>(const Model&);
+template std::vector<Extent> extents_of<3>(const Model&);
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                               \
-    template void find_reach<K>(const Model&, const Stage&, const State&, double, const std::vector<double>&, \
+    template void find_reach<K>(const Model&, const Stage&, const State&, double, const std::vector<Extent>&, \
                                 std::vector<double>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE

@@ -10,15 +10,21 @@
 namespace voussoir::step
 {
 
-/// Radius of the vertices about the centroid of each block [m].
+/// Of a block as drawn.
+struct Extent {
+    double radius = 0;  // m, of the vertices about the centroid
+    double size = 0;    // m, of the block
+};
+
+/// Of all blocks.
 template <int D>
-std::vector<double> radii_of(const Model& model);
+std::vector<Extent> extents_of(const Model& model);
 
 /// How far each block may move within a step of length h [s]: its velocity, its spin, gravity, the ground under
 /// it, how far its joints gape as drawn, and how far its bonds have stretched.
-/// @param radii (blocks) [m] @param[out] reach (blocks) [m]
+/// @param extents (blocks) @param[out] reach (blocks) [m]
 template <class K>
 void find_reach(const Model& model, const Stage& stage, const State& state, double h,
-                const std::vector<double>& radii, std::vector<double>& reach);
+                const std::vector<Extent>& extents, std::vector<double>& reach);
 
 }  // namespace voussoir::step

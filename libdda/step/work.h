@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libdda/contact/find_contacts.h"
+#include "libdda/step/reach.h"
 #include "libdda/step/step_system.h"
 #include "libdda/step/workspace.h"
 
@@ -14,8 +15,9 @@ namespace voussoir
 /// What a scene of one kinematics works on.
 template <class K>
 struct Work {
-    std::vector<contact::PlacedPartIn<K::dimension>> parts;
-    std::vector<double> radii, reach;  // m, of the blocks
+    contact::SearchMemory<K::dimension> search;
+    std::vector<step::Extent> extents;  // of the blocks
+    std::vector<double> reach;          // m, of the blocks
     ContactSetIn<K::dimension> contacts;
     std::vector<step::Jump<K>> jumps;  // of blocks that land in the step
     step::StepSystem<K> system;

@@ -71,8 +71,8 @@ void search_contacts(benchmark::State& bench)
     Work<K>& work = scene.work();
     ContactSetIn<K::dimension> found;
     for (auto _ : bench) {
-        step::find_reach<K>(scene.model, scene.stage, scene.before, time_step, work.radii, work.reach);
-        contact::find_contacts(scene.model, scene.before, work.reach, 1, work.parts, found);
+        step::find_reach<K>(scene.model, scene.stage, scene.before, time_step, work.extents, work.reach);
+        contact::find_contacts(scene.model, scene.before, work.reach, 1, work.search, found);
         benchmark::DoNotOptimize(found.points.data());
     }
     bench.counters["points"] = static_cast<double>(found.points.size());

@@ -28,8 +28,8 @@ struct BoxOnFloor {
     ContactSet find(contact::NewOverlap overlap = contact::NewOverlap::presses) const
     {
         ContactSet found;
-        std::vector<contact::PlacedPart> parts;
-        contact::find_contacts(model, state, std::vector<double>(2, 5e-3), 1, parts, found, overlap);
+        contact::SearchMemory<3> search;
+        contact::find_contacts(model, state, std::vector<double>(2, 5e-3), 1, search, found, overlap);
         return found;
     }
     void remember(const ContactSet& found)

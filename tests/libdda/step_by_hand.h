@@ -33,13 +33,13 @@ EnergyLedger step_by_hand(
 {
     EnergyLedger energy = open_ledger(model, state);
     step::StepSystem<K> system;
-    std::vector<contact::PlacedPartIn<K::dimension>> parts;
+    contact::SearchMemory<K::dimension> search;
     ContactSetIn<K::dimension> contacts;
     const double h = stage.control.time_step;
     const std::vector<double> reach(model.blocks.size(), 0.05);
     StepReport report;
     for (int step = 0; step < steps; ++step) {
-        contact::find_contacts(model, state, reach, 1, parts, contacts,
+        contact::find_contacts(model, state, reach, 1, search, contacts,
                                step > 0 ? contact::NewOverlap::forgiven : contact::NewOverlap::presses);
         step::assemble_blocks<K>(model, stage, state, contacts, h, {}, system);
         mistake.in_equations(system);

@@ -47,8 +47,8 @@ struct ContactScene {
         state = initial_state(model);
         set_pose(model, state, 1, {0.2, 0.1, 0.5 - 1e-3}, turned(5e-4, {1, 0.5, 0.2}));
         set_velocity(model, state, 1, motion * Vector3d(0.1, -0.05, -0.3), motion * Vector3d(0.2, 0.1, -0.1));
-        std::vector<contact::PlacedPart> parts;
-        contact::find_contacts(model, state, {1e-2, 1e-2}, 1, parts, found);
+        contact::SearchMemory<3> search;
+        contact::find_contacts(model, state, {1e-2, 1e-2}, 1, search, found);
         for (ContactPoint& p : found.points) {
             p.status = ContactStatus::locked;
             p.elastic_slip = 1e-4 * found.patches[0].normal.cross(Vector3d(1, 2, 0));

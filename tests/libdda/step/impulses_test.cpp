@@ -42,9 +42,9 @@ struct FallingPile {
     template <class K>
     std::vector<step::Jump<K>> jumps(bool missed = false) const
     {
-        std::vector<contact::PlacedPartIn<K::dimension>> parts;
+        contact::SearchMemory<K::dimension> search;
         ContactSetIn<K::dimension> contacts;
-        contact::find_contacts(model, state, std::vector<double>(model.blocks.size(), 5e-3), 1, parts, contacts);
+        contact::find_contacts(model, state, std::vector<double>(model.blocks.size(), 5e-3), 1, search, contacts);
         const Stage stage = dynamic_stage(1, h);
         step::Landings<K> landings(model, stage, state, contacts, h);
         std::vector<step::Jump<K>> found = landings.find();
