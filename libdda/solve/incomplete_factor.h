@@ -8,6 +8,7 @@
 #include "libdda/model/parallel.h"
 #include "libdda/solve/block_kernels.h"
 #include "libdda/solve/block_matrix.h"
+#include "libdda/solve/single_precision.h"
 
 namespace voussoir::solve
 {
@@ -24,7 +25,8 @@ Domains divide_into_domains(const BlockMatrix& pattern, int least_rows, int most
 /// Incomplete Cholesky, block by block, on the pattern of the matrix: exact for a chain in one domain. First come
 /// the rows inside the domains, then those that border on a domain of a lower number, domain by domain; border
 /// rows of different domains are left uncoupled, the only blocks that are dropped. So each domain's inside, and
-/// then each domain's border, is worked on by itself. Source: docs/numerics.md 3.
+/// then each domain's border, is worked on by itself. A factor in several domains is made in double precision and
+/// used in single. Source: docs/numerics.md 3.
 class IncompleteFactor
 {
  public:
@@ -68,6 +70,7 @@ class IncompleteFactor
                 factorise_rows(inside_[i - 1], inside_[i]);
         });
         each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(border_[d], border_[d + 1]); });
+        if (count_ > 1) round<N>(threads);
     }
 
     /// z = (L L^T)^-1 r
@@ -80,21 +83,12 @@ class IncompleteFactor
             return;
         }
         ordered_.resize(r.size());
-        const auto forward = [&](int first, int end) {
-            for (int i = first; i < end; ++i) ordered_.segment<N>(N * i) = r.segment<N>(N * order_[i]);
-            Kernels<N>::forward(l_, first, end, ordered_);
-        };
-        each_in_parallel(count_, threads, [&](std::size_t d) { forward(inside_[d], inside_[d + 1]); });
+        each_in_parallel(count_, threads, [&](std::size_t d) { forward<N>(inside_[d], inside_[d + 1], r); });
         each_in_parallel(count_, threads, [&](std::size_t d) {
-            forward(border_[d], border_[d + 1]);
-            Kernels<N>::backward_by_columns(l_, below_, border_[d], border_[d + 1], ordered_);
+            forward<N>(border_[d], border_[d + 1], r);
+            backward<N>(border_[d], border_[d + 1], z);
         });
-        each_in_parallel(count_, threads, [&](std::size_t d) {
-            Kernels<N>::backward_by_columns(l_, below_, inside_[d], inside_[d + 1], ordered_);
-            for (const auto& [first, end] :
-                 {std::pair(inside_[d], inside_[d + 1]), std::pair(border_[d], border_[d + 1])})
-                for (int i = first; i < end; ++i) z.segment<N>(N * order_[i]) = ordered_.segment<N>(N * i);
-        });
+        each_in_parallel(count_, threads, [&](std::size_t d) { backward<N>(inside_[d], inside_[d + 1], z); });
     }
 
     std::int64_t entries() const { return static_cast<std::int64_t>(l_.values.size()); }
@@ -109,6 +103,57 @@ class IncompleteFactor
         bool turned = false;
     };
 
+    /// The factor in single precision, by rows for the way there, by columns for the way back.
+    template <int N>
+    void round(int threads)
+    {
+        using Single = SinglePrecision<N>;
+        Single::resize(l_.columns.size(), by_rows_);
+        Single::resize(l_.columns.size(), by_columns_);
+        in_parallel(order_.size(), threads, [&](std::size_t first, std::size_t end) {
+            for (int i = static_cast<int>(first); i < static_cast<int>(end); ++i) {
+                for (int p = l_.row_start[i]; p < l_.row_start[i + 1]; ++p)
+                    Single::put(Kernels<N>::block(l_, p), p, by_rows_);
+                for (int k = below_.start[i]; k < below_.start[i + 1]; ++k)
+                    Single::put(Kernels<N>::block(l_, below_.positions[k]).transpose(), k + i, by_columns_);
+                Single::put(Kernels<N>::block(l_, l_.diagonal(i)).transpose(), below_.start[i + 1] + i,
+                            by_columns_);
+            }
+        });
+    }
+
+    /// Rows first ... end of L^-1 r, all that they need of those before known.
+    template <int N>
+    void forward(int first, int end, const Eigen::VectorXd& r)
+    {
+        using Single = SinglePrecision<N>;
+        for (int i = first; i < end; ++i) {
+            typename Single::Sum sum = Single::Sum::Zero();
+            sum.template head<N>() = r.segment<N>(N * order_[i]).template cast<float>();
+            for (int p = l_.row_start[i]; p < l_.diagonal(i); ++p)
+                sum -= Single::product(by_rows_, p, ordered_.data() + N * l_.columns[p]);
+            typename Single::Segment(ordered_.data() + N * i) =
+                Single::product(by_rows_, l_.diagonal(i), sum.data()).template head<N>();
+        }
+    }
+
+    /// The same of z = L^-T L^-1 r, all that they need of those behind known.
+    template <int N>
+    void backward(int first, int end, Eigen::VectorXd& z)
+    {
+        using Single = SinglePrecision<N>;
+        for (int i = end - 1; i >= first; --i) {
+            const typename Single::Segment own(ordered_.data() + N * i);
+            typename Single::Sum sum = Single::Sum::Zero();
+            sum.template head<N>() = own;
+            for (int k = below_.start[i + 1] - 1; k >= below_.start[i]; --k)
+                sum -= Single::product(by_columns_, k + i, ordered_.data() + N * below_.rows[k]);
+            typename Single::Segment(ordered_.data() + N * i) =
+                Single::product(by_columns_, below_.start[i + 1] + i, sum.data()).template head<N>();
+            z.segment<N>(N * order_[i]) = own.matrix().template cast<double>();
+        }
+    }
+
     void analyse(const BlockMatrix& a);
     void set_order(const BlockMatrix& a, std::vector<int>& place);
 
@@ -121,7 +166,9 @@ class IncompleteFactor
     BlockMatrix l_;                     // rows in its own order
     std::vector<Taken> taken_;          // of each block of it
     ColumnsOf below_;                   // its columns
-    Eigen::VectorXd ordered_;           // scratch
+    std::vector<float> by_rows_;        // its blocks, as they are there
+    std::vector<float> by_columns_;     // turned, the diagonal one last in each column
+    Eigen::VectorXf ordered_;           // scratch
 };
 
 }  // namespace voussoir::solve

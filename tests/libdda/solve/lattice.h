@@ -24,7 +24,8 @@ struct Lattice {
     solve::BlockMatrix matrix;
     solve::RowPlaces places;
 
-    Lattice(int columns, int courses)
+    /// @param stiffness of the springs [N/m]
+    Lattice(int columns, int courses, double stiffness = 1e4) : stiffness_(stiffness)
     {
         const int rows = columns * courses;
         std::vector<std::pair<int, int>> pairs;
@@ -60,8 +61,8 @@ struct Lattice {
     }
 
  private:
-    /// 1e4 |strain|^2 / 2; none of rigid blocks.
-    static Square elasticity()
+    /// stiffness |strain|^2 / 2; none of rigid blocks.
+    Square elasticity() const
     {
         Square k = Square::Zero();
         if constexpr (K::deformable)
@@ -70,7 +71,7 @@ struct Lattice {
                     Unknowns strain = Unknowns::Zero();
                     strain[D + D * j + i] += 0.5;
                     strain[D + D * i + j] += 0.5;
-                    k += 1e4 * strain * strain.transpose();
+                    k += stiffness_ * strain * strain.transpose();
                 }
         return k;
     }
@@ -84,7 +85,7 @@ struct Lattice {
     void join(int i, int j, const Vector& normal)
     {
         const Matrix across = normal * normal.transpose();
-        const Matrix c = 1e4 * across + 5e3 * (Matrix::Identity() - across);
+        const Matrix c = stiffness_ * across + 0.5 * stiffness_ * (Matrix::Identity() - across);
         for (int corner = 0; corner < 1 << (D - 1); ++corner) {
             Vector along = Vector::Zero();
             for (int k = 0, bit = 0; k < D; ++k)
@@ -99,6 +100,8 @@ struct Lattice {
             add(j, j, jj);
         }
     }
+
+    double stiffness_;
 };
 
 inline VectorXd numbers(Eigen::Index size)
