@@ -7,7 +7,6 @@
 #include "libdda/model/parallel.h"
 #include "libdda/solve/aggregates.h"
 #include "libdda/solve/block_kernels.h"
-#include "libdda/solve/single_precision.h"
 
 namespace voussoir::solve
 {
@@ -107,7 +106,6 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
     using Block = typename K::Block;
     using ConstBlock = typename K::ConstBlock;
     using Lever = typename Shape::Lever;
-    using Single = SinglePrecision<n>;
 
  public:
     bool prepare(const BlockMatrix& matrix, const ColumnsOf& columns, int threads) override
@@ -128,12 +126,7 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
             for (std::size_t i = first; i < end; ++i) multiply(matrix, columns, static_cast<int>(i));
         });
         coarse_.values.resize(coarse_.columns.size() * n * n);
-        is_rounded_ = rows >= blocks_worth_threads;
-        if (is_rounded_) Single::resize(product_.columns.size(), rounded_);
-        each_aggregate(threads, [&](int a) {
-            project(a);
-            if (is_rounded_) round(a);
-        });
+        each_aggregate(threads, [&](int a) { project(a); });
         return true;
     }
 
@@ -153,13 +146,10 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         each_aggregate(threads, [&](int a) {
             gather(r, a);
             Segment load = load_.segment<n>(n * a);
-            if (is_rounded_)
-                load -= rounded_force(z, a);
-            else
-                for (int k = met_by_.start[a]; k < met_by_.start[a + 1]; ++k)
-                    load -= K::block(product_, met_by_.positions[k])
-                                .transpose()
-                                .lazyProduct(z.segment<n>(n * met_by_.rows[k]));
+            for (int k = met_by_.start[a]; k < met_by_.start[a + 1]; ++k)
+                load -= K::block(product_, met_by_.positions[k])
+                            .transpose()
+                            .lazyProduct(z.segment<n>(n * met_by_.rows[k]));
             load_.segment<n>(n * a) = load;
         });
         spread(threads, z);
@@ -298,22 +288,6 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
             }
     }
 
-    /// Row a of P^T K z, with the blocks of the product in single precision.
-    Segment rounded_force(const VectorXd& z, int a) const
-    {
-        typename Single::Sum sum = Single::Sum::Zero();
-        for (int k = met_by_.start[a]; k < met_by_.start[a + 1]; ++k)
-            sum += Single::product(rounded_, k, z.data() + n * met_by_.rows[k]);
-        return sum.template head<n>().matrix().template cast<double>();
-    }
-
-    /// What aggregate a meets of the product, turned, in single precision.
-    void round(int a)
-    {
-        for (int k = met_by_.start[a]; k < met_by_.start[a + 1]; ++k)
-            Single::put(K::block(product_, met_by_.positions[k]).transpose(), k, rounded_);
-    }
-
     /// Row a of load = P^T r
     void gather(const VectorXd& r, int a)
     {
@@ -347,9 +321,7 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
     std::vector<Lever> levers_;              // m, (rows)
     BlockMatrix product_;                    // K P: rows x aggregates, not only a lower triangle
     ColumnsOf met_by_;                       // the same by aggregates
-    std::vector<float> rounded_;             // its blocks, turned, in that order, if the scene is large
-    bool is_rounded_ = false;
-    std::vector<int> of_row_, of_column_;  // of each block of the matrix: its positions in the product
+    std::vector<int> of_row_, of_column_;    // of each block of the matrix: its positions in the product
     BlockMatrix coarse_, factor_;
     VectorXd load_, moved_;  // (aggregates x unknowns)
 };
