@@ -1,7 +1,9 @@
 #include "libdda/contact/placed_part.h"
 
 #include <Eigen/Geometry>
-#include <cstring>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "libdda/model/parallel.h"
 
@@ -42,8 +44,11 @@ void place_normals(PlacedOutline& placed)
 template <int D>
 bool is_same(const PoseIn<D>& a, const PoseIn<D>& b)
 {
-    return std::memcmp(a.centroid.data(), b.centroid.data(), sizeof(a.centroid)) == 0 &&
-           std::memcmp(a.map.data(), b.map.data(), sizeof(a.map)) == 0;
+    const auto same = [](double x, double y) {
+        return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+    };
+    return std::equal(a.centroid.data(), a.centroid.data() + D, b.centroid.data(), same) &&
+           std::equal(a.map.data(), a.map.data() + D * D, b.map.data(), same);
 }
 
 }  // namespace

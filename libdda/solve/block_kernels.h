@@ -122,18 +122,6 @@ struct Kernels {
             z.segment<N>(N * i) = block(l, l.diagonal(i)).lazyProduct(sum);
         }
     }
-
-    /// The same of z = L^-T z, all that they need of those behind known.
-    static void backward_by_columns(const BlockMatrix& l, const ColumnsOf& below, int first, int end,
-                                    Eigen::VectorXd& z)
-    {
-        for (int j = end - 1; j >= first; --j) {
-            Segment sum = z.segment<N>(N * j);
-            for (int k = below.start[j + 1] - 1; k >= below.start[j]; --k)
-                sum -= block(l, below.positions[k]).transpose().lazyProduct(z.segment<N>(N * below.rows[k]));
-            z.segment<N>(N * j) = block(l, l.diagonal(j)).transpose().lazyProduct(sum);
-        }
-    }
 };
 
 }  // namespace voussoir::solve

@@ -23,6 +23,8 @@ LinearReport Gmres::solve(const Operator& multiply, const Operator& precondition
     cosine_.resize(max_iterations);
     sine_.resize(max_iterations);
     basis_.resize(max_iterations + 1);
+    const bool keeps = pieces.count() > 1;
+    if (keeps) improved_.resize(max_iterations);
     const auto add_to_basis = [&](int k, const VectorXd& v, double length) {
         basis_[k].resize(b.size());
         pieces.each([&](Eigen::Index from, Eigen::Index count) {
@@ -33,8 +35,9 @@ LinearReport Gmres::solve(const Operator& multiply, const Operator& precondition
     rest_[0] = size;
     int k = 0;
     while (k < max_iterations && std::abs(rest_[k]) > tolerance * size) {
-        precondition(basis_[k], z_);
-        multiply(z_, w_);
+        VectorXd& z = keeps ? improved_[k] : z_;
+        precondition(basis_[k], z);
+        multiply(z, w_);
         // What w has of a vector is taken from it on the way to the next.
         upper_(0, k) = pieces.dot(w_, basis_[0]);
         for (int i = 1; i <= k; ++i)
@@ -67,12 +70,14 @@ LinearReport Gmres::solve(const Operator& multiply, const Operator& precondition
     }
     report.solved = std::abs(rest_[k]) <= tolerance * size;
     const VectorXd y = upper_.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(rest_.head(k));
-    z_.resize(b.size());
+    const std::vector<VectorXd>& all = keeps ? improved_ : basis_;
+    VectorXd& sum = keeps ? x : z_;
+    sum.resize(b.size());
     pieces.each([&](Eigen::Index from, Eigen::Index count) {
-        z_.segment(from, count).setZero();
-        for (int i = 0; i < k; ++i) z_.segment(from, count) += y[i] * basis_[i].segment(from, count);
+        sum.segment(from, count).setZero();
+        for (int i = 0; i < k; ++i) sum.segment(from, count) += y[i] * all[i].segment(from, count);
     });
-    precondition(z_, x);
+    if (!keeps) precondition(z_, x);
     return report;
 }
 

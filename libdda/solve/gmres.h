@@ -12,7 +12,10 @@
 namespace voussoir::solve
 {
 
-/// Solves A x = b by building one Krylov space, without restarts. Memory is kept from call to call.
+/// Solves A x = b by building one Krylov space, without restarts. Memory is kept from call to call. Vectors in
+/// several pieces are preconditioned in single precision (IncompleteFactor): what became of each is kept then, for
+/// the rounding of their sum would be another, and the solution another than the one whose residual is known
+/// ([Saad1993]).
 class Gmres
 {
  public:
@@ -26,7 +29,8 @@ class Gmres
 
  private:
     std::vector<Eigen::VectorXd> basis_;
-    Eigen::MatrixXd upper_;  // of the Hessenberg matrix, as the rotations leave it
+    std::vector<Eigen::VectorXd> improved_;  // the same, preconditioned, if they are in several pieces
+    Eigen::MatrixXd upper_;                  // of the Hessenberg matrix, as the rotations leave it
     Eigen::VectorXd rest_, cosine_, sine_;
     Eigen::VectorXd z_, w_;
 };

@@ -24,6 +24,8 @@ class Pieces
     {
     }
 
+    std::size_t count() const { return pieces_; }
+
     /// Calls work(first unknown, how many) for every piece.
     template <class Work>
     void each(const Work& work) const

@@ -5,13 +5,11 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "libdda/solve/block_matrix.h"
-
 namespace voussoir::solve
 {
 
-/// Square blocks of N x N one after the other, each column major, and products with them by whole vectors of the
-/// machine. Source: docs/numerics.md 3.
+/// Square blocks of N x N one after the other, each column major, and products with them column by column, which
+/// vectorise. Source: docs/numerics.md 3.
 template <int N>
 struct SinglePrecision {
     static constexpr int size = N * N;

@@ -73,6 +73,37 @@ TEST(Gmres, NeedsOneIterationWithTheInverse)
     EXPECT_LT((x - inverse * b).norm(), 1e-10 * x.norm());
 }
 
+/// A number with 12 binary digits.
+double rounded(double x)
+{
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    return std::ldexp(std::round(std::ldexp(mantissa, 12)), exponent - 12);
+}
+
+// The operator is of two thousand unknowns in several pieces, some a million times as stiff as others.
+TEST(Gmres, KeepsToTheToleranceThoughThePreconditionerIsRounded)
+{
+    const int size = 2000;
+    const VectorXd b = numbers(size);
+    const auto stiffness = [](Eigen::Index i) { return i % 2 == 0 ? 1.0 : 1e6; };
+    const auto multiply = [&](const VectorXd& v, VectorXd& y) {
+        y.resize(size);
+        for (Eigen::Index i = 0; i < size; ++i)
+            y[i] = stiffness(i) * (v[i] - 0.4 * v[(i + 1) % size] * stiffness((i + 1) % size) / 1e6);
+    };
+    const auto precondition = [&](const VectorXd& r, VectorXd& z) {
+        z.resize(size);
+        for (Eigen::Index i = 0; i < size; ++i) z[i] = rounded(r[i] / stiffness(i));
+    };
+    solve::Gmres gmres;
+    VectorXd x, y;
+    const solve::LinearReport report = gmres.solve(multiply, precondition, b, 1e-6, 60, whole(size), x);
+    EXPECT_TRUE(report.solved);
+    multiply(x, y);
+    EXPECT_LE((b - y).norm(), 1.01e-6 * b.norm());
+}
+
 TEST(Gmres, SaysThatItHasNotSolved)
 {
     const MatrixXd a = unsymmetric(60);

@@ -12,7 +12,7 @@ namespace voussoir::testing
 using Eigen::VectorXd;
 
 /// A lattice of unit cubes (squares) on springs at the corners of their faces, with a little inertia; the lowest
-/// course stands on the ground.
+/// course stands on the ground, if there is one.
 template <class K>
 struct Lattice {
     static constexpr int D = K::dimension, n = K::unknowns;
@@ -24,8 +24,8 @@ struct Lattice {
     solve::BlockMatrix matrix;
     solve::RowPlaces places;
 
-    /// @param stiffness of the springs [N/m]
-    Lattice(int columns, int courses, double stiffness = 1e4) : stiffness_(stiffness)
+    /// @param stiffness of the springs [N/m]; the inertia is 1 kg
+    Lattice(int columns, int courses, double stiffness = 1e4, bool has_ground = true) : stiffness_(stiffness)
     {
         const int rows = columns * courses;
         std::vector<std::pair<int, int>> pairs;
@@ -41,7 +41,7 @@ struct Lattice {
             places.centres.insert(places.centres.end(), centre.data(), centre.data() + D);
             add(i, i, K::mass_matrix(1, 0.1 * Matrix::Identity()) + elasticity());
             if (i % columns > 0) join(i, i - 1, Vector::Unit(0));
-            join(i, i - columns, Vector::Unit(D - 1));
+            if (has_ground || i >= columns) join(i, i - columns, Vector::Unit(D - 1));
         }
     }
 

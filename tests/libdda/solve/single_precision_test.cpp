@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "libdda/solve/cholmod_solver.h"
 #include "libdda/solve/conjugate_gradients.h"
 #include "tests/libdda/solve/lattice.h"
 
@@ -35,7 +34,7 @@ int iterations(const Lattice<K>& lattice, VectorXd& x)
 
 }  // namespace
 
-TYPED_TEST(SinglePrecision, ProductsAreThoseOfDoublesToSevenDigits)
+TYPED_TEST(SinglePrecision, ProductsAreThoseOfDoublesToSixDigits)
 {
     constexpr int n = TypeParam::unknowns;
     using Single = solve::SinglePrecision<n>;
@@ -52,20 +51,25 @@ TYPED_TEST(SinglePrecision, ProductsAreThoseOfDoublesToSevenDigits)
     }
 }
 
-// 1,023 rows are preconditioned in double precision and in one piece, 1,024 in single and in domains. With springs
-// weaker than these inertia alone holds the blocks, and what domains leave out shows.
+// 1,023 rows are preconditioned in double precision and in one piece, 1,024 in single and in domains. Without
+// ground nothing but its inertia holds the whole, a thousandth to a million millionth of what the springs hold.
 TYPED_TEST(SinglePrecision, CostsNoIterationsHoweverStiffTheJoints)
 {
-    constexpr int n = TypeParam::unknowns;
-    for (const double stiffness : {1e4, 1e8, 1e12}) {
-        SCOPED_TRACE(stiffness);
-        const Lattice<TypeParam> in_double(31, 33, stiffness), in_single(32, 32, stiffness);
-        VectorXd x, direct;
-        const int expected = iterations(in_double, x);
-        EXPECT_NEAR(iterations(in_single, x), expected, std::max(2.0, 0.15 * expected));
-        ASSERT_TRUE(solve::make_cholmod_solver()->solve(in_single.matrix, numbers(1024 * n), direct).solved);
-        EXPECT_LT((x - direct).norm(), 1e-5 * direct.norm());
-    }
+    for (const bool has_ground : {true, false})
+        for (const double stiffness : {1e4, 1e8, 1e12}) {
+            SCOPED_TRACE(::testing::PrintToString(has_ground) + ", " + std::to_string(stiffness));
+            const Lattice<TypeParam> in_double(31, 33, stiffness, has_ground),
+                in_single(32, 32, stiffness, has_ground);
+            VectorXd x;
+            const int expected = iterations(in_double, x);
+            EXPECT_NEAR(iterations(in_single, x), expected, std::max(2.0, 0.15 * expected));
+            VectorXd load;
+            solve::multiply(in_single.matrix, x, load);
+            const VectorXd b = numbers(load.size());
+            // Beyond what is asked for, what rounding in double precision makes of the product: 50 eps of each
+            // spring.
+            EXPECT_LT((load - b).norm(), 1e-9 * b.norm() + 1e-14 * stiffness * x.norm());
+        }
 }
 
 }  // namespace voussoir::testing
