@@ -115,4 +115,26 @@ TEST(BroadPhase, PlacedPartsFollowTheMap)
     for (const Eigen::Vector3d& n : part.normals) EXPECT_NEAR(n.norm(), 1, 1e-15);
 }
 
+// Memory that is used again gives what new memory gives: for blocks that stay, turn in place, are shifted, and
+// change their shape without moving.
+TEST(BroadPhase, PartsPlacedAgainAreThoseThatArePlacedAnew)
+{
+    Model model = make_model(Kinematics::spatial_deformable, stone(), dry(30));
+    for (int b = 0; b < 4; ++b) add_box(model, "box", {-1, -0.5, -0.5}, {1, 0.5, 0.5});
+    State state = initial_state(model);
+    std::vector<contact::PlacedPart> again;
+    contact::place_parts(model, state, 1, again);
+    set_pose(model, state, 1, {0, 0, 0}, turned(90 * degrees, {0, 0, 1}));
+    set_pose(model, state, 2, {0, 0, 3}, Eigen::Matrix3d::Identity());
+    set_pose(model, state, 3, {0, 0, 0}, 1.1 * Eigen::Matrix3d::Identity());
+    contact::place_parts(model, state, 1, again);
+    const std::vector<contact::PlacedPart> anew = placed(model, state);
+    for (int b = 0; b < 4; ++b) {
+        EXPECT_EQ(again[b].vertices, anew[b].vertices) << b;
+        EXPECT_EQ(again[b].normals, anew[b].normals) << b;
+        EXPECT_EQ(again[b].lower, anew[b].lower) << b;
+        EXPECT_EQ(again[b].upper, anew[b].upper) << b;
+    }
+}
+
 }  // namespace voussoir::testing

@@ -52,7 +52,8 @@ TYPED_TEST(SinglePrecision, ProductsAreThoseOfDoublesToSixDigits)
 }
 
 // 1,023 rows are preconditioned in double precision and in one piece, 1,024 in single and in domains. Without
-// ground nothing but its inertia holds the whole, a thousandth to a million millionth of what the springs hold.
+// ground nothing but its inertia holds the whole, a ten-thousandth to a million millionth of what the springs
+// hold.
 TYPED_TEST(SinglePrecision, CostsNoIterationsHoweverStiffTheJoints)
 {
     for (const bool has_ground : {true, false})
