@@ -124,9 +124,10 @@ TEST(BroadPhase, PartsPlacedAgainAreThoseThatArePlacedAnew)
     State state = initial_state(model);
     std::vector<contact::PlacedPart> again;
     contact::place_parts(model, state, 1, again);
-    set_pose(model, state, 1, {0, 0, 0}, turned(90 * degrees, {0, 0, 1}));
+    const auto centroid = [&](int block) { return pose_of(model.kinematics, state, block).centroid; };
+    set_pose(model, state, 1, centroid(1), turned(90 * degrees, {0, 0, 1}));
     set_pose(model, state, 2, {0, 0, 3}, Eigen::Matrix3d::Identity());
-    set_pose(model, state, 3, {0, 0, 0}, 1.1 * Eigen::Matrix3d::Identity());
+    set_pose(model, state, 3, centroid(3), 1.1 * Eigen::Matrix3d::Identity());
     contact::place_parts(model, state, 1, again);
     const std::vector<contact::PlacedPart> anew = placed(model, state);
     for (int b = 0; b < 4; ++b) {
