@@ -30,6 +30,7 @@ function(voussoir_shared_for_v3 name)
   target_compile_options(${target} PRIVATE ${voussoir_v3})
   voussoir_shared(${target})
   voussoir_precompile(${target})
+  voussoir_unite(${target})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME voussoir_${name}
                         LIBRARY_OUTPUT_DIRECTORY ${voussoir_library_folder}/glibc-hwcaps/x86-64-v3)
   add_dependencies(programs ${target})

@@ -95,6 +95,50 @@ function(voussoir_precompile target)
   endif()
 endfunction()
 
+# Most of what a source costs is headers and what they make of templates: several of a target are compiled as one, two thirds
+# of the time for all (CONTRIBUTING.md). What of one source another would see, unity_groups.py keeps apart; who adds a name
+# that is taken in its group is told so by the compiler, until cmake has run again.
+option(VOUSSOIR_UNITY "Compile several sources as one" ON)
+set(voussoir_most_sources 8 CACHE INTERNAL "in one compilation: more would keep one of two cores waiting")
+find_package(Python3 QUIET COMPONENTS Interpreter)
+if(VOUSSOIR_UNITY)
+  # g++ takes what is included for a header, where types of unnamed namespaces would differ from source to source.
+  target_compile_options(voussoir_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
+function(voussoir_unite target)
+  set_property(GLOBAL APPEND PROPERTY voussoir_united ${target})
+endfunction()
+
+# voussoir_unite_now(): in the last line of the top folder's file, when all targets and their sources are known.
+function(voussoir_unite_now)
+  if(NOT VOUSSOIR_UNITY OR NOT Python3_FOUND)
+    return()
+  endif()
+  get_property(targets GLOBAL PROPERTY voussoir_united)
+  set(list "")
+  foreach(target ${targets})
+    get_target_property(folder ${target} SOURCE_DIR)
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
+    foreach(source ${sources})
+      get_source_file_property(alone ${source} TARGET_DIRECTORY ${target} SKIP_UNITY_BUILD_INCLUSION)
+      get_filename_component(path ${source} ABSOLUTE BASE_DIR ${folder})
+      if(NOT alone)
+        string(APPEND list "${target} ${path}\n")
+      endif()
+    endforeach()
+  endforeach()
+  file(WRITE ${CMAKE_BINARY_DIR}/unity_sources.txt "${list}")
+  execute_process(COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/scripts/cmake/unity_groups.py ${voussoir_most_sources}
+                  ${CMAKE_BINARY_DIR}/unity_sources.txt OUTPUT_VARIABLE groups COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "[^\n]+" groups "${groups}")
+  foreach(line ${groups})
+    string(REGEX MATCH "^([^ ]+) ([0-9]+) (.*)$" whole ${line})
+    set_source_files_properties(${CMAKE_MATCH_3} TARGET_DIRECTORY ${CMAKE_MATCH_1} PROPERTIES UNITY_GROUP ${CMAKE_MATCH_2})
+  endforeach()
+  set_target_properties(${targets} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # voussoir_library(NAME sources...): a static library with the project's flags and the alias voussoir::NAME; in a package
 # those that are installed are shared.
 function(voussoir_library name)
@@ -111,6 +155,7 @@ function(voussoir_library name)
     voussoir_shared(voussoir_${name})
   endif()
   voussoir_precompile(voussoir_${name})
+  voussoir_unite(voussoir_${name})
 endfunction()
 
 # voussoir_program(NAME sources...): an executable in bin/. The target `programs` builds all of them and no test.
@@ -121,6 +166,7 @@ function(voussoir_program name)
   add_dependencies(programs ${name})
   target_link_libraries(${name} PRIVATE voussoir_flags)
   voussoir_precompile(${name})
+  voussoir_unite(${name})
   if(VOUSSOIR_PACKAGE)
     voussoir_install_program(${name})
   endif()
