@@ -21,7 +21,7 @@ JUDGED_SETTINGS = (0, 1)  # h and h / 2; the third, a stiffer contact, is a sens
 
 # Beginnings of what the present figures are known not to keep (docs/numerics.md 4). The page tells it as not met; the rule
 # fails for anything else, and for what is kept by now.
-KNOWN = ("aqk, north_top: peak drift", "aqk, west_top: peak drift")
+KNOWN = ("aqk, north_top: peak drift", "aqk, west_top: peak drift", "large_elastic, west_top: residual drift")
 
 CRITERIA = (f"every run is completed without failure or collapse, at a step h of {1000 * MIN_TIME_STEP:g} ms or more, "
             f"and without warnings of energy that is unaccounted for or came from contacts; energy residual below "
