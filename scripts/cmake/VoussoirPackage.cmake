@@ -2,7 +2,7 @@
 
 include(GNUInstallDirs)
 
-set(voussoir_installed_libraries dda records patterns mesh exact)
+set(voussoir_installed_libraries dda records patterns obj mesh exact)
 set(voussoir_library_version VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})  # before 1.0 a minor version may change the interface
 set(voussoir_library_folder ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR})
