@@ -145,16 +145,21 @@ void add_points(const std::vector<PointStep<2>>& points, bool published, double 
 }  // namespace
 
 template <class K>
+void patch_stiffness(bool published, double brake, const std::vector<PointStep<K::dimension>>& points,
+                     PatchStep<K>& patch)
+{
+    patch.aa.setZero();
+    patch.ab.setZero();
+    patch.bb.setZero();
+    add_points(points, published, brake, patch);
+}
+
+template <class K>
 void contact_stiffness(bool published, int threads, ContactStep<K>& step)
 {
     in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t k = first; k < end; ++k) {
-            PatchStep<K>& patch = step.patches[k];
-            patch.aa.setZero();
-            patch.ab.setZero();
-            patch.bb.setZero();
-            add_points(step.points, published, step.brake, patch);
-        }
+        for (std::size_t k = first; k < end; ++k)
+            patch_stiffness(published, step.brake, step.points, step.patches[k]);
     });
 }
 
@@ -171,6 +176,7 @@ void add_block_stiffness(const PatchStep<K>& patch, const std::vector<PointStep<
 }
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                               \
+    template void patch_stiffness(bool, double, const std::vector<PointStep<K::dimension>>&, PatchStep<K>&);  \
     template void contact_stiffness(bool, int, ContactStep<K>&);                                              \
     template void add_block_stiffness(const PatchStep<K>&, const std::vector<PointStep<K::dimension>>&, bool, \
                                       K::Square&)

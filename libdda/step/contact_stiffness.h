@@ -10,6 +10,11 @@ namespace voussoir::step
 template <class K>
 void contact_stiffness(bool published, int threads, ContactStep<K>& step);
 
+/// The same of one patch. @param brake of the shear stiffness, which sliding points keep
+template <class K>
+void patch_stiffness(bool published, double brake, const std::vector<PointStep<K::dimension>>& points,
+                     PatchStep<K>& patch);
+
 /// Adds what the patch at the last evaluation does to one of its two blocks.
 template <class K>
 void add_block_stiffness(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points, bool of_a,

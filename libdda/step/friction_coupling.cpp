@@ -3,7 +3,6 @@
 #include "libdda/model/parallel.h"
 #include "libdda/step/part_timer.h"
 #include "libdda/step/step_system.h"
-#include "libdda/step/turning.h"
 
 namespace voussoir::step
 {
@@ -12,30 +11,6 @@ namespace
 {
 
 constexpr int max_vectors = 100;  // of the Krylov space
-
-/// Tangent of the shear force, less what the symmetric matrix has of it.
-template <class K>
-typename K::Matrix left_out(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
-{
-    using Matrix = typename K::Matrix;
-    using Vector = typename K::Vector;
-    const Vector& n = patch.normal;
-    // mu N falls by mu (-dN/dg) as the gap opens.
-    const double bound_by_gap = -p.bound / p.normal * p.normal_tangent;
-    if (!p.turns_round) return bound_by_gap / p.bound * p.shear * n.transpose();
-    const TurningChange<K> change(patch, p);
-    const Matrix ahead = p.heading * p.heading.transpose();
-    const Matrix along = Matrix::Identity() - n * n.transpose();
-    return bound_by_gap * change.by_bound * n.transpose() + change.by_move - p.tangent_along * ahead -
-           p.tangent_across * (along - ahead);
-}
-
-/// Displacement of a point of a block by its unknowns.
-template <class K>
-typename K::Vector moved(const typename K::Unknowns& d, const typename K::Vector& lever)
-{
-    return d.template head<K::dimension>() + K::gradient(d) * lever;
-}
 
 template <class K>
 void add_to_free(const StepSystem<K>& system, int row, const typename K::Vector& lever,
@@ -73,7 +48,7 @@ bool FrictionCoupling<K>::gather(const StepSystem<K>& system)
         if (patches[k].row_a < 0 && patches[k].row_b < 0) return;
         for (int i = patches[k].first; i < patches[k].first + patches[k].count; ++i) {
             const PointStep<K::dimension>& p = system.contacts.points[i];
-            if (p.bound > 0 && (p.status == ContactStatus::sliding || p.turns_round)) each(p);
+            if (follows_its_bound(p)) each(p);
         }
     };
     first_of_patch_.assign(patches.size() + 1, 0);
@@ -85,10 +60,7 @@ bool FrictionCoupling<K>::gather(const StepSystem<K>& system)
     in_parallel(patches.size(), system.threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t k = first; k < end; ++k) {
             int next = first_of_patch_[k];
-            visit(k, [&](const PointStep<K::dimension>& p) {
-                points_[next++] = {patches[k].row_a, patches[k].row_b, p.lever_a, p.lever_b,
-                                   left_out(patches[k], p)};
-            });
+            visit(k, [&](const PointStep<K::dimension>& p) { points_[next++] = friction_tangent(patches[k], p); });
         }
     });
     return !points_.empty();
@@ -98,19 +70,12 @@ template <class K>
 void FrictionCoupling<K>::add_product(StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y)
 {
     using Vector = typename K::Vector;
-    constexpr int n = K::unknowns;
     shears_.resize(points_.size());
     in_parallel(points_.size(), system.threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i) {
-            const Point& p = points_[i];
-            Vector apart = Vector::Zero();
-            if (p.row_a >= 0) apart += moved<K>(x.segment<n>(n * p.row_a), p.lever_a);
-            if (p.row_b >= 0) apart -= moved<K>(x.segment<n>(n * p.row_b), p.lever_b);
-            shears_[i] = p.tangent * apart;
-        }
+        for (std::size_t i = first; i < end; ++i) shears_[i] = shear_of(points_[i], x);
     });
     const auto add = [&](int i, bool to_a) {
-        const Point& p = points_[i];
+        const FrictionTangent<K>& p = points_[i];
         if (to_a)
             add_to_free<K>(system, p.row_a, p.lever_a, shears_[i], y);
         else

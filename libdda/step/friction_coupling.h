@@ -8,6 +8,7 @@
 #include "libdda/model/report.h"
 #include "libdda/model/step_control.h"
 #include "libdda/solve/gmres.h"
+#include "libdda/step/friction_tangent.h"
 
 namespace voussoir::step
 {
@@ -31,13 +32,7 @@ class FrictionCoupling
     bool solve_direction(const StepControl& control, double tolerance, StepSystem<K>& system, StepReport& report);
 
  private:
-    /// The tangent of a shear force, less what K has of it.
-    struct Point {
-        int row_a, row_b;                     // -1: no unknowns
-        typename K::Vector lever_a, lever_b;  // m
-        typename K::Matrix tangent;           // N/m
-    };
-    std::vector<Point> points_;
+    std::vector<FrictionTangent<K>> points_;
     std::vector<int> first_of_patch_;         // (patches + 1) index into points_
     std::vector<typename K::Vector> shears_;  // N, scratch
     solve::Gmres gmres_;

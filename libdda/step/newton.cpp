@@ -184,8 +184,13 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
     for (int iteration = 0;; ++iteration) {
         if (!evaluate_exactly(known, control.threads, system)) return fail_inverted(system, report);
         if (!system.residual.allFinite()) return fail(Trouble::inaccurate_solution, report);
-        const double worst = note_unbalance(tolerance, system, report);
+        double worst = note_unbalance(tolerance, system, report);
         if (worst <= 1) return true;
+        // What the last direction left of few stones is dealt with among them.
+        if (iteration > 0 && is_motion(stage) && system.local.improve(tolerance, system)) {
+            worst = note_unbalance(tolerance, system, report);
+            if (worst <= relaxed) return true;
+        }
         if (bold.have_failed(worst, system)) {
             known = Known::nothing;
             last = std::numeric_limits<double>::infinity();

@@ -8,6 +8,7 @@
 
 #include "libdda/model/parallel.h"
 #include "libdda/step/contact_stiffness.h"
+#include "libdda/step/row_moves.h"
 #include "libdda/step/step_system.h"
 
 namespace voussoir::step
@@ -35,14 +36,6 @@ int threads_for(std::size_t rows, const StepSystem<K>& system)
     return rows < rows_for_threads ? 1 : system.threads;
 }
 
-/// Components that are held have no residual.
-template <class K, class Vector>
-void clear_held(const BlockStep<K>& block, Vector&& residual)
-{
-    for (int k = 0; k < K::unknowns; ++k)
-        if (block.held[k]) residual[k] = 0;
-}
-
 }  // namespace
 
 template <class K>
@@ -50,13 +43,7 @@ void Relaxation<K>::gather(StepSystem<K>& system)
 {
     const std::size_t rows = system.block_of_row.size();
     system.patches_of_rows.find(system.contacts.patches, rows);
-    tied_.assign(rows, false);
-    const auto tie = [&](int block) {
-        if (const int row = system.blocks[block].row; row >= 0) tied_[row] = true;
-    };
-    for (const AppliedForce<K>& force : system.applied.own) tie(force.block);
-    for (const Coupling<K>& coupling : system.applied.couplings) tie(coupling.block), tie(coupling.other);
-    for (const BarStep<K>& bar : system.bars) tie(bar.bar->block_a), tie(bar.bar->block_b);
+    find_tied_rows(system, tied_);
     has_moved_.assign(system.contacts.patches.size(), false);
     if (columns_ != system.matrix.columns || row_start_ != system.matrix.row_start) divide(system.matrix);
     is_ready_ = true;
@@ -158,41 +145,16 @@ typename K::Square Relaxation<K>::tangent_of(int row, const StepSystem<K>& syste
 }
 
 template <class K>
-void Relaxation<K>::add_forces(const PatchStep<K>& patch, double sign, StepSystem<K>& system) const
-{
-    constexpr int n = K::unknowns;
-    const auto add = [&](int row, const Unknowns& force) {
-        if (row < 0) return;
-        auto residual = system.residual.template segment<n>(n * row);
-        residual += sign * force;
-        clear_held(system.blocks[system.block_of_row[row]], residual);
-    };
-    add(patch.row_a, patch.force_a);
-    add(patch.row_b, patch.force_b);
-}
-
-template <class K>
 void Relaxation<K>::move(int row, const Unknowns& to, Moves& moves, StepSystem<K>& system)
 {
-    constexpr int n = K::unknowns;
-    const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
-    auto residual = system.residual.template segment<n>(n * row);
-    auto d = system.d.template segment<n>(n * row);
-    residual += block.inertia * (to - d);
-    if constexpr (K::deformable) {
-        const InternalForce<K> internal = internal_force(block, to);
-        residual += internal.force - system.internal[row].force;
-        system.internal[row] = internal;
-    }
-    clear_held(block, residual);
-    d = to;
+    move_row(row, to, system);
     for (const int k : system.patches_of_rows.of(row)) {
         PatchStep<K>& patch = system.contacts.patches[k];
         if (!has_moved_[k]) moves.patches.push_back(k);
         has_moved_[k] = true;
-        add_forces(patch, 1, system);
+        add_patch_forces(patch, 1, system);
         evaluate_patch(system.d, FrictionBound::frozen, patch, system.contacts.points);
-        add_forces(patch, -1, system);
+        add_patch_forces(patch, -1, system);
     }
 }
 
@@ -251,9 +213,9 @@ void Relaxation<K>::follow(Moves& moves, StepSystem<K>& system)
     moves.due.clear();
     for (const int k : moves.patches) {
         PatchStep<K>& patch = system.contacts.patches[k];
-        add_forces(patch, 1, system);
+        add_patch_forces(patch, 1, system);
         follow_bound(patch, system.contacts.points);
-        add_forces(patch, -1, system);
+        add_patch_forces(patch, -1, system);
         has_moved_[k] = false;
         for (const int row : {patch.row_a, patch.row_b})
             if (row >= 0) moves.due.push_back(row);

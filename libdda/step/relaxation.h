@@ -57,7 +57,6 @@ class Relaxation
     typename K::Square tangent_of(int row, const StepSystem<K>& system) const;
     /// Moves a block to `to`, and contacts and residual with it.
     void move(int row, const Unknowns& to, Moves& moves, StepSystem<K>& system);
-    void add_forces(const PatchStep<K>& patch, double sign, StepSystem<K>& system) const;
 
     std::vector<char> tied_;       // rows that are left out
     std::vector<char> has_moved_;  // (patches)

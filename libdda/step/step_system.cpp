@@ -108,6 +108,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     add_body_accelerations(stage, h, end_time, system.blocks);
     begin_contacts(model, stage, h, contacts, system.blocks, system.contacts);
     system.relaxation.begin();
+    system.local.begin();
     system.patches_of_rows.begin();
 
     const int rows = static_cast<int>(system.block_of_row.size());

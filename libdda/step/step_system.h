@@ -12,6 +12,7 @@
 #include "libdda/step/block_step.h"
 #include "libdda/step/contact_step.h"
 #include "libdda/step/friction_coupling.h"
+#include "libdda/step/local_newton.h"
 #include "libdda/step/patches_of_rows.h"
 #include "libdda/step/relaxation.h"
 
@@ -45,6 +46,7 @@ struct StepSystem {
     std::vector<int> states;                       // the same, as the iteration left them
     FrictionCoupling<K> coupling;
     Relaxation<K> relaxation;
+    LocalNewton<K> local;
     std::unique_ptr<solve::LinearSolver> solver;
     LinearSolverKind solver_kind = LinearSolverKind::automatic;
 };

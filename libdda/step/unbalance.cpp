@@ -1,6 +1,7 @@
 #include "libdda/step/unbalance.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <mutex>
 
@@ -9,25 +10,47 @@
 namespace voussoir::step
 {
 
+namespace
+{
+
+/// |R| of a row, moments divided by the block's size, and what of it is tolerated [N].
+struct Residual {
+    double force, allowed;
+};
+
 template <class K>
-Unbalance unbalance(const StepSystem<K>& system, double tolerance)
+Residual residual_of(std::size_t row, double tolerance, const StepSystem<K>& system)
 {
     constexpr int n = K::unknowns, dimension = K::dimension;
     constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
+    const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+    const auto r = system.residual.template segment<n>(n * row);
+    const double force =
+        std::max(r.template head<dimension>().norm(), r.template tail<n - dimension>().norm() / block.size);
+    const double moved = system.d.template segment<dimension>(n * row).norm();
+    const double stiffness = K::deformable ? (block.elasticity.lambda + 2 * block.elasticity.mu) * block.size : 0;
+    const double floor =
+        rounding * (stiffness * block.size + block.base.diagonal().template head<dimension>().norm() * moved);
+    return {force, tolerance * system.load[row] + floor + std::numeric_limits<double>::min()};
+}
+
+}  // namespace
+
+template <class K>
+double unbalance_of(std::size_t row, double tolerance, const StepSystem<K>& system)
+{
+    const Residual found = residual_of(row, tolerance, system);
+    return found.force / found.allowed;
+}
+
+template <class K>
+Unbalance unbalance(const StepSystem<K>& system, double tolerance)
+{
     const auto look_at = [&](std::size_t row, Unbalance& most) {
-        const int b = system.block_of_row[row];
-        const BlockStep<K>& block = system.blocks[b];
-        const auto r = system.residual.template segment<n>(n * row);
-        const double force =
-            std::max(r.template head<dimension>().norm(), r.template tail<n - dimension>().norm() / block.size);
-        const double moved = system.d.template segment<dimension>(n * row).norm();
-        const double stiffness =
-            K::deformable ? (block.elasticity.lambda + 2 * block.elasticity.mu) * block.size : 0;
-        const double floor =
-            rounding * (stiffness * block.size + block.base.diagonal().template head<dimension>().norm() * moved);
-        const double allowed = tolerance * system.load[row] + floor + std::numeric_limits<double>::min();
+        const auto [force, allowed] = residual_of(row, tolerance, system);
         if (force / allowed > most.worst)
-            most = {force / allowed, system.load[row] > 0 ? force / system.load[row] : 0, b};
+            most = {force / allowed, system.load[row] > 0 ? force / system.load[row] : 0,
+                    system.block_of_row[row]};
     };
     Unbalance worst;
     std::mutex mutex;
@@ -41,7 +64,9 @@ Unbalance unbalance(const StepSystem<K>& system, double tolerance)
     return worst;
 }
 
-#define VOUSSOIR_INSTANTIATE(K) template Unbalance unbalance(const StepSystem<K>&, double)
+#define VOUSSOIR_INSTANTIATE(K)                                              \
+    template double unbalance_of(std::size_t, double, const StepSystem<K>&); \
+    template Unbalance unbalance(const StepSystem<K>&, double)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

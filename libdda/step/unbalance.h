@@ -1,6 +1,8 @@
 // How far the blocks of a step are from equilibrium.
 #pragma once
 
+#include <cstddef>
+
 #include "libdda/step/step_system.h"
 
 namespace voussoir::step
@@ -12,6 +14,10 @@ struct Unbalance {
     double ratio = 0;  // residual / load of that block
     int block = -1;
 };
+
+/// Residual / tolerance of the block of a row, as below.
+template <class K>
+double unbalance_of(std::size_t row, double tolerance, const StepSystem<K>& system);
 
 /// Largest |R_i| / tol_i over the blocks, moments divided by the block's size, at the residual of the system. The
 /// tolerance of a block is a share of its own load, never less than what rounding leaves of its stiffness.

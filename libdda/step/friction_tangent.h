@@ -1,0 +1,64 @@
+// The tangent of a point's shear force as its bound follows the normal force.
+#pragma once
+
+#include "libdda/step/contact_step.h"
+#include "libdda/step/turning.h"
+
+namespace voussoir::step
+{
+
+/// Tangent of the shear force of a point, less what the stiffness with the bound frozen has of it.
+template <class K>
+struct FrictionTangent {
+    int row_a, row_b;                     // -1: no unknowns
+    typename K::Vector lever_a, lever_b;  // m
+    typename K::Matrix tangent;           // N/m, not symmetric
+};
+
+/// Whether the stiffness with the bound frozen leaves anything out.
+template <int D>
+bool follows_its_bound(const PointStep<D>& p)
+{
+    return p.bound > 0 && (p.status == ContactStatus::sliding || p.turns_round);
+}
+
+/// @param p as last evaluated, with the exact bound
+template <class K>
+FrictionTangent<K> friction_tangent(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
+{
+    using Matrix = typename K::Matrix;
+    const typename K::Vector& n = patch.normal;
+    FrictionTangent<K> result{patch.row_a, patch.row_b, p.lever_a, p.lever_b, Matrix()};
+    // mu N falls by mu (-dN/dg) as the gap opens.
+    const double bound_by_gap = -p.bound / p.normal * p.normal_tangent;
+    if (!p.turns_round) {
+        result.tangent = bound_by_gap / p.bound * p.shear * n.transpose();
+        return result;
+    }
+    const TurningChange<K> change(patch, p);
+    const Matrix ahead = p.heading * p.heading.transpose();
+    const Matrix along = Matrix::Identity() - n * n.transpose();
+    result.tangent = bound_by_gap * change.by_bound * n.transpose() + change.by_move - p.tangent_along * ahead -
+                     p.tangent_across * (along - ahead);
+    return result;
+}
+
+/// Displacement of a point of a block by its unknowns [m].
+template <class K>
+typename K::Vector displacement_of(const typename K::Unknowns& d, const typename K::Vector& lever)
+{
+    return d.template head<K::dimension>() + K::gradient(d) * lever;
+}
+
+/// Force that such a tangent gives for the unknowns of the two blocks; without unknowns a block moves nothing [N].
+template <class K>
+typename K::Vector shear_of(const FrictionTangent<K>& p, const Eigen::VectorXd& x)
+{
+    constexpr int n = K::unknowns;
+    typename K::Vector apart = K::Vector::Zero();
+    if (p.row_a >= 0) apart += displacement_of<K>(x.segment<n>(n * p.row_a), p.lever_a);
+    if (p.row_b >= 0) apart -= displacement_of<K>(x.segment<n>(n * p.row_b), p.lever_b);
+    return p.tangent * apart;
+}
+
+}  // namespace voussoir::step
