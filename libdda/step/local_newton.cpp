@@ -47,7 +47,13 @@ bool LocalNewton<K>::gather(double tolerance, StepSystem<K>& system)
     for (int ring = 0; ring < rings; ++ring) add_ring(system);
     std::sort(rows_.begin(), rows_.end());
     for (std::size_t i = 0; i < rows_.size(); ++i) place_[rows_[i]] = static_cast<int>(i);
+    find_patches(system);
+    return true;
+}
 
+template <class K>
+void LocalNewton<K>::find_patches(const StepSystem<K>& system)
+{
     is_marked_.assign(system.contacts.patches.size(), false);
     patches_.clear();
     around_.clear();
@@ -61,7 +67,6 @@ bool LocalNewton<K>::gather(double tolerance, StepSystem<K>& system)
         }
     std::sort(around_.begin(), around_.end());
     around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-    return true;
 }
 
 template <class K>
@@ -106,13 +111,7 @@ void LocalNewton<K>::assemble(StepSystem<K>& system)
     for (const int k : patches_) {
         const PatchStep<K>& patch = patches[k];
         const int a = place_of(patch.row_a), b = place_of(patch.row_b);
-        if (a >= 0) Block(matrix_.block(matrix_.diagonal(a))) += patch.aa;
-        if (b >= 0) Block(matrix_.block(matrix_.diagonal(b))) += patch.bb;
-        if (a < 0 || b < 0) continue;
-        if (a > b)
-            Block(matrix_.block(matrix_.position(a, b))) += patch.ab;
-        else
-            Block(matrix_.block(matrix_.position(b, a))) += patch.ab.transpose();
+        add_patch_stiffness(patch, a, b, a >= 0, b >= 0, matrix_);
     }
 }
 
@@ -186,20 +185,22 @@ template <class K>
 bool LocalNewton<K>::improve(double tolerance, StepSystem<K>& system)
 {
     if (static_cast<int>(system.block_of_row.size()) < blocks_worth_threads) return false;
-    bool any = false;
-    for (int step = 0; step < most_steps && gather(tolerance, system); ++step) {
+    int taken = 0;
+    bool has_moved = false;
+    while (taken < most_steps && gather(tolerance, system)) {
         assemble(system);
         if (!solve_direction(system)) break;
         const double before = unbalanced(tolerance, system);
-        if (move(from_ + direction_, system) && unbalanced(tolerance, system) < before) {
-            any = true;
-            continue;
+        has_moved = true;
+        if (!move(from_ + direction_, system) || !(unbalanced(tolerance, system) < before)) {
+            move(from_, system);
+            break;
         }
-        move(from_, system);
-        break;
+        ++taken;
     }
-    if (any) evaluate_residual(system.d, system);
-    return any;
+    // Loads follow, and of a block that was inverted on the way nothing is left.
+    if (has_moved) evaluate_residual(system.d, system);
+    return taken > 0;
 }
 
 #define VOUSSOIR_INSTANTIATE(K) template class LocalNewton<K>

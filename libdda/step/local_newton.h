@@ -28,16 +28,18 @@ class LocalNewton
     /// To be called when the contacts of a step are known.
     void begin() { is_ready_ = false; }
     /// Takes a few steps, each only if it leaves less out of balance; none in a scene that is not large. Contacts
-    /// and residual are known at system.d, with the exact bound, and are so afterwards. @returns whether it took
-    /// any
+    /// and residual are known at system.d, with the exact bound, and are so afterwards.
+    /// @param tolerance share of a block's load
+    /// @returns whether it took any
     bool improve(double tolerance, StepSystem<K>& system);
 
  private:
-    /// Finds the rows to be moved, and the patches that they move. @returns false where there are none, or too
-    /// many
+    /// Finds the rows to be moved, and the patches that they move.
+    /// @returns false where none is out of balance, or too many are
     bool gather(double tolerance, StepSystem<K>& system);
     /// Adds the rows next to those found so far.
     void add_ring(const StepSystem<K>& system);
+    void find_patches(const StepSystem<K>& system);
     /// The matrix of the rows, others fixed, and what it leaves out.
     void assemble(StepSystem<K>& system);
     /// (K + C) direction = -residual. @returns false if there is no solution

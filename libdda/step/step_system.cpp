@@ -270,29 +270,13 @@ void hold_components(StepSystem<K>& system)
 namespace
 {
 
-/// Adds the stiffness of a patch to what the matrix has of its row a and of its row b, as asked for.
-template <class K>
-void add_patch(const PatchStep<K>& patch, bool to_a, bool to_b, solve::BlockMatrix& matrix)
-{
-    using Block = Eigen::Map<typename K::Square>;
-    if (to_a) Block(matrix.block(matrix.diagonal(patch.row_a))) += patch.aa;
-    if (to_b) Block(matrix.block(matrix.diagonal(patch.row_b))) += patch.bb;
-    if (patch.row_a < 0 || patch.row_b < 0) return;
-    // The block between them is in the lower of the two rows.
-    if (patch.row_a > patch.row_b ? to_a : to_b) {
-        if (patch.row_a > patch.row_b)
-            Block(matrix.block(matrix.position(patch.row_a, patch.row_b))) += patch.ab;
-        else
-            Block(matrix.block(matrix.position(patch.row_b, patch.row_a))) += patch.ab.transpose();
-    }
-}
-
 template <class K>
 void assemble_contacts(StepSystem<K>& system)
 {
     if (system.threads <= 1) {
         for (const PatchStep<K>& patch : system.contacts.patches)
-            add_patch<K>(patch, patch.row_a >= 0, patch.row_b >= 0, system.matrix);
+            add_patch_stiffness(patch, patch.row_a, patch.row_b, patch.row_a >= 0, patch.row_b >= 0,
+                                system.matrix);
         return;
     }
     system.patches_of_rows.find(system.contacts.patches, system.block_of_row.size());
@@ -300,7 +284,8 @@ void assemble_contacts(StepSystem<K>& system)
         for (int row = static_cast<int>(first); row < static_cast<int>(end); ++row)
             for (const int k : system.patches_of_rows.of(row)) {
                 const PatchStep<K>& patch = system.contacts.patches[k];
-                add_patch<K>(patch, patch.row_a == row, patch.row_b == row, system.matrix);
+                add_patch_stiffness(patch, patch.row_a, patch.row_b, patch.row_a == row, patch.row_b == row,
+                                    system.matrix);
             }
     });
 }
