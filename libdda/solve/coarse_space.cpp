@@ -7,6 +7,7 @@
 #include "libdda/model/parallel.h"
 #include "libdda/solve/aggregates.h"
 #include "libdda/solve/block_kernels.h"
+#include "libdda/solve/single_factor.h"
 
 namespace voussoir::solve
 {
@@ -19,40 +20,71 @@ namespace
 constexpr int least_rows = 256;         // below, the factor of near neighbours is as good
 constexpr double least_contacts = 1.2;  // per row: a chain is factorised exactly
 constexpr int rows_in_aggregate = 24;
-constexpr int most_aggregates = 512;
+constexpr int rows_in_aggregate_of_many = 12;  // where the coarse factor is in single precision
+constexpr int most_aggregates = 1024;
+
+/// How many rows an aggregate has, some.
+int rows_in(int rows)
+{
+    if (rows < blocks_worth_threads) return rows_in_aggregate;
+    return std::max(rows_in_aggregate_of_many, rows / most_aggregates);
+}
 
 /// How a cluster that moves as one block with its centre at lever -y moves one of its blocks: P = [1, S; 0, 1].
 template <int D>
-struct RigidShape {
-    static constexpr int dimension = D, unknowns = D == 3 ? 6 : 3, spins = unknowns - D;
-    using Lever = Eigen::Matrix<double, D, 1>;
+struct RigidShape;
 
-    static Eigen::Matrix<double, D, spins> turned(const Lever& y)
-    {
-        Eigen::Matrix<double, D, spins> s;
-        if constexpr (D == 3)
-            s << 0, y[2], -y[1], -y[2], 0, y[0], y[1], -y[0], 0;
-        else
-            s << -y[1], y[0];
-        return s;
-    }
+template <>
+struct RigidShape<3> {
+    static constexpr int dimension = 3, unknowns = 6;
+    using Lever = Eigen::Vector3d;
+
     /// b = b P
     template <class Block>
     static void right(const Lever& y, Block& b)
     {
-        b.template rightCols<spins>() += b.template leftCols<D>().lazyProduct(turned(y));
+        b.col(3) += y[1] * b.col(2) - y[2] * b.col(1);
+        b.col(4) += y[2] * b.col(0) - y[0] * b.col(2);
+        b.col(5) += y[0] * b.col(1) - y[1] * b.col(0);
     }
     /// c = P^T c
     template <class Block>
     static void left(const Lever& y, Block& c)
     {
-        c.template bottomRows<spins>() += turned(y).transpose().lazyProduct(c.template topRows<D>());
+        c.row(3) += y[1] * c.row(2) - y[2] * c.row(1);
+        c.row(4) += y[2] * c.row(0) - y[0] * c.row(2);
+        c.row(5) += y[0] * c.row(1) - y[1] * c.row(0);
     }
     /// c = P c
     template <class Segment>
     static void spread(const Lever& y, Segment& c)
     {
-        c.template head<D>() += turned(y).lazyProduct(c.template tail<spins>());
+        c[0] += y[2] * c[4] - y[1] * c[5];
+        c[1] += y[0] * c[5] - y[2] * c[3];
+        c[2] += y[1] * c[3] - y[0] * c[4];
+    }
+};
+
+template <>
+struct RigidShape<2> {
+    static constexpr int dimension = 2, unknowns = 3;
+    using Lever = Eigen::Vector2d;
+
+    template <class Block>
+    static void right(const Lever& y, Block& b)
+    {
+        b.col(2) += y[0] * b.col(1) - y[1] * b.col(0);
+    }
+    template <class Block>
+    static void left(const Lever& y, Block& c)
+    {
+        c.row(2) += y[0] * c.row(1) - y[1] * c.row(0);
+    }
+    template <class Segment>
+    static void spread(const Lever& y, Segment& c)
+    {
+        c[0] -= y[1] * c[2];
+        c[1] += y[0] * c[2];
     }
 };
 
@@ -106,6 +138,7 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
     using Block = typename K::Block;
     using ConstBlock = typename K::ConstBlock;
     using Lever = typename Shape::Lever;
+    using Single = SinglePrecision<n>;
 
  public:
     bool prepare(const BlockMatrix& matrix, const ColumnsOf& columns, int threads) override
@@ -127,10 +160,16 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         });
         coarse_.values.resize(coarse_.columns.size() * n * n);
         each_aggregate(threads, [&](int a) { project(a); });
+        is_large_ = rows >= blocks_worth_threads;
+        if (is_large_) round_product(threads);
         return true;
     }
 
-    void factorise() override { K::factorise(coarse_, factor_); }
+    void factorise() override
+    {
+        is_single_ = is_large_ && factorise_in_single();
+        if (!is_single_) K::factorise(coarse_, factor_);
+    }
 
     void start(const VectorXd& b, int threads, VectorXd& x) override
     {
@@ -143,6 +182,14 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
     void correct(const VectorXd& r, int threads, VectorXd& z) override
     {
         load_.resize(n * aggregates_.count);
+        if (is_single_) {
+            each_aggregate(threads, [&](int a) {
+                gather(r, a);
+                gather_in_single(z, a);
+            });
+            spread(threads, z);
+            return;
+        }
         each_aggregate(threads, [&](int a) {
             gather(r, a);
             Segment load = load_.segment<n>(n * a);
@@ -169,7 +216,7 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         row_start_ = matrix.row_start;
         free_ = places.free;
         const int rows = matrix.rows();
-        aggregates_ = aggregate(matrix, free_, std::max(rows_in_aggregate, rows / most_aggregates));
+        aggregates_ = aggregate(matrix, free_, rows_in(rows));
         members_.assign(aggregates_.count, {});
         for (int i = 0; i < rows; ++i)
             if (aggregates_.of_row[i] >= 0) members_[aggregates_.of_row[i]].push_back(i);
@@ -248,6 +295,7 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
             coarse_.row_start.push_back(static_cast<int>(coarse_.columns.size()));
         }
         factor_ = coarse_;
+        below_ = columns_of(coarse_);
     }
 
     /// Levers from the mean of the centres of an aggregate.
@@ -300,10 +348,57 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         load_.segment<n>(n * a) = load;
     }
 
+    /// (K P)^T in single precision, by aggregates.
+    void round_product(int threads)
+    {
+        Single::resize(product_.columns.size(), turned_);
+        in_parallel(product_.columns.size(), threads, [&](std::size_t first, std::size_t end) {
+            for (std::size_t k = first; k < end; ++k)
+                Single::put(K::block(product_, met_by_.positions[k]).transpose(), k, turned_);
+        });
+    }
+
+    bool factorise_in_single()
+    {
+        const Eigen::Index size = static_cast<Eigen::Index>(single_.width) * aggregates_.count;
+        if (moved_in_single_.size() != size) moved_in_single_.setZero(size);
+        single_.resize(coarse_);
+        for (int a = 0; a < aggregates_.count; ++a)
+            if (single_.factorise_row(coarse_, a, [&](int p, auto& columns) {
+                    Single::take(K::block(coarse_, p), columns);
+                }) < least_left)
+                return false;
+        return true;
+    }
+
+    /// load -= (K P)^T z
+    void gather_in_single(const VectorXd& z, int a)
+    {
+        typename Single::Sum sum = Single::Sum::Zero();
+        for (int k = met_by_.start[a]; k < met_by_.start[a + 1]; ++k)
+            sum += Single::product(turned_, k, z.data() + n * met_by_.rows[k]);
+        load_.segment<n>(n * a) -= sum.template head<n>().matrix().template cast<double>();
+    }
+
+    /// moved = (P^T K P)^-1 load
+    void solve_in_single()
+    {
+        float* const x = moved_in_single_.data();
+        for (int a = 0; a < aggregates_.count; ++a) single_.forward(coarse_, a, load_.segment<n>(n * a), x);
+        moved_.resize(load_.size());
+        for (int a = aggregates_.count - 1; a >= 0; --a) {
+            single_.backward(coarse_, below_, a, x);
+            moved_.segment<n>(n * a) = moved_in_single_.segment<n>(single_.width * a).template cast<double>();
+        }
+    }
+
     /// z += P (P^T K P)^-1 load
     void spread(int threads, VectorXd& z)
     {
-        K::precondition(factor_, load_, moved_);
+        if (is_single_)
+            solve_in_single();
+        else
+            K::precondition(factor_, load_, moved_);
         each_aggregate(threads, [&](int a) {
             const Segment of_all = moved_.segment<n>(n * a);
             for (const int i : members_[a]) {
@@ -324,6 +419,12 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
     std::vector<int> of_row_, of_column_;    // of each block of the matrix: its positions in the product
     BlockMatrix coarse_, factor_;
     VectorXd load_, moved_;  // (aggregates x unknowns)
+
+    bool is_large_ = false, is_single_ = false;
+    std::vector<float> turned_;  // (K P)^T by aggregates
+    SingleFactor<n> single_;
+    ColumnsOf below_;                  // the columns of `coarse_`
+    Eigen::VectorXf moved_in_single_;  // a segment as wide as SinglePrecision has, zeros behind its numbers
 };
 
 std::unique_ptr<CoarseSpace::Implementation> make(Kinematics kinematics)

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "libdda/model/parallel.h"
 #include "libdda/solve/block_kernels.h"
 #include "libdda/solve/block_matrix.h"
-#include "libdda/solve/single_precision.h"
+#include "libdda/solve/single_factor.h"
 
 namespace voussoir::solve
 {
@@ -35,7 +37,6 @@ class IncompleteFactor
     void prepare(const BlockMatrix& a)
     {
         if (a.block_size != l_.block_size || a.columns != columns_ || a.row_start != row_start_) analyse(a);
-        l_.values.resize(l_.columns.size() * N * N);
     }
 
     template <int N>
@@ -50,27 +51,25 @@ class IncompleteFactor
     template <int N, class Beside>
     void factorise(const BlockMatrix& a, int threads, const Beside& beside)
     {
+        if (count_ > 1 && factorise_in_single<N>(a, threads, beside)) return;
+        l_.values.resize(l_.columns.size() * N * N);
         const auto factorise_rows = [&](int first, int end) {
             for (int i = first; i < end; ++i) {
-                for (int p = l_.row_start[i]; p < l_.row_start[i + 1]; ++p) {
-                    const auto taken = Kernels<N>::block(a, taken_[p].position);
-                    typename Kernels<N>::Block own(l_.block(p));
-                    if (taken_[p].turned)
-                        own = taken.transpose();
-                    else
-                        own = taken;
-                }
+                for (int p = l_.row_start[i]; p < l_.row_start[i + 1]; ++p)
+                    take<N>(a, p, [&](const auto& block) { typename Kernels<N>::Block(l_.block(p)) = block; });
                 Kernels<N>::factorise_row(Kernels<N>::block(a, taken_[l_.diagonal(i)].position), i, l_);
             }
         };
-        each_in_parallel(count_ + 1, threads, [&](std::size_t i) {
-            if (i == 0)
-                beside();
-            else
-                factorise_rows(inside_[i - 1], inside_[i]);
-        });
+        if (count_ == 1) {
+            each_in_parallel(2, threads, [&](std::size_t i) { i == 0 ? beside() : factorise_rows(0, a.rows()); });
+            return;
+        }
+        each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(inside_[d], inside_[d + 1]); });
         each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(border_[d], border_[d + 1]); });
-        if (count_ > 1) round<N>(threads);
+        in_parallel(order_.size(), threads, [&](std::size_t first, std::size_t end) {
+            for (int p = l_.row_start[first]; p < l_.row_start[end]; ++p)
+                single<N>().put(Kernels<N>::block(l_, p), p);
+        });
     }
 
     /// z = (L L^T)^-1 r
@@ -82,7 +81,8 @@ class IncompleteFactor
             Kernels<N>::precondition(l_, r, z);
             return;
         }
-        ordered_.resize(r.size());
+        const Eigen::Index size = r.size() / N * SinglePrecision<N>::width;
+        if (ordered_.size() != size) ordered_.setZero(size);
         each_in_parallel(count_, threads, [&](std::size_t d) { forward<N>(inside_[d], inside_[d + 1], r); });
         each_in_parallel(count_, threads, [&](std::size_t d) {
             forward<N>(border_[d], border_[d + 1], r);
@@ -91,7 +91,10 @@ class IncompleteFactor
         each_in_parallel(count_, threads, [&](std::size_t d) { backward<N>(inside_[d], inside_[d + 1], z); });
     }
 
-    std::int64_t entries() const { return static_cast<std::int64_t>(l_.values.size()); }
+    std::int64_t entries() const
+    {
+        return static_cast<std::int64_t>(l_.columns.size()) * l_.block_size * l_.block_size;
+    }
     /// Of the matrix that was factorised.
     int block_size() const { return l_.block_size; }
     const ColumnsOf& columns() const { return of_matrix_; }
@@ -103,54 +106,65 @@ class IncompleteFactor
         bool turned = false;
     };
 
-    /// The factor in single precision, by rows for the way there, by columns for the way back.
-    template <int N>
-    void round(int threads)
+    /// Calls use(block p of the factor's pattern, as the matrix has it).
+    template <int N, class Use>
+    void take(const BlockMatrix& a, int p, const Use& use) const
     {
-        using Single = SinglePrecision<N>;
-        Single::resize(l_.columns.size(), by_rows_);
-        Single::resize(l_.columns.size(), by_columns_);
-        in_parallel(order_.size(), threads, [&](std::size_t first, std::size_t end) {
-            for (int i = static_cast<int>(first); i < static_cast<int>(end); ++i) {
-                for (int p = l_.row_start[i]; p < l_.row_start[i + 1]; ++p)
-                    Single::put(Kernels<N>::block(l_, p), p, by_rows_);
-                for (int k = below_.start[i]; k < below_.start[i + 1]; ++k)
-                    Single::put(Kernels<N>::block(l_, below_.positions[k]).transpose(), k + i, by_columns_);
-                Single::put(Kernels<N>::block(l_, l_.diagonal(i)).transpose(), below_.start[i + 1] + i,
-                            by_columns_);
-            }
+        const auto taken = Kernels<N>::block(a, taken_[p].position);
+        if (taken_[p].turned)
+            use(taken.transpose());
+        else
+            use(taken);
+    }
+
+    /// @returns whether single precision is enough for this matrix; `beside` has been called
+    template <int N, class Beside>
+    bool factorise_in_single(const BlockMatrix& a, int threads, const Beside& beside)
+    {
+        SingleFactor<N>& factor = single<N>();
+        factor.resize(l_);
+        left_.assign(count_, 1);
+        const auto factorise_rows = [&](std::size_t d, const std::vector<int>& starts) {
+            for (int i = starts[d]; i < starts[d + 1] && left_[d] >= least_left; ++i)
+                left_[d] = std::min(left_[d], factor.factorise_row(l_, i, [&](int p, auto& columns) {
+                    take<N>(a, p, [&](const auto& block) { SinglePrecision<N>::take(block, columns); });
+                }));
+        };
+        const auto is_enough = [&] { return *std::min_element(left_.begin(), left_.end()) >= least_left; };
+        each_in_parallel(count_ + 1, threads, [&](std::size_t i) {
+            if (i == 0)
+                beside();
+            else
+                factorise_rows(i - 1, inside_);
         });
+        if (!is_enough()) return false;
+        each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(d, border_); });
+        return is_enough();
+    }
+
+    template <int N>
+    SingleFactor<N>& single()
+    {
+        if (!std::holds_alternative<SingleFactor<N>>(single_)) single_.template emplace<SingleFactor<N>>();
+        return std::get<SingleFactor<N>>(single_);
     }
 
     /// Rows first ... end of L^-1 r, all that they need of those before known.
     template <int N>
     void forward(int first, int end, const Eigen::VectorXd& r)
     {
-        using Single = SinglePrecision<N>;
-        for (int i = first; i < end; ++i) {
-            typename Single::Sum sum = Single::Sum::Zero();
-            sum.template head<N>() = r.segment<N>(N * order_[i]).template cast<float>();
-            for (int p = l_.row_start[i]; p < l_.diagonal(i); ++p)
-                sum -= Single::product(by_rows_, p, ordered_.data() + N * l_.columns[p]);
-            typename Single::Segment(ordered_.data() + N * i) =
-                Single::product(by_rows_, l_.diagonal(i), sum.data()).template head<N>();
-        }
+        const SingleFactor<N>& factor = single<N>();
+        for (int i = first; i < end; ++i) factor.forward(l_, i, r.segment<N>(N * order_[i]), ordered_.data());
     }
 
     /// The same of z = L^-T L^-1 r, all that they need of those behind known.
     template <int N>
     void backward(int first, int end, Eigen::VectorXd& z)
     {
-        using Single = SinglePrecision<N>;
+        const SingleFactor<N>& factor = single<N>();
         for (int i = end - 1; i >= first; --i) {
-            const typename Single::Segment own(ordered_.data() + N * i);
-            typename Single::Sum sum = Single::Sum::Zero();
-            sum.template head<N>() = own;
-            for (int k = below_.start[i + 1] - 1; k >= below_.start[i]; --k)
-                sum -= Single::product(by_columns_, k + i, ordered_.data() + N * below_.rows[k]);
-            typename Single::Segment(ordered_.data() + N * i) =
-                Single::product(by_columns_, below_.start[i + 1] + i, sum.data()).template head<N>();
-            z.segment<N>(N * order_[i]) = own.matrix().template cast<double>();
+            factor.backward(l_, below_, i, ordered_.data());
+            z.segment<N>(N * order_[i]) = ordered_.segment<N>(factor.width * i).template cast<double>();
         }
     }
 
@@ -166,9 +180,9 @@ class IncompleteFactor
     BlockMatrix l_;                     // rows in its own order
     std::vector<Taken> taken_;          // of each block of it
     ColumnsOf below_;                   // its columns
-    std::vector<float> by_rows_;        // its blocks, as they are there
-    std::vector<float> by_columns_;     // turned, the diagonal one last in each column
-    Eigen::VectorXf ordered_;           // scratch
+    std::variant<SingleFactor<3>, SingleFactor<6>, SingleFactor<12>> single_;  // of several domains
+    std::vector<double> left_;  // of domains: of the diagonal entries of the matrix, the least part
+    Eigen::VectorXf ordered_;   // scratch: as wide a segment as SinglePrecision has, zeros behind its numbers
 };
 
 }  // namespace voussoir::solve

@@ -68,6 +68,32 @@ TYPED_TEST(CoarseSpace, LeavesNoResidualThatMovesTheWholeAsOneBlock)
     }
 }
 
+// From 1,024 rows on the coarse factor is in single precision, unless inertia alone holds the whole: then in
+// double.
+TYPED_TEST(CoarseSpace, OfManyRowsKnowsTheWholeToSixDigits)
+{
+    for (const bool has_ground : {true, false}) {
+        const Lattice<TypeParam> lattice(33, 32, has_ground ? 1e4 : 1e8, has_ground);
+        solve::CoarseSpace coarse;
+        coarse.place(lattice.places);
+        const VectorXd r = numbers(TypeParam::unknowns * lattice.matrix.rows());
+        VectorXd first;
+        for (const int threads : {1, 2, 3}) {
+            ASSERT_TRUE(coarse.prepare(lattice.matrix, solve::columns_of(lattice.matrix), threads));
+            coarse.factorise();
+            VectorXd z = 1e-4 * numbers(r.size()), kz;
+            coarse.correct(r, threads, z);
+            if (threads == 1) first = z;
+            EXPECT_EQ(z, first) << threads;
+            solve::multiply(lattice.matrix, z, kz);
+            for (int k = 0; k < TypeParam::unknowns; ++k) {
+                const VectorXd d = lattice.moved_as_one(TypeParam::Unknowns::Unit(k));
+                EXPECT_LT(std::abs(d.dot(r - kz)), 1e-6 * d.norm() * kz.norm()) << k << ", " << has_ground;
+            }
+        }
+    }
+}
+
 TYPED_TEST(CoarseSpace, TheSolutionIsThatOfTheDirectSolver)
 {
     const Lattice<TypeParam> lattice(20, 20);
