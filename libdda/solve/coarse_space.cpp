@@ -20,7 +20,8 @@ namespace
 constexpr int least_rows = 256;         // below, the factor of near neighbours is as good
 constexpr double least_contacts = 1.2;  // per row: a chain is factorised exactly
 constexpr int rows_in_aggregate = 24;
-constexpr int rows_in_aggregate_of_many = 12;  // where the coarse factor is in single precision
+constexpr int rows_in_aggregate_of_many =
+    12;  // from blocks_worth_threads on: the coarse factor is cheaper in single precision
 constexpr int most_aggregates = 1024;
 
 /// How many rows an aggregate has, some.
@@ -32,59 +33,61 @@ int rows_in(int rows)
 
 /// How a cluster that moves as one block with its centre at lever -y moves one of its blocks: P = [1, S; 0, 1].
 template <int D>
-struct RigidShape;
+struct RigidShape {
+    static constexpr int dimension = D, unknowns = D == 3 ? 6 : 3, spins = unknowns - D;
+    using Lever = Eigen::Matrix<double, D, 1>;
 
-template <>
-struct RigidShape<3> {
-    static constexpr int dimension = 3, unknowns = 6;
-    using Lever = Eigen::Vector3d;
-
+    static Eigen::Matrix<double, D, spins> turned(const Lever& y)
+    {
+        Eigen::Matrix<double, D, spins> s;
+        if constexpr (D == 3)
+            s << 0, y[2], -y[1], -y[2], 0, y[0], y[1], -y[0], 0;
+        else
+            s << -y[1], y[0];
+        return s;
+    }
     /// b = b P
     template <class Block>
     static void right(const Lever& y, Block& b)
     {
-        b.col(3) += y[1] * b.col(2) - y[2] * b.col(1);
-        b.col(4) += y[2] * b.col(0) - y[0] * b.col(2);
-        b.col(5) += y[0] * b.col(1) - y[1] * b.col(0);
+        b.template rightCols<spins>() += b.template leftCols<D>().lazyProduct(turned(y));
     }
     /// c = P^T c
     template <class Block>
     static void left(const Lever& y, Block& c)
     {
-        c.row(3) += y[1] * c.row(2) - y[2] * c.row(1);
-        c.row(4) += y[2] * c.row(0) - y[0] * c.row(2);
-        c.row(5) += y[0] * c.row(1) - y[1] * c.row(0);
+        c.template bottomRows<spins>() += turned(y).transpose().lazyProduct(c.template topRows<D>());
     }
     /// c = P c
     template <class Segment>
     static void spread(const Lever& y, Segment& c)
     {
-        c[0] += y[2] * c[4] - y[1] * c[5];
-        c[1] += y[0] * c[5] - y[2] * c[3];
-        c[2] += y[1] * c[3] - y[0] * c[4];
+        c.template head<D>() += turned(y).lazyProduct(c.template tail<spins>());
     }
-};
 
-template <>
-struct RigidShape<2> {
-    static constexpr int dimension = 2, unknowns = 3;
-    using Lever = Eigen::Vector2d;
-
-    template <class Block>
-    static void right(const Lever& y, Block& b)
+    /// left() and spread() of a segment, quicker and rounded in another way.
+    template <class Segment>
+    static void left_quickly(const Lever& y, Segment& c)
     {
-        b.col(2) += y[0] * b.col(1) - y[1] * b.col(0);
-    }
-    template <class Block>
-    static void left(const Lever& y, Block& c)
-    {
-        c.row(2) += y[0] * c.row(1) - y[1] * c.row(0);
+        if constexpr (D == 3) {
+            c[3] += y[1] * c[2] - y[2] * c[1];
+            c[4] += y[2] * c[0] - y[0] * c[2];
+            c[5] += y[0] * c[1] - y[1] * c[0];
+        } else {
+            c[2] += y[0] * c[1] - y[1] * c[0];
+        }
     }
     template <class Segment>
-    static void spread(const Lever& y, Segment& c)
+    static void spread_quickly(const Lever& y, Segment& c)
     {
-        c[0] -= y[1] * c[2];
-        c[1] += y[0] * c[2];
+        if constexpr (D == 3) {
+            c[0] += y[2] * c[4] - y[1] * c[5];
+            c[1] += y[0] * c[5] - y[2] * c[3];
+            c[2] += y[1] * c[3] - y[0] * c[4];
+        } else {
+            c[0] -= y[1] * c[2];
+            c[1] += y[0] * c[2];
+        }
     }
 };
 
@@ -108,6 +111,16 @@ struct AffineShape {
     static void spread(const Lever& y, Segment& c)
     {
         for (int j = 0; j < D; ++j) c.template head<D>() += y[j] * c.template segment<D>(D + D * j);
+    }
+    template <class Segment>
+    static void left_quickly(const Lever& y, Segment& c)
+    {
+        left(y, c);
+    }
+    template <class Segment>
+    static void spread_quickly(const Lever& y, Segment& c)
+    {
+        spread(y, c);
     }
 };
 
@@ -342,7 +355,10 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         Segment load = Segment::Zero();
         for (const int i : members_[a]) {
             Segment of_row = r.segment<n>(n * i);
-            Shape::left(levers_[i], of_row);
+            if (is_large_)
+                Shape::left_quickly(levers_[i], of_row);
+            else
+                Shape::left(levers_[i], of_row);
             load += of_row;
         }
         load_.segment<n>(n * a) = load;
@@ -403,7 +419,10 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
             const Segment of_all = moved_.segment<n>(n * a);
             for (const int i : members_[a]) {
                 Segment of_row = of_all;
-                Shape::spread(levers_[i], of_row);
+                if (is_large_)
+                    Shape::spread_quickly(levers_[i], of_row);
+                else
+                    Shape::spread(levers_[i], of_row);
                 z.segment<n>(n * i) += of_row;
             }
         });

@@ -83,6 +83,7 @@ void IncompleteFactor::analyse(const BlockMatrix& a)
     }
     for (int i = 0; i < a.rows(); ++i) l_.row_start[i + 1] += l_.row_start[i];
     below_ = columns_of(l_);
+    ordered_.resize(0);  // zeros behind other numbers of a segment
 }
 
 }  // namespace voussoir::solve

@@ -27,8 +27,8 @@ Domains divide_into_domains(const BlockMatrix& pattern, int least_rows, int most
 /// Incomplete Cholesky, block by block, on the pattern of the matrix: exact for a chain in one domain. First come
 /// the rows inside the domains, then those that border on a domain of a lower number, domain by domain; border
 /// rows of different domains are left uncoupled, the only blocks that are dropped. So each domain's inside, and
-/// then each domain's border, is worked on by itself. A factor in several domains is made in double precision and
-/// used in single. Source: docs/numerics.md 3.
+/// then each domain's border, is worked on by itself. A factor in several domains is made and used in single
+/// precision, and made in double where too little is left of a diagonal entry. Source: docs/numerics.md 3.
 class IncompleteFactor
 {
  public:

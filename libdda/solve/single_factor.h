@@ -18,7 +18,8 @@ namespace voussoir::solve
 constexpr double least_left = 1e-5;
 
 /// L of L L^T = A, on a pattern that it is given with each call; the inverse of each diagonal block in its place.
-/// The same as Kernels::factorise_row and precondition() do in double precision. Source: docs/numerics.md 3.
+/// As Kernels::factorise_row and precondition() in double precision, but that a diagonal block which loses its
+/// definiteness ends the work. Source: docs/numerics.md 3.
 template <int N>
 class SingleFactor
 {
@@ -72,6 +73,7 @@ class SingleFactor
             sum -= Single::product(blocks_, p, x + width * pattern.columns[p]);
         typename Single::Segment(x + width * i) =
             Single::product(blocks_, pattern.diagonal(i), sum.data()).template head<N>();
+        Single::leave_out_faint(x + width * i);
     }
 
     /// Segment i of x = L^-T x, those behind it known. @param below the columns of the pattern
@@ -86,6 +88,7 @@ class SingleFactor
         }
         Single::transposed_product(blocks_, pattern.diagonal(i), own, product);
         Single::write(product, x + width * i);
+        Single::leave_out_faint(x + width * i);
     }
 
     /// Of all positions of the pattern, one after the other, and some numbers behind them.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -25,9 +26,15 @@ struct SinglePrecision {
     /// below 1e-38 as for others. This is far below what counts, some 1e-8 at least, in SI units; the product of
     /// two such numbers is not below 1e-38.
     static constexpr float nothing = 1e-18F;
+    /// The same of a vector, which fades from row to row far from a load.
+    static constexpr float nothing_of_vector = 1e-30F;
 
     /// Makes room for so many blocks.
-    static void resize(std::size_t blocks, std::vector<float>& all) { all.resize(blocks * size + width); }
+    static void resize(std::size_t blocks, std::vector<float>& all)
+    {
+        all.resize(blocks * size + width);
+        std::fill(all.end() - width, all.end(), 0.0F);  // what a product takes of them must be a number
+    }
 
     template <class Square>
     static void put(const Square& block, std::size_t position, std::vector<float>& all)
@@ -83,6 +90,12 @@ struct SinglePrecision {
             y.part[c] = __builtin_shufflevector(front, back, 0, 1, 4, 5) +
                         __builtin_shufflevector(front, back, 2, 3, 6, 7);
         }
+    }
+
+    static void leave_out_faint(float* x)
+    {
+        Eigen::Map<Sum> all(x);
+        all = (all.abs() < nothing_of_vector).select(Sum::Zero(), all);
     }
 
     /// A block on its way into a factor, column by column; what lies behind the N numbers of each does not count.

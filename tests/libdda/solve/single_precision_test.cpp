@@ -77,7 +77,8 @@ TYPED_TEST(SinglePrecision, TransposedProductsToo)
     }
 }
 
-// Each row of the factor of a band takes a hundredth of the row before it: after 20 rows 1e-40 would be left.
+// Each block of the last row of the factor is a hundredth of the one before it: after 20 of them 1e-40 would be
+// left.
 TYPED_TEST(SinglePrecision, WhatFadesIsGoneBeforeItSlowsTheProcessor)
 {
     constexpr int n = TypeParam::unknowns, rows = 40;
@@ -156,8 +157,9 @@ TYPED_TEST(SinglePrecision, FactorTellsWhatIsLeft)
 }
 
 // 1,023 rows are preconditioned in double precision and in one piece, 1,024 in single, in domains and with smaller
-// clusters. Without ground nothing but its inertia holds the whole, a ten-thousandth to a million millionth of
-// what the springs hold; somewhere between, double precision takes over.
+// clusters, which save iterations: what counts is that stiffness costs none of them. Without ground nothing but
+// its inertia holds the whole, a ten-thousandth to a million millionth of what the springs hold; somewhere
+// between, double precision takes over.
 TYPED_TEST(SinglePrecision, CostsNoIterationsHoweverStiffTheJoints)
 {
     int first = 0;
