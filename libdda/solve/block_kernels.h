@@ -90,12 +90,8 @@ struct Kernels {
     /// sum -= L_ik L_jk^T over the columns k < j that rows i and j share.
     static void subtract_common(const BlockMatrix& l, int i, int end_i, int j, Square& sum)
     {
-        int q = l.row_start[j];
-        for (int p = l.row_start[i]; p < end_i; ++p) {
-            while (q < l.diagonal(j) && l.columns[q] < l.columns[p]) ++q;
-            if (q == l.diagonal(j)) return;
-            if (l.columns[q] == l.columns[p]) sum -= block(l, p).lazyProduct(block(l, q).transpose());
-        }
+        each_common_column(l, i, end_i, j,
+                           [&](int p, int q) { sum -= block(l, p).lazyProduct(block(l, q).transpose()); });
     }
 
     /// z = (L L^T)^-1 r

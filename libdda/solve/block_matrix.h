@@ -31,6 +31,20 @@ struct ColumnsOf {
 };
 ColumnsOf columns_of(const BlockMatrix& pattern);
 
+/// Calls work(p, q) for the positions of the blocks that rows i and j have in the same column, columns ascending,
+/// up to position `end_i` of row i and the diagonal of row j.
+template <class Work>
+void each_common_column(const BlockMatrix& m, int i, int end_i, int j, const Work& work)
+{
+    int q = m.row_start[j];
+    const int end_j = m.diagonal(j);
+    for (int p = m.row_start[i]; p < end_i; ++p) {
+        while (q < end_j && m.columns[q] < m.columns[p]) ++q;
+        if (q == end_j) return;
+        if (m.columns[q] == m.columns[p]) work(p, q);
+    }
+}
+
 /// Gives the matrix the pattern of `rows` diagonal blocks and the given pairs (row > column; any order, repeats
 /// allowed), and sets it to zero. Returns whether the pattern is a new one.
 bool set_pattern(BlockMatrix& matrix, int block_size, int rows, std::vector<std::pair<int, int>>& pairs);

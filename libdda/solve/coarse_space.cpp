@@ -7,6 +7,7 @@
 #include "libdda/model/parallel.h"
 #include "libdda/solve/aggregates.h"
 #include "libdda/solve/block_kernels.h"
+#include "libdda/solve/cluster_shapes.h"
 #include "libdda/solve/single_factor.h"
 
 namespace voussoir::solve
@@ -20,109 +21,19 @@ namespace
 constexpr int least_rows = 256;         // below, the factor of near neighbours is as good
 constexpr double least_contacts = 1.2;  // per row: a chain is factorised exactly
 constexpr int rows_in_aggregate = 24;
-constexpr int rows_in_aggregate_of_many =
-    12;  // from blocks_worth_threads on: the coarse factor is cheaper in single precision
+constexpr int rows_in_aggregate_of_many = 12;  // whose coarse factor is cheaper, for it is in single precision
 constexpr int most_aggregates = 1024;
+
+bool are_many(int rows)
+{
+    return rows >= blocks_worth_threads;
+}
 
 /// How many rows an aggregate has, some.
 int rows_in(int rows)
 {
-    if (rows < blocks_worth_threads) return rows_in_aggregate;
-    return std::max(rows_in_aggregate_of_many, rows / most_aggregates);
+    return are_many(rows) ? std::max(rows_in_aggregate_of_many, rows / most_aggregates) : rows_in_aggregate;
 }
-
-/// How a cluster that moves as one block with its centre at lever -y moves one of its blocks: P = [1, S; 0, 1].
-template <int D>
-struct RigidShape {
-    static constexpr int dimension = D, unknowns = D == 3 ? 6 : 3, spins = unknowns - D;
-    using Lever = Eigen::Matrix<double, D, 1>;
-
-    static Eigen::Matrix<double, D, spins> turned(const Lever& y)
-    {
-        Eigen::Matrix<double, D, spins> s;
-        if constexpr (D == 3)
-            s << 0, y[2], -y[1], -y[2], 0, y[0], y[1], -y[0], 0;
-        else
-            s << -y[1], y[0];
-        return s;
-    }
-    /// b = b P
-    template <class Block>
-    static void right(const Lever& y, Block& b)
-    {
-        b.template rightCols<spins>() += b.template leftCols<D>().lazyProduct(turned(y));
-    }
-    /// c = P^T c
-    template <class Block>
-    static void left(const Lever& y, Block& c)
-    {
-        c.template bottomRows<spins>() += turned(y).transpose().lazyProduct(c.template topRows<D>());
-    }
-    /// c = P c
-    template <class Segment>
-    static void spread(const Lever& y, Segment& c)
-    {
-        c.template head<D>() += turned(y).lazyProduct(c.template tail<spins>());
-    }
-
-    /// left() and spread() of a segment, quicker and rounded in another way.
-    template <class Segment>
-    static void left_quickly(const Lever& y, Segment& c)
-    {
-        if constexpr (D == 3) {
-            c[3] += y[1] * c[2] - y[2] * c[1];
-            c[4] += y[2] * c[0] - y[0] * c[2];
-            c[5] += y[0] * c[1] - y[1] * c[0];
-        } else {
-            c[2] += y[0] * c[1] - y[1] * c[0];
-        }
-    }
-    template <class Segment>
-    static void spread_quickly(const Lever& y, Segment& c)
-    {
-        if constexpr (D == 3) {
-            c[0] += y[2] * c[4] - y[1] * c[5];
-            c[1] += y[0] * c[5] - y[2] * c[3];
-            c[2] += y[1] * c[3] - y[0] * c[4];
-        } else {
-            c[0] -= y[1] * c[2];
-            c[1] += y[0] * c[2];
-        }
-    }
-};
-
-/// The same with the nine (four) components of a gradient, column by column.
-template <int D>
-struct AffineShape {
-    static constexpr int dimension = D, unknowns = D + D * D;
-    using Lever = Eigen::Matrix<double, D, 1>;
-
-    template <class Block>
-    static void right(const Lever& y, Block& b)
-    {
-        for (int j = 0; j < D; ++j) b.template middleCols<D>(D + D * j) += y[j] * b.template leftCols<D>();
-    }
-    template <class Block>
-    static void left(const Lever& y, Block& c)
-    {
-        for (int j = 0; j < D; ++j) c.template middleRows<D>(D + D * j) += y[j] * c.template topRows<D>();
-    }
-    template <class Segment>
-    static void spread(const Lever& y, Segment& c)
-    {
-        for (int j = 0; j < D; ++j) c.template head<D>() += y[j] * c.template segment<D>(D + D * j);
-    }
-    template <class Segment>
-    static void left_quickly(const Lever& y, Segment& c)
-    {
-        left(y, c);
-    }
-    template <class Segment>
-    static void spread_quickly(const Lever& y, Segment& c)
-    {
-        spread(y, c);
-    }
-};
 
 }  // namespace
 
@@ -173,7 +84,6 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         });
         coarse_.values.resize(coarse_.columns.size() * n * n);
         each_aggregate(threads, [&](int a) { project(a); });
-        is_large_ = rows >= blocks_worth_threads;
         if (is_large_) round_product(threads);
         return true;
     }
@@ -229,6 +139,7 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
         row_start_ = matrix.row_start;
         free_ = places.free;
         const int rows = matrix.rows();
+        is_large_ = are_many(rows);
         aggregates_ = aggregate(matrix, free_, rows_in(rows));
         members_.assign(aggregates_.count, {});
         for (int i = 0; i < rows; ++i)
@@ -308,7 +219,7 @@ class CoarseSpaceOf : public CoarseSpace::Implementation
             coarse_.row_start.push_back(static_cast<int>(coarse_.columns.size()));
         }
         factor_ = coarse_;
-        below_ = columns_of(coarse_);
+        if (is_large_) below_ = columns_of(coarse_);
     }
 
     /// Levers from the mean of the centres of an aggregate.

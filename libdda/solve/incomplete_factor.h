@@ -51,7 +51,10 @@ class IncompleteFactor
     template <int N, class Beside>
     void factorise(const BlockMatrix& a, int threads, const Beside& beside)
     {
-        if (count_ > 1 && factorise_in_single<N>(a, threads, beside)) return;
+        if (count_ == 1)
+            beside();
+        else if (factorise_in_single<N>(a, threads, beside))
+            return;
         l_.values.resize(l_.columns.size() * N * N);
         const auto factorise_rows = [&](int first, int end) {
             for (int i = first; i < end; ++i) {
@@ -60,12 +63,9 @@ class IncompleteFactor
                 Kernels<N>::factorise_row(Kernels<N>::block(a, taken_[l_.diagonal(i)].position), i, l_);
             }
         };
-        if (count_ == 1) {
-            each_in_parallel(2, threads, [&](std::size_t i) { i == 0 ? beside() : factorise_rows(0, a.rows()); });
-            return;
-        }
         each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(inside_[d], inside_[d + 1]); });
         each_in_parallel(count_, threads, [&](std::size_t d) { factorise_rows(border_[d], border_[d + 1]); });
+        if (count_ == 1) return;
         in_parallel(order_.size(), threads, [&](std::size_t first, std::size_t end) {
             for (int p = l_.row_start[first]; p < l_.row_start[end]; ++p)
                 single<N>().put(Kernels<N>::block(l_, p), p);

@@ -50,7 +50,8 @@ class SingleFactor
         for (int p = pattern.row_start[i]; p < pattern.diagonal(i); ++p) {
             const int j = pattern.columns[p];
             take(p, sum);
-            subtract_common(pattern, i, p, j, sum);
+            each_common_column(pattern, i, p, j,
+                               [&](int of_i, int of_j) { Single::subtract_product(at(of_i), at(of_j), sum); });
             Single::multiply_by_lower(sum, at(pattern.diagonal(j)), at(p));
             Single::subtract_product(at(p), at(p), own);
         }
@@ -102,18 +103,6 @@ class SingleFactor
     static void give(const typename Single::Columns& columns, Square& block)
     {
         for (int c = 0; c < N; ++c) block.col(c) = columns[c].template head<N>().matrix().template cast<double>();
-    }
-
-    /// sum -= L_ik L_jk^T over the columns k < j that rows i and j share.
-    void subtract_common(const BlockMatrix& pattern, int i, int end_i, int j, typename Single::Columns& sum)
-    {
-        int q = pattern.row_start[j];
-        const int end_j = pattern.diagonal(j);
-        for (int p = pattern.row_start[i]; p < end_i; ++p) {
-            while (q < end_j && pattern.columns[q] < pattern.columns[p]) ++q;
-            if (q == end_j) return;
-            if (pattern.columns[q] == pattern.columns[p]) Single::subtract_product(at(p), at(q), sum);
-        }
     }
 
     std::vector<float> blocks_;

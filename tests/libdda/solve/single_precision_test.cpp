@@ -36,6 +36,19 @@ int iterations(const Lattice<K>& lattice, VectorXd& x)
     return report.iterations;
 }
 
+/// @returns the least that is left of a diagonal entry; 0: there is no factor
+template <int N>
+double factorise(const solve::BlockMatrix& matrix, solve::SingleFactor<N>& factor)
+{
+    factor.resize(matrix);
+    double left = 1;
+    for (int i = 0; i < matrix.rows() && left > 0; ++i)
+        left = std::min(left, factor.factorise_row(matrix, i, [&](int p, auto& columns) {
+            solve::SinglePrecision<N>::take(solve::Kernels<N>::block(matrix, p), columns);
+        }));
+    return left;
+}
+
 }  // namespace
 
 TYPED_TEST(SinglePrecision, ProductsAreThoseOfDoublesToSixDigits)
@@ -95,13 +108,7 @@ TYPED_TEST(SinglePrecision, WhatFadesIsGoneBeforeItSlowsTheProcessor)
         if (i == rows - 1) Eigen::Map<Square>(pattern.block(pattern.position(i, 0))) = 0.01 * Square::Identity();
     }
     solve::SingleFactor<n> factor;
-    factor.resize(pattern);
-    for (int i = 0; i < rows; ++i)
-        EXPECT_GT(factor.factorise_row(pattern, i,
-                                       [&](int p, auto& columns) {
-                                           Single::take(Eigen::Map<const Square>(pattern.block(p)), columns);
-                                       }),
-                  0.9);
+    EXPECT_GT(factorise(pattern, factor), 0.9);
     int small = 0;
     for (const float number : factor.blocks())
         if (number != 0 && std::abs(number) < Single::nothing) ++small;
@@ -114,13 +121,7 @@ TYPED_TEST(SinglePrecision, FactorOfAChainSolvesIt)
     constexpr int n = TypeParam::unknowns, rows = 50, width = solve::SingleFactor<n>::width;
     const Lattice<TypeParam> tower(1, rows, 100);
     solve::SingleFactor<n> factor;
-    factor.resize(tower.matrix);
-    double left = 1;
-    for (int i = 0; i < rows; ++i)
-        left = std::min(left, factor.factorise_row(tower.matrix, i, [&](int p, auto& columns) {
-            solve::SinglePrecision<n>::take(solve::Kernels<n>::block(tower.matrix, p), columns);
-        }));
-    EXPECT_GT(left, solve::least_left);
+    EXPECT_GT(factorise(tower.matrix, factor), solve::least_left);
     const VectorXd x = numbers(rows * n);
     VectorXd b;
     solve::multiply(tower.matrix, x, b);
@@ -141,13 +142,7 @@ TYPED_TEST(SinglePrecision, FactorTellsWhatIsLeft)
     constexpr int n = TypeParam::unknowns, rows = 20;
     const auto left = [](const solve::BlockMatrix& matrix) {
         solve::SingleFactor<n> factor;
-        factor.resize(matrix);
-        double least = 1;
-        for (int i = 0; i < rows && least > 0; ++i)
-            least = std::min(least, factor.factorise_row(matrix, i, [&](int p, auto& columns) {
-                solve::SinglePrecision<n>::take(solve::Kernels<n>::block(matrix, p), columns);
-            }));
-        return least;
+        return factorise(matrix, factor);
     };
     EXPECT_GT(left(Lattice<TypeParam>(1, rows, 1e2, false).matrix), 1e-3);
     EXPECT_LT(left(Lattice<TypeParam>(1, rows, 1e9, false).matrix), solve::least_left);
