@@ -12,14 +12,19 @@ namespace voussoir::step
 namespace
 {
 
-constexpr int patience = 3;              // steps that may be on trial
-constexpr double enough = 0.5;           // of the residual at the start of the trial
-constexpr double too_much = 10;          // times the residual: a step that leaves more is relaxed first
-constexpr double no_less = 1;            // times the residual, that it may leave then; else it is not taken
-constexpr std::size_t few_changes = 8;   // points
-constexpr double some_changes = 0.005;   // of the points, as long as no trial has failed
-constexpr int longer_pause = 2;          // times the pause before
-constexpr double wanted_residual = 0.5;  // of the tolerance: what the linear solver is asked for
+constexpr int patience = 3;             // steps that may be on trial
+constexpr double enough = 0.5;          // of the residual at the start of the trial
+constexpr double too_much = 10;         // times the residual: a step that leaves more is relaxed first
+constexpr double no_less = 1;           // times the residual, that it may leave then; else it is not taken
+constexpr std::size_t few_changes = 8;  // points
+constexpr double some_changes = 0.005;  // of the points, as long as no trial has failed
+// In a large scene, where another linear solve is dearer than to look twice at where a step leads:
+constexpr double changes_in_large = 0.02;        // of the points, whatever has failed
+constexpr double rise = 1;                       // times the residual: a step that leaves more is relaxed
+constexpr double fall = 0.8;                     // times the residual, that a part of a step may leave
+constexpr double least_share = 0.125;            // of a step
+constexpr int longer_pause = 2;                  // times the pause before
+constexpr double wanted_residual = 0.5;          // of the tolerance: what the linear solver is asked for
 constexpr double finest = 1e-2, coarsest = 0.1;  // of that residual
 
 /// Worst residual / tolerance, of what was evaluated last.
@@ -56,15 +61,30 @@ bool BoldSteps<K>::have_failed(double worst, StepSystem<K>& system)
 }
 
 template <class K>
-bool BoldSteps<K>::are_due(std::size_t changes, std::size_t points)
+bool BoldSteps<K>::are_due(std::size_t changes, const StepSystem<K>& system)
 {
     if (pause_ > 0) {
         --pause_;
         return false;
     }
+    const double share = is_large(system) ? changes_in_large : all_held_ ? some_changes : 0;
     const double allowed =
-        static_cast<double>(few_changes) + (all_held_ ? some_changes * static_cast<double>(points) : 0);
+        static_cast<double>(few_changes) + share * static_cast<double>(system.contacts.points.size());
     return on_trial_ > 0 || static_cast<double>(changes) <= allowed;
+}
+
+template <class K>
+bool BoldSteps<K>::go(double share, const StepControl& control, double tolerance, double worst,
+                      StepSystem<K>& system)
+{
+    const bool large = is_large(system);
+    system.d = system.trial + share * system.direction;
+    const double left = evaluate_worst(control.threads, tolerance, system);
+    if (left <= (share < 1 ? fall : large ? rise : too_much) * worst) return true;
+    if (!std::isfinite(left)) return false;
+    system.relaxation.sweep(tolerance, left, system);
+    if (large) system.local.improve(tolerance, system);
+    return worst_residual(tolerance, system) <= (share < 1 ? fall : no_less) * worst;
 }
 
 template <class K>
@@ -81,15 +101,9 @@ bool BoldSteps<K>::take(const StepControl& control, double tolerance, double wor
     const double linear = std::clamp(wanted_residual / worst, finest, coarsest);
     if (system.coupling.solve_direction(control, linear, system, report)) {
         system.trial = system.d;
-        system.d += system.direction;
-        double left = evaluate_worst(control.threads, tolerance, system);
-        double allowed = too_much * worst;
-        if (left > allowed && std::isfinite(left)) {
-            system.relaxation.sweep(tolerance, left, system);
-            left = worst_residual(tolerance, system);
-            allowed = no_less * worst;
-        }
-        if (left <= allowed) {
+        const double least = is_large(system) ? least_share : 1;
+        for (double share = 1; share >= least; share /= 2) {
+            if (!go(share, control, tolerance, worst, system)) continue;
             ++on_trial_;
             return true;
         }

@@ -28,7 +28,7 @@ class FrictionCoupling
     void add_product(StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y);
     /// Solves, as last gathered, (K + C) direction = -residual at the last evaluation, K the stiffness with the
     /// bound frozen. @param tolerance of what is left of the residual, as a share of it
-    /// @returns false if there is no solution to this tolerance
+    /// @returns false if there is no solution, or in a scene that is not large none to this tolerance
     bool solve_direction(const StepControl& control, double tolerance, StepSystem<K>& system, StepReport& report);
 
  private:

@@ -184,7 +184,7 @@ double LocalNewton<K>::unbalanced(double tolerance, const StepSystem<K>& system)
 template <class K>
 bool LocalNewton<K>::improve(double tolerance, StepSystem<K>& system)
 {
-    if (static_cast<int>(system.block_of_row.size()) < blocks_worth_threads) return false;
+    if (!is_large(system)) return false;
     int taken = 0;
     bool has_moved = false;
     while (taken < most_steps && gather(tolerance, system)) {

@@ -204,7 +204,7 @@ bool descend(const Stage& stage, double tolerance, Known known, StepSystem<K>& s
         const bool changes = changed > few_changes;
         // On the way to rest the steps are long, and may have other solutions than the one that the potential
         // leads to.
-        if (is_motion(stage) && bold.are_due(changed, system.contacts.points.size()) &&
+        if (is_motion(stage) && bold.are_due(changed, system) &&
             bold.take(control, tolerance, worst, changes, system, report)) {
             known = Known::exact;
             continue;

@@ -112,7 +112,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     system.patches_of_rows.begin();
 
     const int rows = static_cast<int>(system.block_of_row.size());
-    system.threads = rows < blocks_worth_threads ? 1 : stage.control.threads;
+    system.threads = is_large(system) ? stage.control.threads : 1;
     system.pairs.clear();
     for (const PatchStep<K>& patch : system.contacts.patches)
         if (patch.row_a >= 0 && patch.row_b >= 0)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libdda/contact/find_contacts.h"
+#include "libdda/model/parallel.h"
 #include "libdda/solve/linear_solver.h"
 #include "libdda/step/applied_forces.h"
 #include "libdda/step/bars.h"
@@ -50,6 +51,13 @@ struct StepSystem {
     std::unique_ptr<solve::LinearSolver> solver;
     LinearSolverKind solver_kind = LinearSolverKind::automatic;
 };
+
+/// Whether so many blocks move that a direction for all of them is dear beside anything done among a few.
+template <class K>
+bool is_large(const StepSystem<K>& system)
+{
+    return system.block_of_row.size() >= static_cast<std::size_t>(blocks_worth_threads);
+}
 
 /// Sets up blocks, contacts and pattern for a step of length h. @param jumps of blocks that land in it, ascending
 template <class K>
