@@ -12,20 +12,20 @@ namespace voussoir::step
 namespace
 {
 
-constexpr int patience = 3;             // steps that may be on trial
-constexpr double enough = 0.5;          // of the residual at the start of the trial
-constexpr double too_much = 10;         // times the residual: a step that leaves more is relaxed first
-constexpr double no_less = 1;           // times the residual, that it may leave then; else it is not taken
-constexpr std::size_t few_changes = 8;  // points
-constexpr double some_changes = 0.005;  // of the points, as long as no trial has failed
-// In a large scene, where another linear solve is dearer than to look twice at where a step leads:
-constexpr double changes_in_large = 0.02;        // of the points, whatever has failed
-constexpr double rise = 1;                       // times the residual: a step that leaves more is relaxed
-constexpr double fall = 0.8;                     // times the residual, that a part of a step may leave
-constexpr double least_share = 0.125;            // of a step
-constexpr int longer_pause = 2;                  // times the pause before
-constexpr double wanted_residual = 0.5;          // of the tolerance: what the linear solver is asked for
+constexpr int patience = 3;              // steps that may be on trial
+constexpr double enough = 0.5;           // of the residual at the start of the trial
+constexpr double too_much = 10;          // times the residual: a step that leaves more is relaxed first
+constexpr double no_less = 1;            // times the residual, that it may leave then; else it is not taken
+constexpr std::size_t few_changes = 8;   // points
+constexpr double some_changes = 0.005;   // of the points, as long as no trial has failed
+constexpr int longer_pause = 2;          // times the pause before
+constexpr double wanted_residual = 0.5;  // of the tolerance: what the linear solver is asked for
 constexpr double finest = 1e-2, coarsest = 0.1;  // of that residual
+// In a large scene, where another linear solve is dearer than to look at several places along a step:
+constexpr double changes_in_large = 0.02;  // of the points, whatever has failed
+constexpr double rise = 1;                 // times the residual: a step that leaves more is relaxed
+constexpr double fall = 0.8;               // times the residual, that a part of a step may leave
+constexpr int most_halvings = 3;           // of a step
 
 /// Worst residual / tolerance, of what was evaluated last.
 template <class K>
@@ -77,13 +77,12 @@ template <class K>
 bool BoldSteps<K>::go(double share, const StepControl& control, double tolerance, double worst,
                       StepSystem<K>& system)
 {
-    const bool large = is_large(system);
     system.d = system.trial + share * system.direction;
     const double left = evaluate_worst(control.threads, tolerance, system);
-    if (left <= (share < 1 ? fall : large ? rise : too_much) * worst) return true;
+    if (left <= (share < 1 ? fall : is_large(system) ? rise : too_much) * worst) return true;
     if (!std::isfinite(left)) return false;
     system.relaxation.sweep(tolerance, left, system);
-    if (large) system.local.improve(tolerance, system);
+    system.local.improve(tolerance, system);
     return worst_residual(tolerance, system) <= (share < 1 ? fall : no_less) * worst;
 }
 
@@ -101,8 +100,9 @@ bool BoldSteps<K>::take(const StepControl& control, double tolerance, double wor
     const double linear = std::clamp(wanted_residual / worst, finest, coarsest);
     if (system.coupling.solve_direction(control, linear, system, report)) {
         system.trial = system.d;
-        const double least = is_large(system) ? least_share : 1;
-        for (double share = 1; share >= least; share /= 2) {
+        const int halvings = is_large(system) ? most_halvings : 0;
+        double share = 1;
+        for (int i = 0; i <= halvings; ++i, share /= 2) {
             if (!go(share, control, tolerance, worst, system)) continue;
             ++on_trial_;
             return true;

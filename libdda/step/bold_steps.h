@@ -5,8 +5,8 @@
 // part a few are left far out of balance, of thousands that have found theirs. So a bold step is taken on trust,
 // and only if some together have not brought the residual down does the iteration return to where they began: a
 // watchdog ([ChamberlainPowell1982]). In a large scene, where the few that lead astray are few among thousands, a
-// step that was too bold is not thrown away with its linear solve: half of it, or less, may do. Source:
-// docs/numerics.md 3.
+// step that was too bold is not thrown away with its linear solve: half of it, or less, may do, and none is taken
+// that leaves more than there was. Source: docs/numerics.md 3.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,14 +32,14 @@ class BoldSteps
     bool are_due(std::size_t changes, const StepSystem<K>& system);
 
     /// Takes one, or in a large scene a part of one, from a residual with the exact bound, stones that are far out
-    /// of balance relaxed first where many points change. @param worst residual / tolerance there
+    /// of balance relaxed first where many points change. @param worst residual / tolerance there, before that
     /// @returns whether it did; contacts and residual are exact at system.d in either case
     bool take(const StepControl& control, double tolerance, double worst, bool many_changes, StepSystem<K>& system,
               StepReport& report);
 
  private:
     /// Goes a share of system.direction from system.trial; what is far out of balance there is relaxed.
-    /// @param worst residual / tolerance at system.trial
+    /// @param worst residual / tolerance before stones were relaxed on the way to system.trial
     /// @returns whether it may stay there
     bool go(double share, const StepControl& control, double tolerance, double worst, StepSystem<K>& system);
     void refuse();

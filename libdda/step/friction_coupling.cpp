@@ -123,7 +123,7 @@ bool FrictionCoupling<K>::solve_direction(const StepControl& control, double tol
         solve::Pieces(system.matrix.rows(), K::unknowns, system.threads), system.direction);
     system.direction = -system.direction;
     report.linear_iterations += linear.iterations;
-    return (linear.solved || large) && system.direction.allFinite();
+    return (linear.solved || (large && linear.iterations > 0)) && system.direction.allFinite();
 }
 
 #define VOUSSOIR_INSTANTIATE(K) template class FrictionCoupling<K>

@@ -62,11 +62,12 @@ TEST(BoldSteps, TwentyTimesTheStonesTakeHardlyMoreIterationsAStep)
     EXPECT_LT(large.drift, 2e-4);
 }
 
-// By more than friction can take, so that joints slide in more places at once than a whole step can follow; where
-// a part of it does, it is taken.
+// By more than friction can take, so that joints slide in more places at once than a whole step can follow.
+// Without parts of steps the wall takes 7.3 iterations a step, and 8.5 where fewer changes or a step that failed
+// keep from the next one, or where none is relaxed first.
 TEST(BoldSteps, OfALargeWallThatSlidesAreTakenInPart)
 {
-    EXPECT_LT(push(Kinematics::planar_rigid, 24, 46, 0.5, 0.144).iterations, 99);
+    EXPECT_LT(push(Kinematics::planar_rigid, 24, 46, 0.5, 0.144).iterations, 7.2);
 }
 
 }  // namespace voussoir::testing
