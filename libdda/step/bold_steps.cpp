@@ -23,7 +23,6 @@ constexpr double wanted_residual = 0.5;  // of the tolerance: what the linear so
 constexpr double finest = 1e-2, coarsest = 0.1;  // of that residual
 // In a large scene, where another linear solve is dearer than to look at several places along a step:
 constexpr double changes_in_large = 0.02;  // of the points, whatever has failed
-constexpr double rise = 1;                 // times the residual: a step that leaves more is relaxed
 constexpr double fall = 0.8;               // times the residual, that a part of a step may leave
 constexpr int most_halvings = 3;           // of a step
 
@@ -78,12 +77,13 @@ bool BoldSteps<K>::go(double share, const StepControl& control, double tolerance
                       StepSystem<K>& system)
 {
     system.d = system.trial + share * system.direction;
+    const double allowed = (share < 1 ? fall : no_less) * worst;
     const double left = evaluate_worst(control.threads, tolerance, system);
-    if (left <= (share < 1 ? fall : is_large(system) ? rise : too_much) * worst) return true;
+    if (left <= (is_large(system) ? allowed : too_much * worst)) return true;
     if (!std::isfinite(left)) return false;
     system.relaxation.sweep(tolerance, left, system);
     system.local.improve(tolerance, system);
-    return worst_residual(tolerance, system) <= (share < 1 ? fall : no_less) * worst;
+    return worst_residual(tolerance, system) <= allowed;
 }
 
 template <class K>
