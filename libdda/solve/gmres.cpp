@@ -8,6 +8,33 @@ namespace voussoir::solve
 
 using Eigen::VectorXd;
 
+double Gmres::orthogonalise(int k)
+{
+    for (int i = 0; i <= k; ++i) {
+        upper_(i, k) = w_.dot(basis_[i]);
+        w_ -= upper_(i, k) * basis_[i];
+    }
+    return w_.squaredNorm();
+}
+
+double Gmres::orthogonalise_together(int k, Pieces& pieces)
+{
+    shares_.resize(k + 1, static_cast<Eigen::Index>(pieces.count()));
+    pieces.each([&](Eigen::Index from, Eigen::Index count) {
+        const auto w = w_.segment(from, count);
+        auto share = shares_.col(static_cast<Eigen::Index>(pieces.at(from)));
+        for (int i = 0; i <= k; ++i) share[i] = w.dot(basis_[i].segment(from, count));
+    });
+    auto column = upper_.col(k).head(k + 1);
+    column.setZero();
+    for (Eigen::Index piece = 0; piece < shares_.cols(); ++piece) column += shares_.col(piece);
+    return pieces.sum([&](Eigen::Index from, Eigen::Index count) {
+        auto w = w_.segment(from, count);
+        for (int i = 0; i <= k; ++i) w -= upper_(i, k) * basis_[i].segment(from, count);
+        return w.squaredNorm();
+    });
+}
+
 LinearReport Gmres::solve(const Operator& multiply, const Operator& precondition, const VectorXd& b,
                           double tolerance, int max_iterations, Pieces pieces, VectorXd& x)
 {
@@ -38,19 +65,7 @@ LinearReport Gmres::solve(const Operator& multiply, const Operator& precondition
         VectorXd& z = keeps ? improved_[k] : z_;
         precondition(basis_[k], z);
         multiply(z, w_);
-        // What w has of a vector is taken from it on the way to the next.
-        upper_(0, k) = pieces.dot(w_, basis_[0]);
-        for (int i = 1; i <= k; ++i)
-            upper_(i, k) = pieces.sum([&](Eigen::Index from, Eigen::Index count) {
-                auto w = w_.segment(from, count);
-                w -= upper_(i - 1, k) * basis_[i - 1].segment(from, count);
-                return w.dot(basis_[i].segment(from, count));
-            });
-        const double left = std::sqrt(pieces.sum([&](Eigen::Index from, Eigen::Index count) {
-            auto w = w_.segment(from, count);
-            w -= upper_(k, k) * basis_[k].segment(from, count);
-            return w.squaredNorm();
-        }));
+        const double left = std::sqrt(keeps ? orthogonalise_together(k, pieces) : orthogonalise(k));
         for (int i = 0; i < k; ++i) {
             const double above = upper_(i, k), below = upper_(i + 1, k);
             upper_(i, k) = cosine_[i] * above + sine_[i] * below;

@@ -28,10 +28,18 @@ class Gmres
                        double tolerance, int max_iterations, Pieces pieces, Eigen::VectorXd& x);
 
  private:
+    /// Takes from w, one piece, what it has of vectors 0 ... k, one after the other: column k of the Hessenberg
+    /// matrix. @returns |w|^2 of what is left
+    double orthogonalise(int k);
+    /// The same of several pieces, all products first: w is then read from memory but twice. Rounding leaves more
+    /// of the vectors in it, some eps (|b| / |residual|)^2, which is nothing at the tolerances of a step.
+    double orthogonalise_together(int k, Pieces& pieces);
+
     std::vector<Eigen::VectorXd> basis_;
     std::vector<Eigen::VectorXd> improved_;  // the same, preconditioned, if they are in several pieces
     Eigen::MatrixXd upper_;                  // of the Hessenberg matrix, as the rotations leave it
     Eigen::VectorXd rest_, cosine_, sine_;
+    Eigen::MatrixXd shares_;  // of the pieces in those products, scratch
     Eigen::VectorXd z_, w_;
 };
 

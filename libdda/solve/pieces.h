@@ -26,6 +26,9 @@ class Pieces
 
     std::size_t count() const { return pieces_; }
 
+    /// The piece that begins with an unknown.
+    std::size_t at(Eigen::Index from) const { return static_cast<std::size_t>(from / piece_); }
+
     /// Calls work(first unknown, how many) for every piece.
     template <class Work>
     void each(const Work& work) const
@@ -42,9 +45,7 @@ class Pieces
     {
         if (pieces_ == 1) return part(Eigen::Index{0}, size_);
         sums_.resize(pieces_);
-        each([&](Eigen::Index from, Eigen::Index count) {
-            sums_[static_cast<std::size_t>(from / piece_)] = part(from, count);
-        });
+        each([&](Eigen::Index from, Eigen::Index count) { sums_[at(from)] = part(from, count); });
         double total = 0;
         for (const double of_piece : sums_) total += of_piece;
         return total;

@@ -1,5 +1,7 @@
 #include "libdda/step/friction_coupling.h"
 
+#include <algorithm>
+
 #include "libdda/model/parallel.h"
 #include "libdda/step/part_timer.h"
 #include "libdda/step/step_system.h"
@@ -13,18 +15,6 @@ namespace
 constexpr int max_vectors = 100;  // of the Krylov space
 // In a large scene each vector more is dear, and where the best of so many leads is looked at before it is taken.
 constexpr int max_vectors_in_large = 50;
-
-template <class K>
-void add_to_free(const StepSystem<K>& system, int row, const typename K::Vector& lever,
-                 const typename K::Vector& f, Eigen::VectorXd& y)
-{
-    constexpr int n = K::unknowns;
-    typename K::Unknowns force = K::Unknowns::Zero();
-    K::add_force(force, lever, f);
-    const auto& held = system.blocks[system.block_of_row[row]].held;
-    for (int k = 0; k < n; ++k)
-        if (!held[k]) y[n * row + k] += force[k];
-}
 
 /// What blocks feel of others that feel nothing of them: the free fields of a boundary. y += C x.
 template <class K>
@@ -43,50 +33,91 @@ void add_one_sided(const StepSystem<K>& system, const Eigen::VectorXd& x, Eigen:
 }  // namespace
 
 template <class K>
-bool FrictionCoupling<K>::gather(const StepSystem<K>& system)
+template <class Part, class CountOf, class Make>
+void FrictionCoupling<K>::gather_parts(const StepSystem<K>& system, const CountOf& count_of, const Make& make,
+                                       std::vector<Part>& parts)
 {
     const std::vector<PatchStep<K>>& patches = system.contacts.patches;
-    const auto visit = [&](std::size_t k, const auto& each) {
-        if (patches[k].row_a < 0 && patches[k].row_b < 0) return;
-        for (int i = patches[k].first; i < patches[k].first + patches[k].count; ++i) {
-            const PointStep<K::dimension>& p = system.contacts.points[i];
-            if (follows_its_bound(p)) each(p);
-        }
-    };
     first_of_patch_.assign(patches.size() + 1, 0);
     in_parallel(patches.size(), system.threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t k = first; k < end; ++k) visit(k, [&](const auto&) { ++first_of_patch_[k + 1]; });
+        for (std::size_t k = first; k < end; ++k)
+            if (patches[k].row_a >= 0 || patches[k].row_b >= 0) first_of_patch_[k + 1] = count_of(patches[k]);
     });
     for (std::size_t k = 0; k < patches.size(); ++k) first_of_patch_[k + 1] += first_of_patch_[k];
-    points_.resize(first_of_patch_.back());
+    parts.resize(first_of_patch_.back());
     in_parallel(patches.size(), system.threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t k = first; k < end; ++k) {
-            int next = first_of_patch_[k];
-            visit(k, [&](const PointStep<K::dimension>& p) { points_[next++] = friction_tangent(patches[k], p); });
-        }
+        for (std::size_t k = first; k < end; ++k)
+            if (first_of_patch_[k] < first_of_patch_[k + 1]) make(patches[k], parts.data() + first_of_patch_[k]);
     });
+}
+
+template <class K>
+bool FrictionCoupling<K>::gather(const StepSystem<K>& system)
+{
+    const std::vector<PointStep<K::dimension>>& points = system.contacts.points;
+    has_held_.resize(system.block_of_row.size());
+    for (std::size_t row = 0; row < has_held_.size(); ++row) {
+        const auto& held = system.blocks[system.block_of_row[row]].held;
+        has_held_[row] = std::find(held.begin(), held.end(), true) != held.end();
+    }
+    const auto count_of = [&](const PatchStep<K>& patch) {
+        const auto first = points.begin() + patch.first;
+        return static_cast<int>(std::count_if(first, first + patch.count, follows_its_bound<K::dimension>));
+    };
+    if constexpr (!K::deformable) {
+        by_patches_ = is_large(system);
+        if (by_patches_) {
+            gather_parts(
+                system, [&](const PatchStep<K>& patch) { return std::min(count_of(patch), 1); },
+                [&](const PatchStep<K>& patch, PatchTangent<K>* part) { *part = patch_tangent(patch, points); },
+                patches_);
+            return !patches_.empty();
+        }
+    }
+    gather_parts(
+        system, count_of,
+        [&](const PatchStep<K>& patch, FrictionTangent<K>* part) {
+            for (int i = patch.first; i < patch.first + patch.count; ++i)
+                if (follows_its_bound(points[i])) *part++ = friction_tangent(patch, points[i]);
+        },
+        points_);
     return !points_.empty();
 }
 
 template <class K>
-void FrictionCoupling<K>::add_product(StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y)
+void FrictionCoupling<K>::add_to_free(const StepSystem<K>& system, int row, const typename K::Unknowns& force,
+                                      Eigen::VectorXd& y) const
 {
-    using Vector = typename K::Vector;
-    shears_.resize(points_.size());
-    in_parallel(points_.size(), system.threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i) shears_[i] = shear_of(points_[i], x);
+    constexpr int n = K::unknowns;
+    if (!has_held_[row]) {
+        y.segment<n>(n * row) += force;
+        return;
+    }
+    const auto& held = system.blocks[system.block_of_row[row]].held;
+    for (int k = 0; k < n; ++k)
+        if (!held[k]) y[n * row + k] += force[k];
+}
+
+template <class K>
+template <class Part, class Shear>
+void FrictionCoupling<K>::add_parts(const std::vector<Part>& parts, std::vector<Shear>& shears,
+                                    StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y) const
+{
+    shears.resize(parts.size());
+    in_parallel(parts.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) shears[i] = shear_of(parts[i], x);
     });
     const auto add = [&](int i, bool to_a) {
-        const FrictionTangent<K>& p = points_[i];
+        const Part& part = parts[i];
         if (to_a)
-            add_to_free<K>(system, p.row_a, p.lever_a, shears_[i], y);
+            add_to_free(system, part.row_a, on_a(part, shears[i]), y);
         else
-            add_to_free<K>(system, p.row_b, p.lever_b, Vector(-shears_[i]), y);
+            add_to_free(system, part.row_b, on_b(part, shears[i]), y);
     };
     if (system.threads <= 1) {
-        for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
-            if (points_[i].row_a >= 0) add(i, true);
-            if (points_[i].row_b >= 0) add(i, false);
+        for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
+            if (parts[i].row_a >= 0) add(i, true);
+            if (parts[i].row_b >= 0) add(i, false);
         }
         return;
     }
@@ -95,8 +126,16 @@ void FrictionCoupling<K>::add_product(StepSystem<K>& system, const Eigen::Vector
     in_parallel(system.block_of_row.size(), system.threads, [&](std::size_t first, std::size_t end) {
         for (int row = static_cast<int>(first); row < static_cast<int>(end); ++row)
             for (const int k : system.patches_of_rows.of(row))
-                for (int i = first_of_patch_[k]; i < first_of_patch_[k + 1]; ++i) add(i, points_[i].row_a == row);
+                for (int i = first_of_patch_[k]; i < first_of_patch_[k + 1]; ++i) add(i, parts[i].row_a == row);
     });
+}
+
+template <class K>
+void FrictionCoupling<K>::add_product(StepSystem<K>& system, const Eigen::VectorXd& x, Eigen::VectorXd& y)
+{
+    if constexpr (!K::deformable)
+        if (by_patches_) return add_parts(patches_, patch_shears_, system, x, y);
+    add_parts(points_, shears_, system, x, y);
 }
 
 template <class K>

@@ -32,9 +32,24 @@ class FrictionCoupling
     bool solve_direction(const StepControl& control, double tolerance, StepSystem<K>& system, StepReport& report);
 
  private:
+    /// @param count_of gives how many parts a patch has; @param make makes them: make(patch, first of them)
+    template <class Part, class CountOf, class Make>
+    void gather_parts(const StepSystem<K>& system, const CountOf& count_of, const Make& make,
+                      std::vector<Part>& parts);
+    template <class Part, class Shear>
+    void add_parts(const std::vector<Part>& parts, std::vector<Shear>& shears, StepSystem<K>& system,
+                   const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+    void add_to_free(const StepSystem<K>& system, int row, const typename K::Unknowns& force,
+                     Eigen::VectorXd& y) const;
+
+    // Point by point; in a large scene of rigid blocks patch by patch, which is quicker and rounds in another way.
+    bool by_patches_ = false;
     std::vector<FrictionTangent<K>> points_;
-    std::vector<int> first_of_patch_;         // (patches + 1) index into points_
     std::vector<typename K::Vector> shears_;  // N, scratch
+    std::vector<PatchTangent<K>> patches_;
+    std::vector<typename K::Unknowns> patch_shears_;  // N, Nm, scratch
+    std::vector<int> first_of_patch_;                 // (patches + 1) index into either
+    std::vector<char> has_held_;                      // (rows) whether unknowns are held
     solve::Gmres gmres_;
 };
 
