@@ -1,5 +1,7 @@
 #include "app/results/fingerprint.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "app/results/packed.h"
@@ -9,6 +11,8 @@ namespace voussoir::app::results
 
 namespace
 {
+
+constexpr double finest_record = 5e-4;  // s: no sample of a record falls between instants as close as this
 
 void add_part(const ConvexPolyhedron& part, Packer& packer)
 {
@@ -39,10 +43,16 @@ std::uint64_t hash_of_blocks(const Model& model)
     return fnv1a(packer.bytes, hash);
 }
 
-std::uint64_t hash_of_motion(const GroundMotion& motion, std::uint64_t hash)
+/// Displacement, velocity and acceleration of the whole stage.
+std::uint64_t hash_of_motion(const GroundMotion& motion, const Stage& stage, std::uint64_t hash)
 {
+    const double interval = std::min(finest_record, stage.control.time_step);
+    const auto count = static_cast<std::int64_t>(std::ceil(stage.duration / interval));
     Packer packer;
-    packer.list(motion.definition());
+    for (std::int64_t i = 0; i <= count; ++i) {
+        const double time = static_cast<double>(i) * interval;
+        packer.fields(motion.displacement(time), motion.velocity(time), motion.acceleration(time));
+    }
     return fnv1a(packer.bytes, hash);
 }
 
@@ -55,7 +65,7 @@ std::uint64_t hash_of_motions(const std::vector<Stage>& stages)
             Packer packer;
             packer.fields(follower, component);
             hash = fnv1a(packer.bytes, hash);
-            if (seen.insert(motion).second) hash = hash_of_motion(*motion, hash);
+            if (seen.insert(motion).second) hash = hash_of_motion(*motion, stage, hash);
         };
         for (const FoundationMotion& m : stage.motions) add(m.motion.get(), m.foundation, m.component);
         for (const BodyAcceleration& m : stage.body_accelerations) add(m.motion.get(), m.block, m.component);

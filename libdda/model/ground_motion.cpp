@@ -253,16 +253,6 @@ double GroundMotion::acceleration(double time) const
     return c.acceleration + s * c.jerk;
 }
 
-std::vector<double> GroundMotion::definition() const
-{
-    if (is_sine()) return {delay_, sine_.amplitude, sine_.rate, sine_.phase, sine_.duration};
-    std::vector<double> numbers{delay_, time_step_};
-    numbers.reserve(2 + 4 * intervals_.size());
-    for (const Cubic& at : intervals_)
-        numbers.insert(numbers.end(), {at.displacement, at.velocity, at.acceleration, at.jerk});
-    return numbers;
-}
-
 double GroundMotion::duration() const
 {
     return delay_ + (is_sine() ? sine_.duration : static_cast<double>(intervals_.size() - 1) * time_step_);

@@ -38,8 +38,6 @@ class GroundMotion
     double residual_velocity() const;      // m/s at and after the end
     double residual_displacement() const;  // m at the end
     double peak_acceleration() const;      // m/s2, largest |a| of the samples (of the wave for a sine)
-    /// The numbers that it is worked out from, in SI units: other ones for another motion.
-    std::vector<double> definition() const;
     /// Where it comes from, in words.
     const std::string& source() const { return source_; }
 

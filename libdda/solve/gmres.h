@@ -31,8 +31,9 @@ class Gmres
     /// Takes from w, one piece, what it has of vectors 0 ... k, one after the other: column k of the Hessenberg
     /// matrix. @returns |w|^2 of what is left
     double orthogonalise(int k);
-    /// The same of several pieces, all products first: w is then read from memory but twice. Rounding leaves more
-    /// of the vectors in it, some eps (|b| / |residual|)^2, which is nothing at the tolerances of a step.
+    /// The same of several pieces, all products before anything is taken: w is read from memory twice, not once
+    /// for every vector. Rounding leaves more of the vectors in it, some eps (|b| / |residual|)^2, which is
+    /// nothing at the tolerances of a step ([GiraudLangouRozloznikEshof2005]).
     double orthogonalise_together(int k, Pieces& pieces);
 
     std::vector<Eigen::VectorXd> basis_;

@@ -312,32 +312,6 @@ TEST(GroundMotion, CountsDisplacementsFromTheFirstOne)
     EXPECT_EQ(motion.source(), "survey (counted from its first sample, 0.3 m)");
 }
 
-TEST(GroundMotion, DefinitionsOfDifferentMotionsDiffer)
-{
-    const std::vector<double> samples{0, 1, -1, 0.5};
-    const GroundMotion wave = GroundMotion::sine_acceleration(1, 2, 0.3, 4);
-    const GroundMotion record = GroundMotion::from_acceleration(samples, 0.1, "a");
-    const std::vector<GroundMotion> motions{
-        wave,
-        wave.scaled(2),
-        wave.delayed(1),
-        GroundMotion::sine_acceleration(1, 2.1, 0.3, 4),
-        GroundMotion::sine_acceleration(1, 2, 0.4, 4),
-        GroundMotion::sine_acceleration(1, 2, 0.3, 5),
-        record,
-        record.scaled(2),
-        record.delayed(1),
-        record.with_end_correction(),
-        GroundMotion::from_acceleration(samples, 0.2, "a"),
-        GroundMotion::from_acceleration({0, 1, -1, 0.6}, 0.1, "a"),  // its last sample alone
-        GroundMotion::from_velocity(samples, 0.1, "a"),
-        GroundMotion::from_displacement(samples, 0.1, "a"),
-    };
-    for (std::size_t i = 0; i < motions.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k) EXPECT_NE(motions[i].definition(), motions[k].definition()) << i << k;
-    EXPECT_EQ(GroundMotion::from_acceleration(samples, 0.1, "b").definition(), record.definition());
-}
-
 TEST(GroundMotion, BadSamplesAreRefusedWithEveryFault)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -170,6 +170,30 @@ struct Variant {
 constexpr Variant variants[] = {
     {0, Integrator::newmark}, {0, Integrator::energy_decaying}, {1e-3, Integrator::newmark}};
 
+/// What the stiffness leaves out of the tangent, in a scene of so many rows, all of one block but the second.
+template <class K>
+MatrixXd whole_tangent(const ContactScene<K>& scene, int rows, int threads)
+{
+    constexpr int size = 2 * K::unknowns;
+    step::StepSystem<K> system;
+    system.threads = threads;
+    system.blocks = scene.blocks;
+    system.block_of_row.assign(rows, 0);
+    system.block_of_row[1] = 1;
+    system.contacts = scene.contacts;
+    step::FrictionCoupling<K> whole;
+    whole.gather(system);
+    const int unknowns = rows * K::unknowns;
+    MatrixXd found = MatrixXd::Zero(size, size);
+    for (int i = 0; i < size; ++i) {
+        VectorXd column = VectorXd::Zero(unknowns);
+        whole.add_product(system, VectorXd::Unit(unknowns, i), column);
+        found.col(i) = column.head(size);
+        EXPECT_EQ(column.tail(unknowns - size).norm(), 0);
+    }
+    return found;
+}
+
 /// Gaps are second order in the motion of a step, the stiffness is that of the start: it leaves out what is
 /// proportional to the motion, here 3e-4 of the blocks' size, and nothing else.
 constexpr double motions[] = {0, 0.5, 1};
@@ -234,33 +258,41 @@ TYPED_TEST(Derivatives, ABrakeHoldsWhatSlidesAlongItsWayAndNothingElse)
     }
 }
 
-// In a large scene too, which adds it up in another way: here one of many rows that touch nothing.
 TYPED_TEST(Derivatives, WholeTangentHasTheNormalCoupling)
 {
     ContactScene<TypeParam> scene(0.01, 0, Integrator::newmark, 0);
     constexpr int size = 2 * TypeParam::unknowns;
     const VectorXd d = VectorXd::Zero(size);
     const MatrixXd k = scene.stiffness(d), coupling = scene.normal_coupling(d);
-    const step::ContactStep<TypeParam> contacts = scene.contacts;
-    const MatrixXd differences = scene.differences(d, step::FrictionBound::exact);
-    for (const int rows : {2, blocks_worth_threads}) {
-        step::StepSystem<TypeParam> system;
-        system.blocks = scene.blocks;
-        system.block_of_row.assign(rows, 0);
-        system.block_of_row[1] = 1;
-        system.contacts = contacts;
-        step::FrictionCoupling<TypeParam> whole;
-        ASSERT_TRUE(whole.gather(system));
-        MatrixXd found = MatrixXd::Zero(size, size);
-        const int unknowns = rows * TypeParam::unknowns;
-        for (int i = 0; i < size; ++i) {
-            VectorXd column = VectorXd::Zero(unknowns);
-            whole.add_product(system, VectorXd::Unit(unknowns, i), column);
-            found.col(i) = column.head(size);
-            EXPECT_EQ(column.tail(unknowns - size).norm(), 0);
-        }
-        EXPECT_LT(relative(found, coupling), 1e-12) << rows << " rows";
-        EXPECT_LT(relative(differences, k + found), 1e-6);
+    const MatrixXd found = whole_tangent(scene, 2, 1);
+    EXPECT_LT(relative(found, coupling), 1e-12);
+    EXPECT_LT(relative(scene.differences(d, step::FrictionBound::exact), k + found), 1e-6);
+}
+
+// A large scene of rigid blocks adds it up in another way: here one of many rows that touch nothing. All four
+// corners slide, or three; both blocks are free, one is the ground, or one is held in part.
+TYPED_TEST(Derivatives, WholeTangentIsTheSameInALargeScene)
+{
+    constexpr int n = TypeParam::unknowns;
+    for (const int left_out : {-1, 0}) {
+        for (const bool ground_a : {false, true})
+            for (const bool ground_b : {false, true}) {
+                ContactScene<TypeParam> scene(0.01, 0, Integrator::newmark, 0);
+                scene.stiffness(VectorXd::Zero(2 * n));
+                if (left_out >= 0) scene.contacts.points[left_out].status = ContactStatus::locked;
+                if (ground_a) scene.contacts.patches[0].row_a = -1;
+                if (ground_b) scene.contacts.patches[0].row_b = -1;
+                scene.blocks[1].held[1] = true;
+                if (ground_a && ground_b) {
+                    EXPECT_EQ(whole_tangent(scene, blocks_worth_threads, 1).norm(), 0);
+                    continue;
+                }
+                const MatrixXd small = whole_tangent(scene, 2, 1);
+                const MatrixXd large = whole_tangent(scene, blocks_worth_threads, 1);
+                EXPECT_LT(relative(large, small), 1e-12) << left_out << ground_a << ground_b;
+                EXPECT_EQ(large.row(n + 1).norm(), 0);
+                EXPECT_EQ(large, whole_tangent(scene, blocks_worth_threads, 2));
+            }
     }
 }
 
