@@ -56,10 +56,12 @@ bool FrictionCoupling<K>::gather(const StepSystem<K>& system)
 {
     const std::vector<PointStep<K::dimension>>& points = system.contacts.points;
     has_held_.resize(system.block_of_row.size());
-    for (std::size_t row = 0; row < has_held_.size(); ++row) {
-        const auto& held = system.blocks[system.block_of_row[row]].held;
-        has_held_[row] = std::find(held.begin(), held.end(), true) != held.end();
-    }
+    in_parallel(has_held_.size(), system.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t row = first; row < end; ++row) {
+            const auto& held = system.blocks[system.block_of_row[row]].held;
+            has_held_[row] = std::find(held.begin(), held.end(), true) != held.end();
+        }
+    });
     const auto count_of = [&](const PatchStep<K>& patch) {
         const auto first = points.begin() + patch.first;
         return static_cast<int>(std::count_if(first, first + patch.count, follows_its_bound<K::dimension>));
