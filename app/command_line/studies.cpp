@@ -25,8 +25,12 @@ void add_verify(CLI::App& program, std::function<int()>& chosen)
         ->capture_default_str();
     command->add_option("--json", arguments->json, "Write the results as JSON to a file (- is standard output)")
         ->type_name("FILE");
-    command->add_option("-o,--output", arguments->folder, "Folder for the page, and with --sweep for the diagrams")
-        ->type_name("DIR");
+    CLI::Option* folder = command
+                              ->add_option("-o,--output", arguments->folder,
+                                           "Folder for the page, and with --sweep for the diagrams")
+                              ->type_name("DIR");
+    command->add_flag("--tables", arguments->tables, "A page of tables with one diagram, as docs/ keeps it")
+        ->needs(folder);
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return commands::verify_command(*arguments); }; });
 }
@@ -48,10 +52,12 @@ void add_stability(CLI::App& program, std::function<int()>& chosen)
         ->capture_default_str();
     command->add_option("--json", arguments->json, "Write the results as JSON to a file (- is standard output)")
         ->type_name("FILE");
-    command
-        ->add_option("-o,--output", arguments->folder,
-                     "Folder for stability.md, the maps as pictures and stability.json")
-        ->type_name("DIR");
+    CLI::Option* folder = command
+                              ->add_option("-o,--output", arguments->folder,
+                                           "Folder for stability.md, the maps as pictures and stability.json")
+                              ->type_name("DIR");
+    command->add_flag("--tables", arguments->tables, "A page of tables with one map, as docs/ keeps it")
+        ->needs(folder);
     command->callback(
         [arguments, &chosen] { chosen = [arguments] { return commands::stability_command(*arguments); }; });
 }

@@ -133,6 +133,7 @@ constexpr std::uint64_t default_verify_seed = 1;
 struct VerifyArguments {
     std::vector<std::string> names;  // empty: all
     bool list = false, sweep = false;
+    bool tables = false;  // the page of docs/: tables and one diagram
     std::uint64_t seed = default_verify_seed;
     std::optional<std::filesystem::path> json, folder;
 };
@@ -144,6 +145,7 @@ int verify_command(const VerifyArguments& arguments);
 struct StabilityArguments {
     std::vector<std::string> names;  // scenes or cells; empty: all
     bool list = false;
+    bool tables = false;  // the page of docs/: tables and one map
     int jobs = 1;
     double tolerance_factor = 1;  // times the tolerance of every cell
     std::optional<std::filesystem::path> json, folder;

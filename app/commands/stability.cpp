@@ -68,6 +68,7 @@ std::string command_line(const StabilityArguments& arguments)
     for (const std::string& name : arguments.names) text += " " + name;
     if (arguments.tolerance_factor != 1)
         text += fmt::format(" --tolerance-factor {:g}", arguments.tolerance_factor);
+    if (arguments.tables) text += " --tables";
     return text + " -o " + arguments.folder->filename().string();
 }
 
@@ -81,20 +82,22 @@ void print_line(const studies::stability::CellResult& result)
 }
 
 /// DIR/stability.md, DIR/stability/stability.json, and pictures in DIR/stability if the program that draws them
-/// was built.
+/// was built; of a page of tables one picture alone.
 void write_page(const StabilityArguments& arguments, const std::vector<studies::stability::StabilityScene>& scenes,
                 const std::vector<studies::stability::CellResult>& results, const std::string& behaviour)
 {
     const fs::path folder = *arguments.folder, pictures = folder / "stability";
     make_output_folder(folder);
     results::make_own_folder(pictures);
-    const std::vector<std::string> drawn =
-        page_figures(studies::stability::stability_figures(scenes, results), pictures);
+    std::vector<plots::Figure> figures = studies::stability::stability_figures(scenes, results);
+    if (arguments.tables) figures = figure_alone(std::move(figures), "sliding");
+    const std::vector<std::string> drawn = page_figures(figures, pictures);
     results::write_atomically(pictures / "stability.json",
                               studies::stability::stability_json(results, version::engine_json(behaviour)) + "\n");
-    results::write_atomically(folder / "stability.md",
-                              studies::stability::stability_page(scenes, results, command_line(arguments), drawn) +
-                                  version::engine_paragraph(behaviour));
+    results::write_atomically(
+        folder / "stability.md",
+        studies::stability::stability_page(scenes, results, command_line(arguments), drawn, arguments.tables) +
+            version::engine_paragraph(behaviour));
 }
 
 }  // namespace

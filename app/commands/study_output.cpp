@@ -29,6 +29,12 @@ void write_page(const StudyTargets& targets, const StudyOutput& output)
 
 }  // namespace
 
+std::vector<plots::Figure> figure_alone(std::vector<plots::Figure> figures, const std::string& name)
+{
+    std::erase_if(figures, [&](const plots::Figure& figure) { return figure.name != name; });
+    return figures;
+}
+
 std::vector<std::string> page_figures(const std::vector<plots::Figure>& figures,
                                       const std::filesystem::path& folder)
 {

@@ -26,6 +26,9 @@ struct StudyOutput {
     std::function<std::string(const std::vector<std::string>& drawn)> page;  // drawn: the pictures there are
 };
 
+/// Of the figures of a page the one of this name, if it is there: docs/ keeps one picture of each page.
+std::vector<plots::Figure> figure_alone(std::vector<plots::Figure> figures, const std::string& name);
+
 /// Draws the figures of a page into its folder, which is made. Where this program was built without rendering it
 /// says so and draws none. @returns the names of the pictures
 std::vector<std::string> page_figures(const std::vector<plots::Figure>& figures,

@@ -57,12 +57,13 @@ std::string command_line(const VerifyArguments& arguments)
     std::string text = "voussoir verify";
     for (const std::string& name : arguments.names) text += " " + name;
     if (arguments.sweep) text += " --sweep";
+    if (arguments.tables) text += " --tables";
     if (arguments.seed != default_verify_seed) text += fmt::format(" --seed {}", arguments.seed);
     return text + " -o " + arguments.folder->filename().string();
 }
 
 /// DIR/verification.md, and pictures in DIR/verification if the program that draws them was built: what each run
-/// did, and the error of what was swept.
+/// did, and the error of what was swept; of a page of tables one picture alone.
 void write_page(const VerifyArguments& arguments, const std::vector<studies::verify::VerifyOutcome>& outcomes)
 {
     const fs::path folder = *arguments.folder;
@@ -73,10 +74,12 @@ void write_page(const VerifyArguments& arguments, const std::vector<studies::ver
         figures.push_back(studies::verify::picture(outcome));
     }
     std::erase_if(figures, [](const plots::Figure& figure) { return figure.diagrams.empty(); });
+    if (arguments.tables) figures = figure_alone(std::move(figures), "shaking-table-run");
     const std::vector<std::string> drawn = page_figures(figures, folder / "verification");
-    results::write_atomically(folder / "verification.md",
-                              studies::verify::verification_page(outcomes, command_line(arguments), drawn) +
-                                  version::engine_paragraph(golden::behaviour(golden::hashes())));
+    results::write_atomically(
+        folder / "verification.md",
+        studies::verify::verification_page(outcomes, command_line(arguments), drawn, arguments.tables) +
+            version::engine_paragraph(golden::behaviour(golden::hashes())));
 }
 
 }  // namespace

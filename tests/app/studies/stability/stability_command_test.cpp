@@ -88,5 +88,18 @@ TEST_F(StabilityCommand, WritesPageFiguresAndMaps)
     EXPECT_GT(fs::file_size(folder_ / "map/stability/extremes.png"), 5000u);
 }
 
+TEST_F(StabilityCommand, APageOfTablesSaysHowItsMapsAreMade)
+{
+    EXPECT_EQ(stability("sliding/k=1e+06/h=0.005 column/E=1e+11 --tables -o map"), 0) << output_;
+    const std::string page = contents("map/stability.md");
+    EXPECT_NE(page.find("column/E=1e+11 --tables -o map`, not edited by hand. The same without `--tables` draws"),
+              std::string::npos);
+    const bool has_plots = fs::exists(fs::path(VOUSSOIR_PROGRAM).parent_path() / "voussoir-plot");
+    EXPECT_EQ(page.find("](stability/sliding.png)") != std::string::npos, has_plots);
+    EXPECT_EQ(fs::exists(folder_ / "map/stability/sliding.png"), has_plots);
+    EXPECT_EQ(page.find("extremes.png"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder_ / "map/stability/extremes.png"));
+}
+
 }  // namespace
 }  // namespace voussoir::app::studies::stability

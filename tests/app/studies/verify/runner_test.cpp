@@ -50,7 +50,7 @@ TEST(Runner, FindsTheOrderAndKeepsFailuresAsRows)
     EXPECT_EQ(outcome.rows[0].result.failure, "gave up");
     EXPECT_EQ(outcome.rows[1].result.failure, "no such thing");
     EXPECT_NE(sweep_lines(outcome).find("failed"), std::string::npos);
-    EXPECT_NE(verification_page({outcome}, "voussoir verify", {}).find("failed: no such thing"),
+    EXPECT_NE(verification_page({outcome}, "voussoir verify", {}, false).find("failed: no such thing"),
               std::string::npos);
     EXPECT_DOUBLE_EQ(cpu_share(outcome.row.result), 0.25);
 }

@@ -30,7 +30,7 @@ TEST_F(VerifyCommand, EveryBenchmarkIsOnThePageThatShips)
     std::istringstream lines(output_);
     for (std::string name, rest; lines >> name && std::getline(lines, rest);)
         EXPECT_NE(page.find("\n## " + name + "\n"), std::string::npos)
-            << name << ": rerun voussoir verify --sweep -o docs";
+            << name << ": rerun voussoir verify --sweep --tables -o docs";
 }
 
 TEST_F(VerifyCommand, NamesTheNearestBenchmark)
@@ -79,6 +79,21 @@ TEST_F(VerifyCommand, WritesThePageAndTheDiagram)
     const std::string picture = contents("docs/verification/incline-gravity-3d.png");
     EXPECT_GT(picture.size(), 20000u);
     EXPECT_EQ(picture.substr(1, 3), "PNG");
+}
+
+TEST_F(VerifyCommand, APageOfTablesSaysHowItsDiagramsAreMade)
+{
+    EXPECT_EQ(verify("incline-gravity-3d --tables"), 2) << "without a folder";
+    EXPECT_EQ(verify("incline-gravity-3d shaking-table --tables -o docs"), 0) << output_;
+    const std::string page = contents("docs/verification.md");
+    EXPECT_NE(page.find("`voussoir verify incline-gravity-3d shaking-table --tables -o docs`, not edited by hand. "
+                        "The same without `--tables` draws"),
+              std::string::npos);
+    EXPECT_EQ(page.find("](verification/incline-gravity-3d"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder_ / "docs/verification/incline-gravity-3d-run.png"));
+    const bool has_plots = fs::exists(fs::path(VOUSSOIR_PROGRAM).parent_path() / "voussoir-plot");
+    EXPECT_EQ(page.find("](verification/shaking-table-run.png)") != std::string::npos, has_plots);
+    EXPECT_EQ(fs::exists(folder_ / "docs/verification/shaking-table-run.png"), has_plots);
 }
 
 }  // namespace
