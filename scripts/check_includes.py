@@ -17,18 +17,26 @@ MODULES = ("libdda", "importers", "records", "app", "tests")
 # folders above it in its own block.
 ENGINE_MODEL = ("libdda/errors.h", "libdda/geometry/", "libdda/model/")
 READS = ("libdda/errors.h", "libdda/text/")  # what takes files apart
-ENGINE = ("libdda/errors.h", "libdda/geometry/", "libdda/model/", "libdda/contact/", "libdda/step/", "libdda/analysis/",
+# The inside of a step, from its blocks up to advance(): each names only those before it.
+STEP = ("libdda/block/", "libdda/forces/", "libdda/problem/", "libdda/iterate/", "libdda/impact/", "libdda/step/")
+ENGINE = ("libdda/errors.h", "libdda/geometry/", "libdda/model/", "libdda/contact/", *STEP, "libdda/analysis/",
           "libdda/run/")
 FOLDER_RULES = {
-    "libdda/": ("libdda/geometry/", "libdda/model/", "libdda/contact/", "libdda/step/", "libdda/analysis/", "libdda/run/"),
+    "libdda/": ("libdda/geometry/", "libdda/model/", "libdda/contact/", *STEP, "libdda/analysis/", "libdda/run/"),
     "libdda/text/": ("libdda/errors.h",),
     "libdda/geometry/": ("libdda/errors.h",),
     "libdda/model/": ("libdda/errors.h", "libdda/geometry/"),
     "libdda/contact/": ENGINE_MODEL,
     "libdda/solve/": ENGINE_MODEL,
-    "libdda/step/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/"),
-    "libdda/analysis/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/", "libdda/step/"),
-    "libdda/run/": ENGINE_MODEL + ("libdda/contact/", "libdda/step/", "libdda/analysis/"),
+    "libdda/block/": ENGINE_MODEL,
+    "libdda/forces/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/block_matrix.h", "libdda/block/"),
+    # What is to be solved knows no solver: of libdda/solve/ the matrix alone.
+    "libdda/problem/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/block_matrix.h", "libdda/block/", "libdda/forces/"),
+    "libdda/iterate/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/", "libdda/block/", "libdda/forces/", "libdda/problem/"),
+    "libdda/impact/": ENGINE_MODEL + ("libdda/contact/", "libdda/block/", "libdda/forces/", "libdda/problem/"),
+    "libdda/step/": ENGINE_MODEL + ("libdda/contact/", *STEP),
+    "libdda/analysis/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/", *STEP),
+    "libdda/run/": ENGINE_MODEL + ("libdda/contact/", *STEP, "libdda/analysis/"),
 
     # importers/process/: how every program begins, for records/generate_main.cpp
     "records/": READS + ("importers/process/", "libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "records/formats/",
@@ -53,6 +61,7 @@ FOLDER_RULES = {
     "app/case/": ENGINE_MODEL,
     "app/reader/": ENGINE + ("libdda/text/", "importers/", "records/", "app/words/", "app/case/"),
     "app/results/": ENGINE + ("app/version/", "app/words/", "app/case/"),
+    "app/problems/": ENGINE + ("libdda/text/", "importers/process/", "app/words/", "app/case/", "app/reader/", "app/results/"),
     "app/drawing/": ("libdda/errors.h", "importers/process/"),
     "app/plots/": ("libdda/errors.h", "importers/process/", "app/words/", "app/drawing/"),
     "app/render/": ENGINE + ("importers/process/", "importers/mesh/", "importers/helper/", "app/words/", "app/case/",
@@ -248,8 +257,8 @@ PLANTED = (
 )
 # Folders from below: none may include what stands behind it in its row.
 ROWS = (
-    ("libdda/geometry/", "libdda/model/", "libdda/contact/", "libdda/step/", "libdda/analysis/", "libdda/run/"),
-    ("libdda/model/", "libdda/solve/", "libdda/step/"),
+    ("libdda/geometry/", "libdda/model/", "libdda/contact/", *STEP, "libdda/analysis/", "libdda/run/"),
+    ("libdda/model/", "libdda/solve/", "libdda/iterate/"),
     ("libdda/text/", "libdda/geometry/"),
     ("records/measures/", "records/synthetic/", "records/processing/"),
     ("importers/process/", "importers/mesh/", "importers/exact/", "importers/helper/", "importers/assembly/"),
@@ -257,6 +266,7 @@ ROWS = (
      "app/studies/scenes/", "app/studies/verify/", "app/studies/converge/", "app/studies/ensemble/",
      "app/studies/stability/", "app/commands/"),
     ("app/words/", "app/case/", "app/reader/", "app/commands/"),
+    ("app/words/", "app/case/", "app/reader/", "app/problems/"), ("app/results/", "app/problems/"),
     # The reader of case files is the commands' alone.
     ("app/results/", "app/reader/"), ("app/render/", "app/reader/"), ("app/plots/", "app/reader/"),
     ("app/studies/verify/", "app/reader/"), ("app/studies/converge/", "app/reader/"),

@@ -11,7 +11,7 @@
 #include "app/results/settings.h"
 #include "importers/helper/repair_summary.h"
 #include "libdda/analysis/integrator_accuracy.h"
-#include "libdda/step/block_step.h"
+#include "libdda/block/block_step.h"
 
 namespace voussoir::app::commands
 {

@@ -12,7 +12,7 @@
 #include "app/reader/side_faces.h"
 #include "app/reader/side_ground.h"
 #include "app/words/nearest_word.h"
-#include "libdda/step/block_face.h"
+#include "libdda/block/block_face.h"
 
 namespace voussoir::app::reader
 {

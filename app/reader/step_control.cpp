@@ -11,6 +11,8 @@ constexpr double static_time_step = 1;  // s
 constexpr double dynamic_time_step = 2e-3;  // s
 // Shi's six passes; his scheme does not improve with more.
 constexpr int published_open_close = 6;
+// The plain iteration has nothing to shorten it, and shall end where it leads.
+constexpr int plain_open_close = 1000;
 
 void read_integrator(YamlCursor& stage, StepControl& control)
 {
@@ -30,7 +32,9 @@ void read_integrator(YamlCursor& stage, StepControl& control)
 void read_open_close(YamlCursor& stage, StepControl& control)
 {
     control.open_close = stage.choice_or<OpenClose>(
-        "open_close", {{"newton", OpenClose::newton}, {"published", OpenClose::published}}, control.open_close);
+        "open_close",
+        {{"newton", OpenClose::newton}, {"plain", OpenClose::plain}, {"published", OpenClose::published}},
+        control.open_close);
     if (control.open_close == OpenClose::published) {
         for (const char* key : {"max_open_close", "force_tolerance"})
             stage.forbid(key, "the published iteration has six passes and no force tolerance");
@@ -38,6 +42,7 @@ void read_open_close(YamlCursor& stage, StepControl& control)
         control.integrator = Integrator::newmark;
         return;
     }
+    if (control.open_close == OpenClose::plain) control.max_open_close = plain_open_close;
     control.max_open_close = stage.integer_or("max_open_close", 1, 100'000, control.max_open_close);
     control.force_tolerance = stage.quantity_or("force_tolerance", words::dimension::number, {0, 1, false, false},
                                                 control.force_tolerance);

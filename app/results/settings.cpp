@@ -14,7 +14,15 @@ std::string_view name_of(Integrator integrator)
 
 std::string_view name_of(OpenClose open_close)
 {
-    return open_close == OpenClose::newton ? "newton" : "published";
+    switch (open_close) {
+        case OpenClose::newton:
+            return "newton";
+        case OpenClose::plain:
+            return "plain";
+        case OpenClose::published:
+            return "published";
+    }
+    return "none";
 }
 
 std::string_view name_of(LinearSolverKind solver)

@@ -42,7 +42,7 @@ std::string step_for(const Stage& stage, double factor)
 /// And may be something else: the published iteration knows no other.
 bool is_newmark(const Stage& stage)
 {
-    return stage.control.open_close == OpenClose::newton && stage.control.integrator == Integrator::newmark;
+    return !stage.control.is_published() && stage.control.integrator == Integrator::newmark;
 }
 
 /// "give integrator: energy_decaying, or a time_step of 0.1 ms".

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "libdda/step/bar_law.h"
+#include "libdda/forces/bar_law.h"
 
 namespace voussoir
 {

@@ -1,9 +1,9 @@
 #include "libdda/analysis/energies.h"
 
+#include "libdda/block/block_step.h"
 #include "libdda/contact/find_contacts.h"
-#include "libdda/step/bar_law.h"
-#include "libdda/step/block_step.h"
-#include "libdda/step/side_ties.h"
+#include "libdda/forces/bar_law.h"
+#include "libdda/forces/side_ties.h"
 
 namespace voussoir
 {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "libdda/analysis/integrator_accuracy.h"
-#include "libdda/step/block_step.h"
+#include "libdda/block/block_step.h"
 
 namespace voussoir
 {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "libdda/block/block_step.h"
 #include "libdda/contact/contact_history.h"
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/contact/placed_part.h"
-#include "libdda/step/applied_forces.h"
-#include "libdda/step/bars.h"
-#include "libdda/step/block_step.h"
+#include "libdda/forces/applied_forces.h"
+#include "libdda/forces/bars.h"
 
 namespace voussoir
 {

@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "libdda/block/kinematics_traits.h"
 #include "libdda/model/model.h"
 #include "libdda/model/state.h"
 #include "libdda/solve/block_matrix.h"
-#include "libdda/step/kinematics_traits.h"
 
 namespace voussoir
 {

@@ -51,10 +51,9 @@ struct Stage {
     std::vector<FoundationMotion> motions;             // components without one stay
     std::vector<BodyAcceleration> body_accelerations;  // beside gravity
     std::vector<IncomingWave> incoming_waves;          // dynamic only
-    bool boundaries_carry =
-        false;            // dynamic: boundaries still carry as in a static stage, of which this is a part
-    Damping damping;      // none by default
-    StepControl control;  // how its steps are made
+    bool looks_for_rest = false;                       // dynamic: part of a static stage, which lets stones go
+    Damping damping;                                   // none by default
+    StepControl control;                               // how its steps are made
     // Static only: the stage ends when every block's unbalanced force is below this share of its load in two
     // consecutive steps without change of contact state.
     double unbalanced_tolerance = 1e-8;

@@ -19,7 +19,8 @@ enum class Integrator { newmark, energy_decaying };
 
 /// How the state of contacts is found.
 enum class OpenClose {
-    newton,     // Newton iteration on the step's potential with a line search; cannot chatter
+    newton,     // Newton iteration with a line search
+    plain,      // the same with nothing that makes it fast: slow, and what `newton` is judged against
     published,  // Shi's: states and friction loads from the previous pass, a few passes, else cut the step
 };
 
@@ -39,7 +40,7 @@ struct StepControl {
     Integrator integrator = Integrator::energy_decaying;  // of the step
     // 0..1, of energy_decaying; none: as much as keeps the method second order, 10/s x time_step, at most 0.1
     std::optional<double> dissipation;
-    OpenClose open_close = OpenClose::newton;  // the published one is for comparison
+    OpenClose open_close = OpenClose::newton;  // the others are for comparison
     // Steps end just before stones land, and the rest of the step follows, in scenes of at most this many blocks
     // with unknowns. In a large structure something lands in nearly every step, and none of it decides.
     int divide_up_to_blocks = 10;
@@ -50,6 +51,8 @@ struct StepControl {
         1e-3;         // relative residual of conjugate gradients; the force residual is exact anyway
     int threads = 1;  // answers do not depend on it
 
+    /// Whether contacts are iterated on as published.
+    bool is_published() const { return open_close == OpenClose::published; }
     /// The dissipation of energy_decaying, given or by the rule.
     double dissipation_used() const { return dissipation.value_or(std::min(0.1, 10 * time_step)); }
 };

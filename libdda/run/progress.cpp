@@ -7,9 +7,9 @@
 #include "libdda/analysis/bar_forces.h"
 #include "libdda/analysis/crushing.h"
 #include "libdda/analysis/diagnosis.h"
+#include "libdda/problem/part_timer.h"
 #include "libdda/run/step_error.h"
 #include "libdda/step/advance.h"
-#include "libdda/step/part_timer.h"
 
 namespace voussoir::driver
 {

@@ -134,7 +134,7 @@ Stage let_go_in(const Stage& loaded)
     Stage free = loaded;
     free.type = StageType::dynamic;
     free.control.integrator = Integrator::newmark;  // forces of the end of the step, as a static step has them
-    free.boundaries_carry = true;
+    free.looks_for_rest = true;
     return free;
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "libdda/forces/viscous_boundary.h"
+#include "libdda/problem/part_timer.h"
 #include "libdda/step/energy_book.h"
-#include "libdda/step/part_timer.h"
 #include "libdda/step/update.h"
-#include "libdda/step/viscous_boundary.h"
 
 namespace voussoir::step
 {
@@ -29,10 +29,11 @@ void book_redetection(const Stage& stage, const State& state, double given, Ener
 /// A static step is solved no better than it deserves, and is long: what its residual and its integration did goes
 /// with what the stage takes from the stones.
 template <class K>
-void book_with_what_the_stage_takes(const StepSystem<K>& system, const EnergyLedger& before, EnergyLedger& energy)
+void book_with_what_the_stage_takes(const StepProblem<K>& problem, const EnergyLedger& before,
+                                    EnergyLedger& energy)
 {
     energy.damping_static += energy.algorithmic - before.algorithmic + energy.algorithmic_rotation -
-                             before.algorithmic_rotation - system.residual.dot(system.d);
+                             before.algorithmic_rotation - problem.residual.dot(problem.d);
     energy.algorithmic = before.algorithmic;
     energy.algorithmic_rotation = before.algorithmic_rotation;
 }
@@ -46,28 +47,28 @@ void advance_clocks(const Stage& stage, double h, State& state)
 
 /// Largest displacement of a centroid in the step [m].
 template <class K>
-double max_displacement(const StepSystem<K>& system)
+double max_displacement(const StepProblem<K>& problem)
 {
     double largest = 0;
-    for (const BlockStep<K>& block : system.blocks)
+    for (const BlockStep<K>& block : problem.blocks)
         if (block.row >= 0)
-            largest = std::max(largest, system.d.template segment<K::dimension>(K::unknowns * block.row).norm());
+            largest = std::max(largest, problem.d.template segment<K::dimension>(K::unknowns * block.row).norm());
     return largest;
 }
 
 /// Largest force that inertia still had to balance, as a share of the block's load: what a static stage must bring
 /// to nothing. With the velocity zeroed it is the unbalanced force itself.
 template <class K>
-double inertia_ratio(const StepSystem<K>& system)
+double inertia_ratio(const StepProblem<K>& problem)
 {
     constexpr int n = K::unknowns;
     double worst = 0;
-    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
-        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
-        const typename K::Unknowns force = block.inertia * system.d.template segment<n>(n * row);
+    for (std::size_t row = 0; row < problem.block_of_row.size(); ++row) {
+        const BlockStep<K>& block = problem.blocks[problem.block_of_row[row]];
+        const typename K::Unknowns force = block.inertia * problem.d.template segment<n>(n * row);
         const double size = std::max(force.template head<K::dimension>().norm(),
                                      force.template tail<n - K::dimension>().norm() / block.size);
-        if (size > 0) worst = std::max(worst, size / system.load[row]);
+        if (size > 0) worst = std::max(worst, size / problem.load[row]);
     }
     return worst;
 }
@@ -79,21 +80,21 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
                  StepReport& report)
 {
     const PartTimer timer(report.seconds, Part::update);
-    const StepSystem<K>& system = work.system;
-    report.time_step = system.h;
+    const StepProblem<K>& problem = work.problem;
+    report.time_step = problem.h;
     book_redetection(stage, state, contact::spring_energy(model, work.contacts) - energy.contact, energy);
-    update_blocks(system, state);
-    update_reactions(model, stage, system.blocks, state);
+    update_blocks(problem, state);
+    update_reactions(model, stage, problem.blocks, state);
     const EnergyLedger before = energy;
-    book_step(state, system, work.contacts, energy);
-    if (stage.type == StageType::static_equilibrium) book_with_what_the_stage_takes(system, before, energy);
-    update_bars(system.bars, state);
-    update_contacts(model, stage, system, work.contacts, state, report);
-    advance_clocks(stage, system.h, state);
-    damp_velocities(model, stage, system, state, energy);
-    report.max_displacement = max_displacement(system);
+    book_step(state, problem, work.contacts, energy);
+    if (stage.type == StageType::static_equilibrium) book_with_what_the_stage_takes(problem, before, energy);
+    update_bars(problem.bars, state);
+    update_contacts(model, stage, problem, work.contacts, state, report);
+    advance_clocks(stage, problem.h, state);
+    damp_velocities(model, stage, problem, state, energy);
+    report.max_displacement = max_displacement(problem);
     if (stage.type == StageType::static_equilibrium)
-        report.inertia_ratio = inertia_ratio(system) + report.unbalanced;
+        report.inertia_ratio = inertia_ratio(problem) + report.unbalanced;
 }
 
 #define VOUSSOIR_INSTANTIATE(K) \

@@ -3,13 +3,14 @@
 #include <optional>
 #include <variant>
 
+#include "libdda/impact/landing.h"
+#include "libdda/iterate/newton.h"
+#include "libdda/iterate/plain.h"
+#include "libdda/iterate/published.h"
+#include "libdda/problem/part_timer.h"
 #include "libdda/step/accept_step.h"
-#include "libdda/step/landing.h"
 #include "libdda/step/missed_contacts.h"
-#include "libdda/step/newton.h"
-#include "libdda/step/part_timer.h"
 #include "libdda/step/policy.h"
-#include "libdda/step/published.h"
 #include "libdda/step/reach.h"
 #include "libdda/step/work.h"
 
@@ -34,12 +35,18 @@ void look_for_contacts(const Model& model, const Stage& stage, const State& stat
 }
 
 template <class K>
-bool iterate_open_close(const Model& model, const Stage& stage, const ContactSetIn<K::dimension>& contacts,
-                        step::StepSystem<K>& system, StepReport& report)
+bool iterate_open_close(const Model& model, const Stage& stage, Work<K>& work, StepReport& report)
 {
     const step::PartTimer timer(report.seconds, Part::open_close);
-    if (stage.control.open_close == OpenClose::published) return step::iterate_published(stage, system, report);
-    return step::iterate_newton(model, stage, contacts, system, report);
+    switch (stage.control.open_close) {
+        case OpenClose::published:
+            return step::iterate_published(work.problem, work.iteration.directions, report);
+        case OpenClose::plain:
+            return step::iterate_plain(model, stage, work.contacts, work.problem, report);
+        case OpenClose::newton:
+            break;
+    }
+    return step::iterate_newton(model, stage, work.contacts, work.problem, work.iteration, report);
 }
 
 /// Solves a step of length h [s] with the jumps of what lands in it. @returns whether it converged
@@ -48,9 +55,10 @@ bool solve(const Model& model, const Stage& stage, const State& state, double h,
 {
     {
         const step::PartTimer timer(report.seconds, Part::assembly);
-        step::assemble_blocks(model, stage, state, work.contacts, h, work.jumps, work.system);
+        step::assemble_blocks(model, stage, state, work.contacts, h, work.jumps, work.problem);
+        work.iteration.begin(stage.control, work.problem);
     }
-    return iterate_open_close(model, stage, work.contacts, work.system, report);
+    return iterate_open_close(model, stage, work, report);
 }
 
 /// The same, landings looked for; once more where one showed only in the step.
@@ -74,7 +82,7 @@ bool attempt(const Model& model, const Stage& stage, const State& state, double&
         }
     if (!solve(model, stage, state, h, work, report)) return false;
     const std::vector<step::ClosingPoint> missed =
-        step::missed_landings(model, stage, state, work.contacts, work.system);
+        step::missed_landings(model, stage, state, work.contacts, work.problem);
     if (missed.empty()) return true;
     work.jumps = landings->find_also(missed);
     return solve(model, stage, state, h, work, report);
@@ -84,7 +92,7 @@ bool attempt(const Model& model, const Stage& stage, const State& state, double&
 template <class K>
 bool knew_its_contacts(const Model& model, const Stage& stage, const State& state, const Work<K>& work)
 {
-    return !step::misses_a_contact(model, state, work.system, work.contacts, work.extents, work.reach,
+    return !step::misses_a_contact(model, state, work.problem, work.contacts, work.extents, work.reach,
                                    stage.control.threads);
 }
 

@@ -11,27 +11,27 @@ namespace
 /// Work of the ground on the structure: held blocks move against their contact forces, held components of other
 /// blocks against all forces on them [J].
 template <class K>
-double foundation_work(const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts)
+double foundation_work(const StepProblem<K>& problem, const ContactSetIn<K::dimension>& contacts)
 {
     constexpr int dimension = K::dimension;
     using Vector = typename K::Vector;
     const auto moved = [&](int block) {
-        const BlockStep<K>& b = system.blocks[block];
+        const BlockStep<K>& b = problem.blocks[block];
         return Vector(b.predicted.centroid - b.start.centroid);
     };
     double work = 0;
     for (std::size_t k = 0; k < contacts.patches.size(); ++k) {
-        const PatchStep<K>& patch = system.contacts.patches[k];
+        const PatchStep<K>& patch = problem.contacts.patches[k];
         const auto& found = contacts.patches[k];
         if (patch.row_b < 0) work -= patch.force_b.template head<dimension>().dot(moved(found.block_b));
         if (patch.row_a < 0) work -= patch.force_a.template head<dimension>().dot(moved(found.block_a));
     }
-    for (std::size_t row = 0; row < system.block_of_row.size(); ++row) {
-        const BlockStep<K>& block = system.blocks[system.block_of_row[row]];
+    for (std::size_t row = 0; row < problem.block_of_row.size(); ++row) {
+        const BlockStep<K>& block = problem.blocks[problem.block_of_row[row]];
         const Vector force =
-            block.body_force + system.contact_force.template segment<dimension>(K::unknowns * row);
+            block.body_force + problem.contact_force.template segment<dimension>(K::unknowns * row);
         for (int k = 0; k < dimension; ++k)
-            if (block.held[k]) work -= force[k] * moved(system.block_of_row[row])[k];
+            if (block.held[k]) work -= force[k] * moved(problem.block_of_row[row])[k];
     }
     return work;
 }
@@ -104,15 +104,15 @@ struct RowShare {
 };
 
 template <class K>
-RowShare share_of_row(const State& state, const StepSystem<K>& system, int row)
+RowShare share_of_row(const State& state, const StepProblem<K>& problem, int row)
 {
     constexpr int n = K::unknowns;
     using Vector = typename K::Vector;
-    const int b = system.block_of_row[row];
-    const BlockStep<K>& block = system.blocks[b];
-    const InternalForce<K>& internal = system.internal[row];
-    const typename K::Unknowns d = system.d.template segment<n>(n * row);
-    const typename K::Spin moment = K::moment_of(system.contact_force.template segment<n>(n * row));
+    const int b = problem.block_of_row[row];
+    const BlockStep<K>& block = problem.blocks[b];
+    const InternalForce<K>& internal = problem.internal[row];
+    const typename K::Unknowns d = problem.d.template segment<n>(n * row);
+    const typename K::Spin moment = K::moment_of(problem.contact_force.template segment<n>(n * row));
     const Vector moved = pose_in<K::dimension>(K::kinematics, state, b).centroid - block.start.centroid;
     RowShare share;
     share.gravity_work = block.gravity.dot(moved);
@@ -121,7 +121,7 @@ RowShare share_of_row(const State& state, const StepSystem<K>& system, int row)
     share.damped = internal.damped;
     share.jumps = block.jumps;
     share.rotation_gain =
-        rotation_gain(block, internal, d, moment, system.h) + block.body_force.dot(block.ballistic);
+        rotation_gain(block, internal, d, moment, problem.h) + block.body_force.dot(block.ballistic);
     share.impact = block.impact;
     share.ground_work = block.ground_work;
     share.strain = strain_energy_of(block, state, b);
@@ -132,21 +132,21 @@ RowShare share_of_row(const State& state, const StepSystem<K>& system, int row)
 }  // namespace
 
 template <class K>
-void book_step(const State& state, const StepSystem<K>& system, const ContactSetIn<K::dimension>& contacts,
+void book_step(const State& state, const StepProblem<K>& problem, const ContactSetIn<K::dimension>& contacts,
                EnergyLedger& energy)
 {
     using Vector = typename K::Vector;
-    const ContactEnergies contact = contact_energies(system.threads, system.contacts);
+    const ContactEnergies contact = contact_energies(problem.threads, problem.contacts);
     energy.contact = contact.stored;
     energy.friction += contact.friction;
     energy.damping_contact += contact.dashpot;
     energy.algorithmic += contact.loss;
-    energy.fracture += system.fracture;
-    energy.foundation_work += foundation_work(system, contacts);
+    energy.fracture += problem.fracture;
+    energy.foundation_work += foundation_work(problem, contacts);
     energy.kinetic = energy.strain = 0;
     add_in_order(
-        system.block_of_row.size(), system.threads,
-        [&](std::size_t row) { return share_of_row(state, system, static_cast<int>(row)); },
+        problem.block_of_row.size(), problem.threads,
+        [&](std::size_t row) { return share_of_row(state, problem, static_cast<int>(row)); },
         [&](const RowShare& share) {
             energy.gravity_work += share.gravity_work;
             energy.load_work += share.load_work;
@@ -163,22 +163,22 @@ void book_step(const State& state, const StepSystem<K>& system, const ContactSet
         bool jumps = false;
     };
     const auto share_of_point = [&](const PatchStep<K>& patch, const PointStep<K::dimension>& p) {
-        const auto& found = contacts.patches[&patch - system.contacts.patches.data()];
+        const auto& found = contacts.patches[&patch - problem.contacts.patches.data()];
         const Vector force = p.normal * patch.normal - p.shear;
         const double work = p.normal * (p.gap - p.gap_start) - p.shear.dot(p.displacement);
         return PointShare{force.dot(p.linear + p.ballistic_a - p.ballistic_b) - work,
-                          system.blocks[found.block_a].jumps || system.blocks[found.block_b].jumps};
+                          problem.blocks[found.block_a].jumps || problem.blocks[found.block_b].jumps};
     };
-    add_points_in_order(system.contacts, system.threads, share_of_point, [&](const PointShare& share) {
+    add_points_in_order(problem.contacts, problem.threads, share_of_point, [&](const PointShare& share) {
         (share.jumps ? energy.impact : energy.algorithmic_rotation) -= share.gain;
     });
-    book_applied_forces(state, system.blocks, system.d, system.h, system.applied, energy);
-    book_bars(state, system.blocks, system.bars, system.d, system.h, energy);
+    book_applied_forces(state, problem.blocks, problem.d, problem.h, problem.applied, energy);
+    book_bars(state, problem.blocks, problem.bars, problem.d, problem.h, energy);
     energy.note_peaks();
 }
 
 #define VOUSSOIR_INSTANTIATE(K) \
-    template void book_step(const State&, const StepSystem<K>&, const ContactSetIn<K::dimension>&, EnergyLedger&)
+    template void book_step(const State&, const StepProblem<K>&, const ContactSetIn<K::dimension>&, EnergyLedger&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

@@ -16,25 +16,25 @@ namespace
 
 /// Displacement over the step of the point at `lever` from the centroid at its start [m].
 template <class K>
-typename K::Vector displacement(const StepSystem<K>& system, int block, const typename K::Vector& lever)
+typename K::Vector displacement(const StepProblem<K>& problem, int block, const typename K::Vector& lever)
 {
-    const BlockStep<K>& step = system.blocks[block];
+    const BlockStep<K>& step = problem.blocks[block];
     const typename K::Vector turned = step.predicted.map * step.start.map.inverse() * lever;
     typename K::Vector moved = step.predicted.centroid - step.start.centroid + turned - lever;
     if (step.row >= 0)
-        moved += K::displacement(system.d.template segment<K::unknowns>(K::unknowns * step.row), turned);
+        moved += K::displacement(problem.d.template segment<K::unknowns>(K::unknowns * step.row), turned);
     return moved;
 }
 
 /// No point of the block moved farther in the step than this [m].
 template <class K>
-double farthest(const StepSystem<K>& system, int block, double radius)
+double farthest(const StepProblem<K>& problem, int block, double radius)
 {
-    const BlockStep<K>& step = system.blocks[block];
+    const BlockStep<K>& step = problem.blocks[block];
     typename K::Vector moved = step.predicted.centroid - step.start.centroid;
     double turned = (step.predicted.map - step.start.map).norm();
     if (step.row >= 0) {
-        const typename K::Unknowns d = system.d.template segment<K::unknowns>(K::unknowns * step.row);
+        const typename K::Unknowns d = problem.d.template segment<K::unknowns>(K::unknowns * step.row);
         moved += d.template head<K::dimension>();
         turned += (K::gradient(d) * step.predicted.map).norm();
     }
@@ -63,7 +63,7 @@ std::vector<std::pair<PartOfBlock, PartOfBlock>> pairs_in(const ContactSetIn<D>&
 }  // namespace
 
 template <class K>
-bool misses_a_contact(const Model& model, const State& state, const StepSystem<K>& system,
+bool misses_a_contact(const Model& model, const State& state, const StepProblem<K>& problem,
                       const ContactSetIn<K::dimension>& contacts, const std::vector<Extent>& extents,
                       const std::vector<double>& reach, int threads)
 {
@@ -71,12 +71,12 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
     std::atomic<bool> any = false;
     in_parallel(reach.size(), threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t b = first; b < end; ++b)
-            if (!(farthest(system, static_cast<int>(b), extents[b].radius) <= reach[b])) any = true;
+            if (!(farthest(problem, static_cast<int>(b), extents[b].radius) <= reach[b])) any = true;
     });
     if (!any) return false;
     std::vector<double> went = reach;
     for (std::size_t b = 0; b < reach.size(); ++b) {
-        const double moved = farthest(system, static_cast<int>(b), extents[b].radius);
+        const double moved = farthest(problem, static_cast<int>(b), extents[b].radius);
         if (!(moved <= reach[b])) went[b] = moved;
     }
     contact::SearchMemory<D> memory;
@@ -90,7 +90,7 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const VectorIn<D>& place = all.points[i].position;
             const auto moved = [&](int block) {
-                return displacement(system, block, VectorIn<D>(place - system.blocks[block].start.centroid));
+                return displacement(problem, block, VectorIn<D>(place - problem.blocks[block].start.centroid));
             };
             if (all.points[i].gap + patch.normal.dot(moved(patch.block_a) - moved(patch.block_b)) < allowed)
                 return true;
@@ -100,7 +100,7 @@ bool misses_a_contact(const Model& model, const State& state, const StepSystem<K
 }
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                   \
-    template bool misses_a_contact(const Model&, const State&, const StepSystem<K>&,              \
+    template bool misses_a_contact(const Model&, const State&, const StepProblem<K>&,             \
                                    const ContactSetIn<K::dimension>&, const std::vector<Extent>&, \
                                    const std::vector<double>&, int)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);

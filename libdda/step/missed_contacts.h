@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "libdda/contact/find_contacts.h"
+#include "libdda/problem/step_problem.h"
 #include "libdda/step/reach.h"
-#include "libdda/step/step_system.h"
 
 namespace voussoir::step
 {
@@ -15,7 +15,7 @@ namespace voussoir::step
 /// for again, as far as the blocks went; motions are linear in between.
 /// @param extents (blocks); @param reach (blocks) [m] that `contacts` were found with
 template <class K>
-bool misses_a_contact(const Model& model, const State& state, const StepSystem<K>& system,
+bool misses_a_contact(const Model& model, const State& state, const StepProblem<K>& problem,
                       const ContactSetIn<K::dimension>& contacts, const std::vector<Extent>& extents,
                       const std::vector<double>& reach, int threads);
 

@@ -9,7 +9,7 @@ namespace
 /// Whether blocks keep their velocities and contacts are iterated on as they are, not as published.
 bool follows_motion(const Stage& stage)
 {
-    return stage.type == StageType::dynamic && stage.control.open_close == OpenClose::newton;
+    return stage.type == StageType::dynamic && !stage.control.is_published();
 }
 
 }  // namespace
@@ -19,7 +19,7 @@ contact::NewOverlap new_overlaps_in(const Model& model, const Stage& stage, cons
     // In static stages a new overlap presses; what that gives is gone with the velocity. The published iteration
     // takes contacts as they are. In the first step of a run an overlap is the model's own. Stones that do not fit
     // as drawn overlap wherever their contact goes over to another face or part: that presses in no stage.
-    const bool is_drawn = model.fit_tolerance > 0 && stage.control.open_close == OpenClose::newton;
+    const bool is_drawn = model.fit_tolerance > 0 && !stage.control.is_published();
     return (follows_motion(stage) || is_drawn) && state.step > 0 ? contact::NewOverlap::forgiven
                                                                  : contact::NewOverlap::presses;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdda/block/kinematics_traits.h"
 #include "libdda/contact/find_contacts.h"
-#include "libdda/step/kinematics_traits.h"
 
 namespace voussoir::step
 {

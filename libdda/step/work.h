@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "libdda/contact/find_contacts.h"
+#include "libdda/iterate/iteration.h"
+#include "libdda/problem/step_problem.h"
 #include "libdda/step/reach.h"
-#include "libdda/step/step_system.h"
 #include "libdda/step/workspace.h"
 
 namespace voussoir
@@ -20,7 +21,8 @@ struct Work {
     std::vector<double> reach;          // m, of the blocks
     ContactSetIn<K::dimension> contacts;
     std::vector<step::Jump<K>> jumps;  // of blocks that land in the step
-    step::StepSystem<K> system;
+    step::StepProblem<K> problem;
+    step::Iteration<K> iteration;
 };
 
 struct Workspace::Implementation {

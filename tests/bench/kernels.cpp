@@ -83,22 +83,22 @@ void set_up_step(benchmark::State& bench)
 {
     Wall<K>& scene = wall<K>();
     Work<K>& work = scene.work();
-    const Eigen::VectorXd d = work.system.d;
+    const Eigen::VectorXd d = work.problem.d;
     for (auto _ : bench)
         step::assemble_blocks(scene.model, scene.stage, scene.before, work.contacts, time_step, work.jumps,
-                              work.system);
+                              work.problem);
     // What follows starts from a solved step.
-    work.system.d = d;
-    step::evaluate_contacts(d, step::FrictionBound::exact, 1, work.system.contacts);
-    step::evaluate_residual(d, work.system);
+    work.problem.d = d;
+    step::evaluate_contacts(d, 1, work.problem.contacts);
+    step::evaluate_residual(d, work.problem);
 }
 
 template <class K>
 void evaluate(benchmark::State& bench)
 {
-    step::StepSystem<K>& system = wall<K>().work().system;
+    step::StepProblem<K>& system = wall<K>().work().problem;
     for (auto _ : bench) {
-        step::evaluate_contacts(system.d, step::FrictionBound::exact, 1, system.contacts);
+        step::evaluate_contacts(system.d, 1, system.contacts);
         benchmark::DoNotOptimize(step::evaluate_residual(system.d, system));
     }
 }
@@ -106,9 +106,9 @@ void evaluate(benchmark::State& bench)
 template <class K>
 void assemble(benchmark::State& bench)
 {
-    step::StepSystem<K>& system = wall<K>().work().system;
+    step::StepProblem<K>& system = wall<K>().work().problem;
     for (auto _ : bench) {
-        step::assemble_matrix(false, 1, system);
+        step::assemble_matrix(false, system);
         benchmark::DoNotOptimize(system.matrix.values.data());
     }
     bench.counters["rows"] = static_cast<double>(system.matrix.rows() * system.matrix.block_size);
@@ -118,8 +118,8 @@ void assemble(benchmark::State& bench)
 template <class K, LinearSolverKind kind>
 void solve_linear(benchmark::State& bench)
 {
-    step::StepSystem<K>& system = wall<K>().work().system;
-    step::assemble_matrix(false, 1, system);
+    step::StepProblem<K>& system = wall<K>().work().problem;
+    step::assemble_matrix(false, system);
     Eigen::VectorXd weight = Eigen::VectorXd::Zero(system.d.size()), solution = weight;
     for (int row = 0; row < system.matrix.rows(); ++row)
         weight[row * system.matrix.block_size + 2] = -system.load[row];

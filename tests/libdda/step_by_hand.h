@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "libdda/analysis/energies.h"
+#include "libdda/iterate/newton.h"
 #include "libdda/step/energy_book.h"
-#include "libdda/step/newton.h"
 #include "libdda/step/update.h"
 #include "tests/libdda/scenes.h"
 
@@ -15,7 +15,7 @@ namespace voussoir::testing
 /// What may be done wrongly, at the place in the step where it would be.
 template <class K>
 struct Mistake {
-    using System = step::StepSystem<K>;
+    using System = step::StepProblem<K>;
     // Between assembly and solution.
     std::function<void(System&)> in_equations = [](System&) {};
     // Between solution and update.
@@ -32,7 +32,8 @@ EnergyLedger step_by_hand(
     const std::function<void(const State&)>& seen = [](const State&) {})
 {
     EnergyLedger energy = open_ledger(model, state);
-    step::StepSystem<K> system;
+    step::StepProblem<K> system;
+    step::Iteration<K> iteration;
     contact::SearchMemory<K::dimension> search;
     ContactSetIn<K::dimension> contacts;
     const double h = stage.control.time_step;
@@ -42,8 +43,9 @@ EnergyLedger step_by_hand(
         contact::find_contacts(model, state, reach, 1, search, contacts,
                                step > 0 ? contact::NewOverlap::forgiven : contact::NewOverlap::presses);
         step::assemble_blocks<K>(model, stage, state, contacts, h, {}, system);
+        iteration.begin(stage.control, system);
         mistake.in_equations(system);
-        EXPECT_TRUE(step::iterate_newton(model, stage, contacts, system, report)) << "step " << step;
+        EXPECT_TRUE(step::iterate_newton(model, stage, contacts, system, iteration, report)) << "step " << step;
         energy.redetection += energy.contact - contact::spring_energy(model, contacts);
         mistake.in_forces(system);
         step::update_blocks(system, state);

@@ -14,7 +14,7 @@
 #include "app/studies/stability/engine.h"
 #include "app/studies/stability/families.h"
 #include "libdda/analysis/integrator_accuracy.h"
-#include "libdda/step/block_step.h"
+#include "libdda/block/block_step.h"
 
 namespace voussoir::app::studies::stability
 {

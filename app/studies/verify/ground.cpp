@@ -14,8 +14,8 @@
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/references/viscous_face.h"
 #include "app/studies/verify/settings.h"
+#include "libdda/forces/viscous_boundary.h"
 #include "libdda/model/elasticity.h"
-#include "libdda/step/viscous_boundary.h"
 
 namespace voussoir::app::studies::verify
 {

@@ -12,6 +12,7 @@
 #include "app/studies/scenes/scene_blocks.h"
 #include "app/studies/scenes/stages.h"
 #include "libdda/contact/initial_contacts.h"
+#include "libdda/model/friction_law.h"
 #include "libdda/run/run.h"
 
 namespace voussoir::app::studies::verify
@@ -110,8 +111,7 @@ void add_contacts(const Model& model, references::LimitProblem& problem)
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const ContactPointIn<D>& point = found.points[static_cast<std::size_t>(i)];
             if (point.gap > 1e-9) continue;
-            const double friction = friction_coefficient(model.joint_between(patch.block_a, patch.block_b), 0) *
-                                    model.friction_factor(patch.block_a, patch.block_b);
+            const double friction = friction_between(model, patch.block_a, patch.block_b, false).at_rest;
             problem.contacts.push_back(
                 {patch.block_a, patch.block_b, to_space(point.position), to_space(patch.normal), friction});
         }

@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-#include "libdda/step/kinematics_traits.h"
+#include "libdda/block/kinematics_traits.h"
 #include "tests/libdda/solve/lattice.h"
 
 namespace voussoir::testing

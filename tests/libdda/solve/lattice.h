@@ -1,9 +1,9 @@
 // Matrices of walls of blocks on springs.
 #pragma once
 
+#include "libdda/block/kinematics_traits.h"
 #include "libdda/solve/block_matrix.h"
 #include "libdda/solve/row_places.h"
-#include "libdda/step/kinematics_traits.h"
 #include "tests/libdda/poses.h"
 
 namespace voussoir::testing

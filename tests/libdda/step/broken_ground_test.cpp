@@ -15,7 +15,7 @@ namespace
 {
 
 using K = step::PlanarDeformable;
-using System = step::StepSystem<K>;
+using System = step::StepProblem<K>;
 using Kind = step::AppliedForce<K>::Kind;
 
 /// What the engine's book has, and what is left over of the balance when the motion's terms stand in it.

@@ -55,7 +55,7 @@ TYPED_TEST(BrokenStep, ThatIsNotBrokenLeavesNothing)
 
 TYPED_TEST(BrokenStep, WithoutWeight)
 {
-    this->expect_noticed("weight dropped", {.in_equations = [](step::StepSystem<TypeParam>& system) {
+    this->expect_noticed("weight dropped", {.in_equations = [](step::StepProblem<TypeParam>& system) {
                              for (step::BlockStep<TypeParam>& block : system.blocks) block.steady.setZero();
                          }});
 }
@@ -67,18 +67,18 @@ TYPED_TEST(BrokenStep, WithoutTheMomentOfContactForces)
     this->expect_noticed(
         "moments of contacts dropped",
         {.in_forces =
-             [&](step::StepSystem<TypeParam>& system) {
+             [&](step::StepProblem<TypeParam>& system) {
                  constexpr int n = TypeParam::unknowns, dimension = TypeParam::dimension;
                  whole = system.contact_force;
                  for (std::size_t row = 0; row < system.block_of_row.size(); ++row)
                      system.contact_force.segment(n * row + dimension, n - dimension).setZero();
              },
-         .in_the_book = [&](step::StepSystem<TypeParam>& system) { system.contact_force = whole; }});
+         .in_the_book = [&](step::StepProblem<TypeParam>& system) { system.contact_force = whole; }});
 }
 
 TYPED_TEST(BrokenStep, WithHalfTheFrictionWork)
 {
-    this->expect_noticed("friction work halved", {.in_the_book = [](step::StepSystem<TypeParam>& system) {
+    this->expect_noticed("friction work halved", {.in_the_book = [](step::StepProblem<TypeParam>& system) {
                              for (step::PointStep<TypeParam::dimension>& point : system.contacts.points)
                                  point.shear *= 0.5;
                          }});
@@ -86,7 +86,7 @@ TYPED_TEST(BrokenStep, WithHalfTheFrictionWork)
 
 TYPED_TEST(BrokenStep, WithoutTheForceOfDashpots)
 {
-    this->expect_noticed("dashpots not booked", {.in_the_book = [](step::StepSystem<TypeParam>& system) {
+    this->expect_noticed("dashpots not booked", {.in_the_book = [](step::StepProblem<TypeParam>& system) {
                              for (step::PointStep<TypeParam::dimension>& point : system.contacts.points)
                                  point.normal = point.elastic_normal;
                          }});
@@ -94,7 +94,8 @@ TYPED_TEST(BrokenStep, WithoutTheForceOfDashpots)
 
 TYPED_TEST(BrokenStep, WithASpinThatGainsMomentum)
 {
-    this->expect_noticed("spin gained", {.in_update = [](const step::StepSystem<TypeParam>& system, State& state) {
+    this->expect_noticed("spin gained",
+                         {.in_update = [](const step::StepProblem<TypeParam>& system, State& state) {
                              constexpr int n = TypeParam::unknowns, dimension = TypeParam::dimension;
                              // Along the spin: of a block that its joints hold, the gains of one sense are
                              // reversed in the next step, and add up to nothing.
@@ -108,7 +109,7 @@ TYPED_TEST(BrokenStep, WithASpinThatGainsMomentum)
 TYPED_TEST(BrokenStep, ThatMovesBlocksFartherThanItsForces)
 {
     this->expect_noticed("centroids moved too far",
-                         {.in_update = [](const step::StepSystem<TypeParam>& system, State& state) {
+                         {.in_update = [](const step::StepProblem<TypeParam>& system, State& state) {
                              const int size = coordinates_per_block(TypeParam::kinematics);
                              for (const int b : system.block_of_row)
                                  state.coordinates[b * size + TypeParam::dimension - 1] += 1e-5;
@@ -132,7 +133,7 @@ TYPED_TEST(BrokenStep, WithDampedBlocksThatIsNotBrokenLeavesNothing)
 
 /// Halves forces of one kind, or all of a matrix that couples blocks.
 template <class K>
-void halve(step::StepSystem<K>& system, typename step::AppliedForce<K>::Kind kind)
+void halve(step::StepProblem<K>& system, typename step::AppliedForce<K>::Kind kind)
 {
     for (step::AppliedForce<K>& force : system.applied.own) {
         if (force.kind != kind) continue;
@@ -147,7 +148,7 @@ TYPED_TEST(BrokenStep, WithHalfTheDampingByMass)
     using Kind = typename step::AppliedForce<TypeParam>::Kind;
     this->expect_noticed(
         "damping by mass halved",
-        {.in_the_book = [](step::StepSystem<TypeParam>& system) { halve(system, Kind::damping); }}, damp_blocks);
+        {.in_the_book = [](step::StepProblem<TypeParam>& system) { halve(system, Kind::damping); }}, damp_blocks);
 }
 
 /// What is booked of blocks' own deformation is not what their elastic force does.
@@ -156,7 +157,7 @@ TYPED_TEST(BrokenStep, WithHalfTheDampingByStiffness)
     if (!TypeParam::deformable) return;
     this->expect_noticed("damping by stiffness halved",
                          {.in_the_book =
-                              [](step::StepSystem<TypeParam>& system) {
+                              [](step::StepProblem<TypeParam>& system) {
                                   for (step::InternalForce<TypeParam>& internal : system.internal)
                                       internal.damped *= 0.5;
                               }},
@@ -171,7 +172,7 @@ TYPED_TEST(BrokenStep, WithHalfTheForceOfTheBoundary)
     using Kind = typename step::AppliedForce<TypeParam>::Kind;
     this->expect_noticed(
         "force of the boundary halved",
-        {.in_the_book = [](step::StepSystem<TypeParam>& system) { halve(system, Kind::boundary); }}, damp_blocks);
+        {.in_the_book = [](step::StepProblem<TypeParam>& system) { halve(system, Kind::boundary); }}, damp_blocks);
 }
 
 /// Memory of strain, sides that are tied and a side that a column of ground presses on, of blocks that move
@@ -197,7 +198,7 @@ TYPED_TEST(BrokenStep, WithATieThatPullsOneSideAlone)
     if (!TypeParam::deformable) return;
     this->expect_noticed("tie of one side",
                          {.in_equations =
-                              [](step::StepSystem<TypeParam>& system) {
+                              [](step::StepProblem<TypeParam>& system) {
                                   using Kind = typename step::AppliedForce<TypeParam>::Kind;
                                   bool first = true;
                                   for (auto& force : system.applied.own) {
@@ -214,7 +215,7 @@ TYPED_TEST(BrokenStep, WithHalfTheMemory)
     if (!TypeParam::deformable) return;
     this->expect_noticed("branches' strain halved",
                          {.in_update =
-                              [](const step::StepSystem<TypeParam>&, State& state) {
+                              [](const step::StepProblem<TypeParam>&, State& state) {
                                   for (double& strain : state.branch_strains) strain *= 0.5;
                               }},
                          tie_and_remember);
@@ -226,7 +227,7 @@ TYPED_TEST(BrokenStep, WithHalfTheForceOfTheFreeField)
     using Kind = typename step::AppliedForce<TypeParam>::Kind;
     this->expect_noticed(
         "force of the free field halved",
-        {.in_the_book = [](step::StepSystem<TypeParam>& system) { halve(system, Kind::boundary); }},
+        {.in_the_book = [](step::StepProblem<TypeParam>& system) { halve(system, Kind::boundary); }},
         tie_and_remember);
 }
 

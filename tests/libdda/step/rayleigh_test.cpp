@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "libdda/step/kinematics_traits.h"
+#include "libdda/block/kinematics_traits.h"
 #include "tests/libdda/scenes.h"
 
 namespace voussoir::testing

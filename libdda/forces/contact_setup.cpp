@@ -1,0 +1,155 @@
+// Contacts as they stand when a step begins: where they act, how they slide, which springs they have.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "libdda/forces/contact_step.h"
+#include "libdda/model/parallel.h"
+
+namespace voussoir::step
+{
+
+namespace
+{
+
+constexpr double least_sliding = 0.1;  // of the speed that friction takes in a step
+// (omega h)^2 of the shear vibration of two stones, between which a step is about a quarter of its period: the
+// joint turns round by its own spring. In shorter steps both are exact, in longer ones the joint is as good as
+// rigid.
+constexpr double spring_from = 1, spring_to = 4;
+constexpr double touching = 16 * std::numeric_limits<double>::epsilon();  // of the distances that make a gap
+
+/// Whether a point presses when the step begins. Faces that touch as drawn do so, or not, by rounding alone.
+template <int D>
+bool is_pressed(const ContactPointIn<D>& point, const PointStep<D>& p)
+{
+    return point.gap < -touching * (point.position.norm() + p.lever_a.norm() + p.lever_b.norm());
+}
+
+/// How a point slides at the start of the step. One that hardly does sticks at once: of joints that tremble the
+/// reversals decide nothing, and would keep the iteration busy.
+template <class K>
+void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const BlockStep<K>& b, double braking,
+                 PointStep<K::dimension>& p)
+{
+    const auto velocity = [](const BlockStep<K>& block, const typename K::Vector& lever) {
+        const typename K::Vector of_centroid = block.velocity.template head<K::dimension>();
+        return block.rotation_held() ? of_centroid : typename K::Vector(of_centroid + block.spin_velocity(lever));
+    };
+    const typename K::Vector slip =
+        tangential(typename K::Vector(velocity(a, p.lever_a) - velocity(b, p.lever_b)), normal);
+    p.speed = slip.norm();
+    if (p.speed < least_sliding * braking) p.speed = 0;
+    if (p.speed > 0) p.heading = slip / p.speed;
+    // A spring that unloads while the normal force falls moves against its own force: that is no sliding.
+    if (p.speed > 0 && p.heading.dot(p.slip_start) <= 0) p.speed = 0;
+}
+
+/// What friction takes from the speed of two stones in the step, as if nothing else held them [m/s]. None where
+/// the joint turns round by its own spring.
+template <class K>
+double braking_of(const ContactSetIn<K::dimension>& contacts, const ContactPatchIn<K::dimension>& found,
+                  double shear_to_normal, const PatchStep<K>& patch, const BlockStep<K>& a, const BlockStep<K>& b)
+{
+    double pressing = 0, area = 0;
+    for (int i = found.first_point; i < found.first_point + found.point_count; ++i) {
+        const ContactPointIn<K::dimension>& point = contacts.points[i];
+        if (point.gap >= 0) continue;
+        pressing -= found.stiffness * point.area * point.gap;
+        area += point.area;
+    }
+    const double mobility = (a.row < 0 ? 0 : 1 / a.mass) + (b.row < 0 ? 0 : 1 / b.mass);
+    const double stiffness = shear_to_normal * found.stiffness * area * mobility * patch.h * patch.h;
+    if (stiffness > spring_from && stiffness < spring_to) return 0;
+    return patch.friction.at_rest * pressing * mobility * patch.h;
+}
+
+/// A contact acts where it is in the middle of the step, on both blocks alike: then the work of its force on the
+/// finite rotations and the angular momentum are those of the whole step to second order, and no moment is left
+/// over. Of block b that is the material point which lies there then, not the one of the start.
+/// Source: docs/method.md, "Rotation".
+/// @param position of the contact at the start of the step [m]
+template <class K>
+void place_point(const typename K::Vector& position, const BlockStep<K>& a, const BlockStep<K>& b, double h,
+                 PointStep<K::dimension>& p)
+{
+    using Vector = typename K::Vector;
+    const Vector lever = position - a.start.centroid;
+    const Vector turned = a.turns ? Vector(a.flow * lever) : lever;
+    p.end_lever_a = turned;
+    const Vector middle = 0.5 * (position + a.predicted.centroid + turned);
+    p.lever_a = middle - 0.5 * (a.start.centroid + a.predicted.centroid);
+    p.lever_b = middle - 0.5 * (b.start.centroid + b.predicted.centroid);
+    const Vector chord_a = turned - lever, chord_b = b.chord * p.lever_b;
+    p.predicted =
+        a.predicted.centroid - a.start.centroid + chord_a - (b.predicted.centroid - b.start.centroid + chord_b);
+    p.ballistic_a = a.turns ? Vector(h * a.spin_velocity(p.lever_a) - chord_a + a.ballistic) : a.ballistic;
+    p.ballistic_b = b.turns ? Vector(h * b.spin_velocity(p.lever_b) - chord_b + b.ballistic) : b.ballistic;
+}
+
+}  // namespace
+
+template <class K>
+void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSetIn<K::dimension>& contacts,
+                    const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step)
+{
+    using Vector = typename K::Vector;
+    const double blend = end_share(stage);
+    const bool looks_for_turning = stage.type == StageType::dynamic && !stage.control.is_published();
+    step.patches.resize(contacts.patches.size());
+    step.points.resize(contacts.points.size());
+    const auto begin_patch = [&](std::size_t k) {
+        const ContactPatchIn<K::dimension>& found = contacts.patches[k];
+        const JointMaterial& joint = model.joint_between(found.block_a, found.block_b);
+        const BlockStep<K>& a = blocks[found.block_a];
+        const BlockStep<K>& b = blocks[found.block_b];
+        PatchStep<K>& patch = step.patches[k];
+        patch.row_a = a.row;
+        patch.row_b = b.row;
+        patch.first = found.first_point;
+        patch.count = found.point_count;
+        patch.normal = b.turns ? typename K::Vector(b.half_rotation * found.normal) : found.normal;
+        patch.friction = friction_between(model, found.block_a, found.block_b, stage.type == StageType::dynamic);
+        patch.h = h;
+        patch.dashpot_over_h = joint.relaxation_time / h;
+        patch.braking =
+            looks_for_turning ? braking_of<K>(contacts, found, joint.shear_to_normal_stiffness, patch, a, b) : 0;
+        patch.intact = found.intact;
+        patch.chord_b = b.chord;
+        patch.follows_turning = stage.type == StageType::dynamic;
+        for (int i = found.first_point; i < found.first_point + found.point_count; ++i) {
+            const ContactPointIn<K::dimension>& point = contacts.points[i];
+            PointStep<K::dimension>& p = step.points[i];
+            place_point<K>(point.position, a, b, h, p);
+            p.slip_start = b.turns ? Vector(b.half_rotation * point.elastic_slip) : point.elastic_slip;
+            p.gap_start = point.gap;
+            p.normal_stiffness = found.stiffness * point.area;
+            p.shear_stiffness = joint.shear_to_normal_stiffness * p.normal_stiffness;
+            // A contact that was open or sliding keeps the end-of-step force: impacts and slips dissipate.
+            const bool pressed = is_pressed(point, p);
+            p.normal_blend = pressed || found.intact ? blend : 1;
+            p.shear_blend = found.intact || (pressed && point.status == ContactStatus::locked) ? blend : 1;
+            p.turns_round = false;
+            p.speed = 0;
+            if (patch.braking > 0 && point.gap < 0 && point.status == ContactStatus::sliding)
+                set_heading(patch.normal, a, b, patch.braking, p);
+            p.status = point.gap > 0 && !found.intact
+                           ? ContactStatus::open
+                           : (point.status == ContactStatus::open ? ContactStatus::locked : point.status);
+            p.normal = p.bound = 0;
+            p.trial = p.shear_stiffness * p.slip_start;
+            p.shear = p.status == ContactStatus::sliding ? p.trial : Vector(Vector::Zero());
+        }
+    };
+    in_parallel(contacts.patches.size(), stage.control.threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) begin_patch(k);
+    });
+}
+
+#define VOUSSOIR_INSTANTIATE(K)                                                                         \
+    template void begin_contacts(const Model&, const Stage&, double, const ContactSetIn<K::dimension>&, \
+                                 const std::vector<BlockStep<K>>&, ContactStep<K>&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir::step

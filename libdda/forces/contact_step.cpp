@@ -1,0 +1,297 @@
+#include "libdda/forces/contact_step.h"
+
+#include <algorithm>
+
+#include "libdda/forces/turning.h"
+#include "libdda/model/parallel.h"
+
+namespace voussoir::step
+{
+
+using Eigen::VectorXd;
+
+namespace
+{
+
+/// Elastic normal force and its derivative by the gap, d <= 0. A blend of one is k <-g> at the end of the step;
+/// else the discrete gradient of k <-g>^2 / 2 between the gaps of start and end, which conserves energy, takes the
+/// share (1 - theta). Both fall with the gap: the step's potential stays convex.
+template <int D>
+void elastic_normal(const PointStep<D>& p, bool intact, double gap, double& force, double& slope)
+{
+    const double k = p.normal_stiffness, theta = p.normal_blend;
+    if (intact) {
+        force = -k * (0.5 * (1 - theta) * p.gap_start + 0.5 * (1 + theta) * gap);
+        slope = -k * 0.5 * (1 + theta);
+        return;
+    }
+    const double end = gap < 0 ? -k * gap : 0, end_slope = gap < 0 ? -k : 0;
+    double mean = end, mean_slope = end_slope;
+    if (theta < 1 && p.gap_start < 0) {
+        if (gap < 0) {
+            mean = -0.5 * k * (p.gap_start + gap);
+            mean_slope = -0.5 * k;
+        } else {
+            const double reach = gap - p.gap_start;
+            mean = 0.5 * k * p.gap_start * p.gap_start / reach;
+            mean_slope = -mean / reach;
+        }
+    }
+    force = (1 - theta) * mean + theta * end;
+    slope = (1 - theta) * mean_slope + theta * end_slope;
+}
+
+/// Adds the dashpot: N = <-k (g + eta dg/dt)>, which never pulls. Before the gap closes the signed -k g counts, so
+/// that the force starts at g = eta |dg/dt| and not wherever a contact was found.
+template <int D>
+void normal_force(bool intact, double dashpot_over_h, double gap, PointStep<D>& p)
+{
+    double slope = 0;
+    elastic_normal(p, intact, gap, p.elastic_normal, slope);
+    p.normal = p.elastic_normal;
+    if (dashpot_over_h > 0) {
+        const double c = p.normal_stiffness * dashpot_over_h;
+        p.normal += c * (p.gap_start - gap);
+        slope -= c;
+        if (!intact && gap > 0) {
+            p.normal -= p.normal_stiffness * gap;
+            slope -= p.normal_stiffness;
+        }
+    }
+    if (!intact && p.normal <= 0) {
+        p.normal = 0;
+        slope = 0;
+    }
+    p.normal_tangent = -slope;
+}
+
+/// Friction coefficient of a point. A speed-dependent one is taken at the mean tangential speed over the step, the
+/// elastic shear of the joint included, which makes it second-order in the step.
+template <class K>
+double friction_of(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
+{
+    if (!patch.friction.joint) return patch.friction.at_rest;
+    return patch.friction.at(tangential(p.displacement, patch.normal).norm() / patch.h);
+}
+
+template <int D>
+void release(PointStep<D>& p)
+{
+    p.bound = 0;
+    p.shear.setZero();
+    p.status = ContactStatus::open;
+    p.turns_round = false;
+}
+
+template <class K>
+void shear_force(double friction, const PatchStep<K>& patch, PointStep<K::dimension>& p)
+{
+    using Vector = typename K::Vector;
+    const Vector move = tangential(p.displacement, patch.normal);
+    p.trial = p.shear_stiffness * (p.slip_start + 0.5 * (1 + p.shear_blend) * move);
+    p.turns_round = false;
+    if (patch.intact) {
+        p.status = ContactStatus::locked;
+        p.shear = p.trial;
+        return;
+    }
+    p.bound = friction * p.normal;
+    const bool slides = p.speed > 0;
+    if (slides && p.heading.dot(move) < half_way(p, patch.h)) {
+        turn_round(move, patch, p);
+        return;
+    }
+    const double length = p.trial.norm();
+    // A joint that slides all through the step has all its friction, even where its spring would not give as much
+    // yet: what presses it may have grown.
+    if (length <= p.bound && !slides) {
+        p.status = p.normal > 0 ? ContactStatus::locked : ContactStatus::open;
+        p.shear = p.trial;
+    } else {
+        p.status = p.normal > 0 ? ContactStatus::sliding : ContactStatus::open;
+        p.shear = p.bound / length * p.trial;
+    }
+}
+
+/// What the unknowns of the two blocks of a patch do to it.
+template <class K>
+struct PatchMove {
+    using Vector = typename K::Vector;
+    using Matrix = typename K::Matrix;
+    Vector u_a = Vector::Zero(), u_b = Vector::Zero();  // m
+    Matrix l_a = Matrix::Zero(), l_b = Matrix::Zero();  // displacement gradients
+    Vector normal;                                      // that of the middle of the whole step
+
+    PatchMove(const VectorXd& d, const PatchStep<K>& patch) : normal(patch.normal)
+    {
+        constexpr int n = K::unknowns;
+        if (patch.row_a >= 0) {
+            const typename K::Unknowns of_a = d.segment<n>(n * patch.row_a);
+            u_a = of_a.template head<K::dimension>();
+            l_a = K::gradient(of_a);
+        }
+        if (patch.row_b >= 0) {
+            const typename K::Unknowns of_b = d.segment<n>(n * patch.row_b);
+            u_b = of_b.template head<K::dimension>();
+            l_b = K::gradient(of_b);
+            normal += 0.25 * (l_b - l_b.transpose()) * patch.normal;
+        }
+    }
+};
+
+/// Displacement as the forces measure it.
+template <class K>
+typename K::Vector linear_displacement(const PatchMove<K>& move, const PointStep<K::dimension>& p)
+{
+    return p.predicted + move.u_a - move.u_b + move.l_a * p.lever_a - move.l_b * p.lever_b;
+}
+
+/// Displacement and gap of a point, second order in the turning of both blocks. The forces' own measure of the
+/// displacement leaves out terms that are small in the turning of a step, but not beside the yielding of a stiff
+/// joint, whose gap would otherwise jump whenever contacts are found anew. In static steps they are left out:
+/// those are long, the terms large in iterates on the way to the solution, and the potential not convex any more.
+template <class K>
+void move_point(const PatchMove<K>& move, const PatchStep<K>& patch, PointStep<K::dimension>& p)
+{
+    using Vector = typename K::Vector;
+    if (!patch.follows_turning) {
+        p.displacement = linear_displacement(move, p);
+        p.gap = p.gap_start + patch.normal.dot(p.displacement);
+        return;
+    }
+    Vector of_a = move.l_a * p.end_lever_a;
+    if constexpr (!K::deformable) of_a += 0.5 * move.l_a * of_a;  // the rotation is done exactly
+    const Vector apart = move.u_a + of_a - move.u_b;
+    p.displacement = p.predicted + apart - move.l_b * (p.lever_b + 0.5 * apart) - 0.5 * patch.chord_b * apart;
+    p.gap = p.gap_start + move.normal.dot(p.displacement);
+}
+
+template <class K>
+void sum_forces(const std::vector<PointStep<K::dimension>>& points, PatchStep<K>& patch)
+{
+    patch.force_a.setZero();
+    patch.force_b.setZero();
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const PointStep<K::dimension>& p = points[i];
+        if (p.normal == 0 && p.shear.isZero(0)) continue;
+        const typename K::Vector force = p.normal * patch.normal - p.shear;
+        K::add_force(patch.force_a, p.lever_a, force);
+        K::add_force(patch.force_b, p.lever_b, -force);
+    }
+}
+
+}  // namespace
+
+template <class K>
+void scale_stiffness(double factor, int threads, ContactStep<K>& step)
+{
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            const PatchStep<K>& patch = step.patches[k];
+            for (int i = patch.first; i < patch.first + patch.count; ++i) {
+                PointStep<K::dimension>& p = step.points[i];
+                p.normal_stiffness *= factor;
+                p.shear_stiffness *= factor;
+                p.slip_start /= factor;
+                if (p.gap_start < 0 || patch.intact) p.gap_start /= factor;
+            }
+        }
+    });
+}
+
+template <class K>
+void evaluate_patch(const VectorXd& d, PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points)
+{
+    const PatchMove<K> move(d, patch);
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        PointStep<K::dimension>& p = points[i];
+        move_point(move, patch, p);
+        normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
+        if (p.normal == 0 && !patch.intact) {
+            release(p);
+            continue;
+        }
+        p.linear = linear_displacement(move, p);
+        shear_force(friction_of(patch, p), patch, p);
+    }
+    sum_forces(points, patch);
+}
+
+template <class K>
+void evaluate_contacts(const VectorXd& d, int threads, ContactStep<K>& step)
+{
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) evaluate_patch(d, step.patches[k], step.points);
+    });
+}
+
+namespace
+{
+
+/// A patch whose points keep their states, at the iterate d.
+template <class K>
+void keep_states(const VectorXd& d, PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points)
+{
+    using Vector = typename K::Vector;
+    const PatchMove<K> move(d, patch);
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        PointStep<K::dimension>& p = points[i];
+        move_point(move, patch, p);
+        p.linear = linear_displacement(move, p);
+        const bool closed = p.status != ContactStatus::open;
+        // Blends other than one belong to the first guess of a Newton iteration.
+        const double gap = 0.5 * (1 - p.normal_blend) * p.gap_start + 0.5 * (1 + p.normal_blend) * p.gap;
+        p.elastic_normal = p.normal = closed ? -p.normal_stiffness * gap : 0;
+        const Vector slip = 0.5 * (1 + p.shear_blend) * tangential(p.displacement, patch.normal);
+        p.trial = p.shear_stiffness * (p.slip_start + slip);
+        if (p.status == ContactStatus::locked) p.shear = p.trial;
+        if (p.status == ContactStatus::open) p.shear.setZero();
+    }
+    sum_forces(points, patch);
+}
+
+}  // namespace
+
+template <class K>
+void evaluate_published(const VectorXd& d, int threads, ContactStep<K>& step)
+{
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) keep_states(d, step.patches[k], step.points);
+    });
+}
+
+template <class K>
+bool switch_published(ContactStep<K>& step)
+{
+    bool changed = false;
+    for (PatchStep<K>& patch : step.patches)
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            PointStep<K::dimension>& p = step.points[i];
+            const double length = p.trial.norm();
+            const double bound = friction_of(patch, p) * std::max(p.normal, 0.0);
+            p.bound = bound;
+            ContactStatus next = ContactStatus::open;
+            if (p.gap < 0) next = length <= bound ? ContactStatus::locked : ContactStatus::sliding;
+            if (p.status == ContactStatus::open && p.gap < 0) next = ContactStatus::locked;
+            if (next != p.status) {
+                if (next == ContactStatus::sliding)
+                    p.shear = bound / length * p.trial;
+                else
+                    p.shear.setZero();
+                changed = true;
+            }
+            p.status = next;
+        }
+    return changed;
+}
+
+#define VOUSSOIR_INSTANTIATE(K)                                                                          \
+    template void scale_stiffness(double, int, ContactStep<K>&);                                         \
+    template void evaluate_contacts(const VectorXd&, int, ContactStep<K>&);                              \
+    template void evaluate_patch(const VectorXd&, PatchStep<K>&, std::vector<PointStep<K::dimension>>&); \
+    template void evaluate_published(const VectorXd&, int, ContactStep<K>&);                             \
+    template bool switch_published(ContactStep<K>&)
+VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
+#undef VOUSSOIR_INSTANTIATE
+
+}  // namespace voussoir::step

@@ -1,0 +1,128 @@
+// Contact forces within one step: normal and shear springs with Coulomb friction, and their energies.
+// Source: docs/numerics.md 2.4.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "libdda/block/block_step.h"
+#include "libdda/contact/find_contacts.h"
+#include "libdda/model/friction_law.h"
+#include "libdda/model/parallel.h"
+
+namespace voussoir::step
+{
+
+/// A contact point within a step. Displacements are of a relative to b.
+template <int D>
+struct PointStep {
+    VectorIn<D> lever_a, lever_b;                      // m, of the contact in the middle of the predicted step
+    VectorIn<D> end_lever_a;                           // m, of the material point of a at the end, if D = 0
+    VectorIn<D> predicted;                             // m, relative displacement of the step if D = 0
+    VectorIn<D> ballistic_a, ballistic_b;              // m, h v^ minus the predicted displacement, of the rotation
+    VectorIn<D> slip_start;                            // m, elastic slip, turned to the middle of the step
+    double gap_start = 0;                              // m
+    double normal_stiffness = 0, shear_stiffness = 0;  // N/m
+    double normal_blend = 1, shear_blend = 1;          // theta of the integrator
+    VectorIn<D> heading;                               // unit, of the sliding at the start of the step
+    double speed = 0;                                  // m/s, of that; 0: it does not slide
+    // At the current iterate:
+    ContactStatus status = ContactStatus::open;
+    double gap = 0, normal = 0, elastic_normal = 0, normal_tangent = 0;  // m, N, N, N/m
+    double bound = 0;                                                    // N, friction bound
+    VectorIn<D> displacement;                                            // m, relative, of the step
+    VectorIn<D> linear;                            // m, the same as the forces measure it, if there are any
+    VectorIn<D> trial;                             // N, shear force if it all stuck
+    VectorIn<D> shear;                             // N, resisting
+    bool turns_round = false;                      // the sliding of the start ends within the step
+    double tangent_along = 0, tangent_across = 0;  // N/m, of the shear force then
+};
+
+template <class K>
+struct PatchStep {
+    int row_a = -1, row_b = -1;
+    int first = 0, count = 0;
+    typename K::Vector normal;  // in the middle of the predicted step
+    FrictionLaw friction;
+    double h = 0;               // s, the step
+    double braking = 0;         // m/s, what friction takes from the stones' speed in the step
+    double dashpot_over_h = 0;  // -
+    bool intact = false;
+    typename K::Matrix chord_b = K::Matrix::Zero();  // of block b
+    bool follows_turning = true;                     // gaps and slips to second order in the turning of the step
+    typename K::Unknowns force_a, force_b;           // generalised forces on the two blocks
+    typename K::Square aa, ab, bb;                   // stiffness
+};
+
+/// All contacts of a step.
+template <class K>
+struct ContactStep {
+    std::vector<PatchStep<K>> patches;
+    std::vector<PointStep<K::dimension>> points;
+};
+
+/// What of a vector lies in the plane of a contact.
+template <class Vector>
+Vector tangential(const Vector& v, const Vector& normal)
+{
+    return v - normal.dot(v) * normal;
+}
+
+/// @param contacts with the gaps and slips at the start of the step
+template <class K>
+void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSetIn<K::dimension>& contacts,
+                    const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step);
+
+/// Multiplies the stiffness of all contacts. The forces at the start of the step stay.
+template <class K>
+void scale_stiffness(double factor, int threads, ContactStep<K>& step);
+
+/// Forces at the iterate D (rows x unknowns), point by point and summed per patch.
+template <class K>
+void evaluate_contacts(const Eigen::VectorXd& d, int threads, ContactStep<K>& step);
+
+/// The same of one patch.
+template <class K>
+void evaluate_patch(const Eigen::VectorXd& d, PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points);
+
+/// The same by the published open-close rules: every point keeps its status; a sliding point carries the friction
+/// of the pass before as a load.
+template <class K>
+void evaluate_published(const Eigen::VectorXd& d, int threads, ContactStep<K>& step);
+
+/// New states of all points by the published rules. @returns whether any changed
+template <class K>
+bool switch_published(ContactStep<K>& step);
+
+/// Contact terms of the energy audit of an accepted step.
+struct ContactEnergies {
+    double stored = 0, friction = 0, dashpot = 0, loss = 0;
+};
+template <class K>
+ContactEnergies contact_energies(int threads, const ContactStep<K>& step);
+
+/// Calls `add(part(patch, point))` for all points in their order; `part` is called on all threads.
+template <class K, class PartOf, class Add>
+void add_points_in_order(const ContactStep<K>& step, int threads, const PartOf& part, const Add& add)
+{
+    const auto each_point = [&](const PatchStep<K>& patch, const auto& visit) {
+        for (int i = patch.first; i < patch.first + patch.count; ++i) visit(i, part(patch, step.points[i]));
+    };
+    if (threads <= 1) {
+        for (const PatchStep<K>& patch : step.patches)
+            each_point(patch, [&](int, const auto& of_point) { add(of_point); });
+        return;
+    }
+    std::vector<decltype(part(step.patches.front(), step.points.front()))> parts(step.points.size());
+    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k)
+            each_point(step.patches[k], [&](int i, const auto& of_point) { parts[i] = of_point; });
+    });
+    for (const auto& of_point : parts) add(of_point);
+}
+
+/// Elastic slip at the end of the step [m]: of a blend theta, t = (1-theta)/2 k s0 + (1+theta)/2 k s1.
+template <class K>
+typename K::Vector slip_at_end(const PatchStep<K>& patch, const PointStep<K::dimension>& point);
+
+}  // namespace voussoir::step

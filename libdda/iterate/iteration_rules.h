@@ -1,0 +1,40 @@
+// Every number of the open-close iteration.
+#pragma once
+
+#include <cstddef>
+
+namespace voussoir::step
+{
+
+/// What the iteration goes by. None of it moves the answer by more than the tolerance of a step: it is accepted by
+/// its residual alone. Source: docs/numerics.md 3.
+struct IterationRules {
+    // A change of state of so few contacts is a matter of all stones, more are first a matter of single ones.
+    std::size_t few_changes = 8;        // points
+    double few_changes_of_all = 0.005;  // and this share of them, as long as the whole tangent leads on
+
+    // Linear systems are solved to this share of what the step still asks for, within two bounds.
+    double linear_share = 0.5;
+    double finest = 1e-2, coarsest = 0.1;  // of the residual
+    int most_vectors = 50;                 // of a Krylov space
+
+    // A line search has gone far enough where what the forces do along the direction has halved.
+    int most_evaluations = 12;
+    double least_part = 0.1;  // of the bracket, that regula falsi may take off
+
+    // Stones relaxed one by one.
+    double worth_relaxing = 0.02;  // of the worst unbalance: stones with less are left alone
+    int sweeps = 40;               // at most
+    double few_stones = 0.2;       // of all: so many may be due in a sweep beyond the first two
+    // Few rows are due in most sweeps, near one another: domains are small, so that they lie in several.
+    int rows_in_domain = 32;  // some; fewer rows that are due stay on one thread
+    int most_domains = 1024;  // some
+
+    // Elastic stones that are let go: joints softened at their forces.
+    double softest = 1.0 / 65536;  // of the stiffness
+    double hardening = 4;          // each time by this
+    double soft_tolerance = 1e-2;  // of the load: only the states of the contacts are wanted
+    double many_changes = 0.05;    // of the points
+};
+
+}  // namespace voussoir::step

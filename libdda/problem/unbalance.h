@@ -1,0 +1,28 @@
+// How far the blocks of a step are from equilibrium.
+#pragma once
+
+#include <cstddef>
+
+#include "libdda/problem/step_problem.h"
+
+namespace voussoir::step
+{
+
+/// The block that is farthest from equilibrium.
+struct Unbalance {
+    double worst = 0;  // residual / tolerance of that block
+    double ratio = 0;  // residual / load of that block
+    int block = -1;
+};
+
+/// Residual / tolerance of the block of a row, as below.
+template <class K>
+double unbalance_of(std::size_t row, double tolerance, const StepProblem<K>& problem);
+
+/// Largest |R_i| / tol_i over the blocks, moments divided by the block's size, at the residual of the problem. The
+/// tolerance of a block is a share of its own load, never less than what rounding leaves of its stiffness.
+/// @param tolerance that share
+template <class K>
+Unbalance unbalance(const StepProblem<K>& problem, double tolerance);
+
+}  // namespace voussoir::step
