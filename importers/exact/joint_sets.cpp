@@ -13,10 +13,10 @@ namespace voussoir::importers::exact
 namespace
 {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Plane = Kernel::Plane_3;
-using Number = Kernel::FT;
+using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Point = ExactKernel::Point_3;
+using Plane = ExactKernel::Plane_3;
+using Number = ExactKernel::FT;
 
 constexpr int outer_face = -1;
 
@@ -71,7 +71,7 @@ Piece side_of(const Piece& whole, const Plane& plane, const std::vector<int>& si
         if (is_new) {
             // Both halves, and both pieces at an edge, get the same exact point.
             const auto [a, b] = std::minmax(i, j);
-            const auto at = CGAL::intersection(plane, Kernel::Line_3(whole.points[a], whole.points[b]));
+            const auto at = CGAL::intersection(plane, ExactKernel::Line_3(whole.points[a], whole.points[b]));
             half.points.push_back(*boost::get<Point>(&*at));
         }
         return place->second;
@@ -178,7 +178,7 @@ double rounded(const Number& number)
     return CGAL::to_double(CGAL::exact(number));
 }
 
-Number volume_of(const Piece& piece)
+Number piece_volume(const Piece& piece)
 {
     Number six(0);
     const Point& apex = piece.points.front();
@@ -233,7 +233,7 @@ std::vector<std::vector<std::size_t>> blocks_of(const std::vector<Piece>& pieces
 RockBlock block_of(const std::vector<std::size_t>& members, const std::vector<Piece>& pieces, Number& all)
 {
     Number volume(0);
-    for (const std::size_t piece : members) volume += volume_of(pieces[piece]);
+    for (const std::size_t piece : members) volume += piece_volume(pieces[piece]);
     all += volume;
     return {{}, rounded(volume)};
 }
@@ -258,10 +258,10 @@ CutRock cut_rock(const RockRequest& request)
     std::vector<Piece> pieces = pieces_of(request.domain, request.seed);
     CutRock rock;
     Number domain(0), all(0);
-    for (const Piece& piece : pieces) domain += volume_of(piece);
+    for (const Piece& piece : pieces) domain += piece_volume(piece);
     for (std::size_t s = 0; s < request.sets.size(); ++s) {
         const JointSet& set = request.sets[s];
-        const Kernel::Vector_3 normal(set.normal.x(), set.normal.y(), set.normal.z());
+        const ExactKernel::Vector_3 normal(set.normal.x(), set.normal.y(), set.normal.z());
         std::uint64_t number = s << 32U;
         for (const double place : places_of(set, request, s)) {
             cut_by(Plane(exact(set.origin + place * set.normal), normal), set.persistence, ++number, pieces);

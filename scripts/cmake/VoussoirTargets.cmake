@@ -99,7 +99,7 @@ endfunction()
 # and its tests take 125 s of CPU so, 291 s one by one; the whole build about two thirds. What of one source another would see,
 # unity_groups.py keeps apart; who adds a name that is taken in its group is told so by the compiler, until cmake has run again.
 option(VOUSSOIR_UNITY "Compile several sources as one" ON)
-set(voussoir_most_sources 8)  # in one compilation
+set(voussoir_most_sources 12)  # in one compilation
 find_package(Python3 QUIET COMPONENTS Interpreter)
 if(NOT Python3_FOUND)
   set(VOUSSOIR_UNITY OFF)
@@ -124,8 +124,8 @@ function(voussoir_unite_now)
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources INCLUDE REGEX "\\.cpp$")
     foreach(source ${sources})
-      get_source_file_property(alone ${source} TARGET_DIRECTORY ${target} SKIP_UNITY_BUILD_INCLUSION)
       get_filename_component(path ${source} ABSOLUTE BASE_DIR ${folder})
+      get_source_file_property(alone ${path} TARGET_DIRECTORY ${target} SKIP_UNITY_BUILD_INCLUSION)
       if(NOT alone)
         string(APPEND list "${target} ${path}\n")
       endif()

@@ -6,8 +6,8 @@
     scripts/cmake/unity_groups.py --self-test    plants what must not meet and sees that it does not
 
 What stands in an unnamed namespace is a source's own, and so are macros that it leaves defined. A name of its own that a
-header has too, one that others of the target include and it does not, would be taken for that one. A source is put into
-the first group that has room and none of its names: most of those listed together stay together.
+header has too, one that another of the group includes and it does not, would be taken for that one. A source is put into
+the first group that has room and nobody it would be mistaken for: most of those listed together stay together.
 """
 
 import functools
@@ -22,6 +22,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum class|enum|union|concept) (?:\[\[\w+\]\] )?(\w+)")
 NAME = re.compile(r"(\w+)$")
 INCLUDED = re.compile(r'#include "(.+)"')
+ALIAS = re.compile(r"using (\w+) = .*;$")  # whole: the same one twice is the same type
 USED = re.compile(r"using (?!namespace )(?:\w+::)+(\w+);")
 MACRO = re.compile(r"#\s*(define|undef)\s+(\w+)")
 RAW_STRING = re.compile(r'R"(\w*)\(.*?\)\1"', re.DOTALL)
@@ -85,28 +86,37 @@ def names_of_header(header):
     return set().union(*map(declared_on, lines))
 
 
+class Source:
+    """What of a source another one would see, and what it has of headers."""
+
+    def __init__(self, path):
+        text = Path(path).read_text(encoding="utf-8")
+        self.names, self.used, self.macros = own_names(text)
+        self.aliases = {line for line in text.splitlines() if ALIAS.match(line)}
+        self.headers = headers_of(text)
+
+    def would_mistake(self, other):
+        """Whether a name of this source is one that the other declares, uses or brings in with a header."""
+        brought = set().union(*map(names_of_header, other.headers - self.headers))
+        same = {ALIAS.match(line).group(1) for line in self.aliases & other.aliases}
+        return bool((self.names - same) & other.names or self.names & (other.used | brought))
+
+    def meets(self, other):
+        return self.would_mistake(other) or other.would_mistake(self)
+
+
 def groups(sources, most):
-    """Pairs of a group's number and a source; whoever leaves a macro defined, or has a name of a header that is not its
-    own, has a group for itself."""
-    texts = {source: Path(source).read_text(encoding="utf-8") for source in sources}
-    headers = {source: headers_of(text) for source, text in texts.items()}
-    all_headers = set().union(*headers.values())
-    own, shared = [], []  # of each group: what its sources declare, and what they use of other namespaces
-    sizes = []
-    for source in sources:
-        names, used, macros = own_names(texts[source])
-        alone = macros or any(names & names_of_header(header) for header in all_headers - headers[source])
-        place = next((index for index, size in enumerate(sizes)
-                      if size < most and not alone and not names & (own[index] | shared[index]) and not used & own[index]),
-                     len(sizes))
-        if place == len(sizes):
-            own.append(set())
-            shared.append(set())
-            sizes.append(0)
-        own[place] |= names
-        shared[place] |= used
-        sizes[place] = most if alone else sizes[place] + 1
-        yield place, source
+    """Pairs of a group's number and a source; whoever leaves a macro defined has a group for itself."""
+    found = []  # of each group: its sources
+    for path in sources:
+        source = Source(path)
+        place = next((index for index, group in enumerate(found)
+                      if len(group) < most and not source.macros and not group[0].macros
+                      and not any(map(source.meets, group))), len(found))
+        if place == len(found):
+            found.append([])
+        found[place].append(source)
+        yield place, path
 
 
 def self_test():
@@ -116,17 +126,18 @@ def self_test():
         "first.cpp": own + "double width_of(const std::map<int, Pair>& block)\n{\n    return 1;\n}\nconst double h{1}, g = 9.81;  // m, m/s2" + end
         + "#include \"libdda/errors.h\"\n",
         "second.cpp": own + "struct Side\n{\n    double width_of;\n};\nusing Row = std::vector<double>;" + end,
+        "eleventh.cpp": own + "using Row = std::vector<double>;" + end,
+        "ninth.cpp": own + "struct InputError\n{\n};" + end,  # libdda/errors.h has it, which the first includes
         "third.cpp": own + "constexpr std::array<double, 2> g{1, 2};" + end,
         "fourth.cpp": own + "class Side;\ntemplate <class T>\nvoid swap_all(T& one)\n{\n}" + end,
         "fifth.cpp": "#define LOUD\n",
         "sixth.cpp": "#define QUIET\n#undef QUIET\n" + own + "template <class T> struct Row;" + end,
         "seventh.cpp": "namespace a\n{\n\nusing b::g;\nusing b::h;\n\n}  // namespace a\n",
         "eighth.cpp": "namespace a\n{\n\ndouble g();\n\n}  // namespace a\n",
-        "ninth.cpp": own + "struct InputError\n{\n};" + end,  # libdda/errors.h has it
         "tenth.cpp": own + "double h;" + end,
     }
-    expected = {"first.cpp": 0, "second.cpp": 0, "third.cpp": 1, "fourth.cpp": 1, "fifth.cpp": 2, "sixth.cpp": 1,
-                "seventh.cpp": 3, "eighth.cpp": 0, "ninth.cpp": 4, "tenth.cpp": 5}
+    expected = {"first.cpp": 0, "second.cpp": 0, "eleventh.cpp": 0, "ninth.cpp": 1, "third.cpp": 1, "fourth.cpp": 1,
+                "fifth.cpp": 2, "sixth.cpp": 3, "seventh.cpp": 3, "eighth.cpp": 3, "tenth.cpp": 4}
     with tempfile.TemporaryDirectory() as folder:
         for name, text in texts.items():
             (Path(folder) / name).write_text(text, encoding="utf-8")
