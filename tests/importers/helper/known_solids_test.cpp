@@ -89,7 +89,7 @@ void expect_known(const KnownSolid& solid, const Matrix3d& rotation, const Vecto
     EXPECT_NEAR((stone.moments.second - second).norm(), 0, tolerance * second.norm());
 }
 
-class KnownSolids : public testing::TestWithParam<KnownSolid (*)()>
+class KnownSolids : public ::testing::TestWithParam<KnownSolid (*)()>
 {
 };
 
@@ -111,7 +111,7 @@ TEST_P(KnownSolids, RotatedAndFarAway)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, KnownSolids,
-                         testing::Values(known_box, known_tetrahedron, known_drum, known_voussoir));
+                         ::testing::Values(known_box, known_tetrahedron, known_drum, known_voussoir));
 
 TEST(ImportMeshes, ChoosesAnOriginOnlyForLargeCoordinates)
 {
