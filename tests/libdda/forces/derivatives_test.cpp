@@ -5,6 +5,7 @@
 
 #include "libdda/block/block_step.h"
 #include "libdda/forces/contact_stiffness.h"
+#include "libdda/iterate/friction_coupling.h"
 #include "libdda/model/parallel.h"
 #include "libdda/problem/step_problem.h"
 #include "tests/libdda/poses.h"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "libdda/step/advance.h"
+#include "libdda/step/workspace.h"
 #include "tests/libdda/whole_scenes.h"
 
 namespace voussoir::testing
