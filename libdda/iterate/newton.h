@@ -4,7 +4,8 @@
 // 2. On the way to rest elastic stones of which many change their states: the states with softened joints first.
 // 3. Evaluate contacts and residual, friction at its bound mu N of the same iterate. Every stone in
 // equilibrium: 7.
-// 4. Before the first direction, and where many contacts have changed their state, stones that are out of balance are
+// 4. Before the first direction, and where many contacts have changed their state, stones that are out of balance
+// are
 //    relaxed one by one.
 // 5. A direction for all stones: by the whole tangent where few states change, else by the one with the friction
 //    bound held, which leads down a convex potential.
