@@ -18,7 +18,7 @@ BUDGET = {
     "block": (920, 17),
     "forces": (2000, 25),
     "problem": (455, 1),
-    "iterate": (850, 18),
+    "iterate": (860, 21),
     "impact": (580, 8),
     "step": (730, 1),
 }

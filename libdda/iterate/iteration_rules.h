@@ -6,6 +6,13 @@
 namespace voussoir::step
 {
 
+/// How a line search looks for the place where what the forces do along a direction has halved.
+struct SearchRule {
+    int most_evaluations = 0;
+    double least_part = 0;  // of the bracket, that regula falsi must take off: else it is halved
+    int halved_every = 1;   // so many evaluations, whatever regula falsi says
+};
+
 /// What the iteration goes by. None of it moves the answer by more than the tolerance of a step: it is accepted by
 /// its residual alone. Source: docs/numerics.md 3.
 struct IterationRules {
@@ -18,9 +25,8 @@ struct IterationRules {
     double finest = 1e-2, coarsest = 0.1;  // of the residual
     int most_vectors = 50;                 // of a Krylov space
 
-    // A line search has gone far enough where what the forces do along the direction has halved.
-    int most_evaluations = 12;
-    double least_part = 0.1;  // of the bracket, that regula falsi may take off
+    // Of the way of all stones a small part is worth no direction; a single one is often stopped at a millionth.
+    SearchRule of_all{12, 0.1, 12}, of_one{9, 0, 3};
 
     // Stones relaxed one by one.
     double worth_relaxing = 0.02;  // of the worst unbalance: stones with less are left alone

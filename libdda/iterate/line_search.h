@@ -20,16 +20,17 @@ struct Reach {
 /// @param slope_0 R . direction where it begins, < 0 [J]; @param slope_at the same at s, which it moves to;
 /// infinite where nothing may go
 template <class Slope>
-Reach line_search(double slope_0, const IterationRules& rules, const Slope& slope_at)
+Reach line_search(double slope_0, const SearchRule& rule, const Slope& slope_at)
 {
     const double enough = 0.5 * std::abs(slope_0);
     Reach reach;
     double slope_low = slope_0, slope_high = slope_at(reach.high);
     if (slope_high <= enough) return {1, 1, true};
-    for (int evaluation = 1; evaluation < rules.most_evaluations; ++evaluation) {
+    for (int evaluation = 1; evaluation < rule.most_evaluations; ++evaluation) {
         const double between = reach.high - reach.low;
         double s = reach.low - slope_low * between / (slope_high - slope_low);
-        if (std::min(s - reach.low, reach.high - s) < rules.least_part * between)
+        const bool is_small = std::min(s - reach.low, reach.high - s) < rule.least_part * between;
+        if (is_small || evaluation % rule.halved_every == 0 || !std::isfinite(slope_high))
             s = 0.5 * (reach.low + reach.high);
         const double slope = slope_at(s);
         if (std::abs(slope) <= enough) return {s, s, true};

@@ -205,7 +205,7 @@ bool Newton<K>::descend(double tolerance)
             with_.trial = problem_.d + s * direction;
             return evaluate(with_.trial, problem_) ? problem_.residual.dot(direction) : nowhere;
         };
-        const Reach reach = line_search(slope_0, rules_, slope_at);
+        const Reach reach = line_search(slope_0, rules_.of_all, slope_at);
         // A little beyond a corner is better than no way at all.
         if (!reach.is_found) slope_at(reach.low > 0 ? reach.low : reach.high);
         problem_.d.swap(with_.trial);

@@ -177,7 +177,7 @@ void Relaxation<K>::relax(int row, double unbalanced, const IterationRules& rule
             return problem.internal[row].admissible ? problem.residual.template segment<n>(n * row).dot(direction)
                                                     : std::numeric_limits<double>::infinity();
         };
-        const Reach reach = line_search(slope_0, rules, slope_at);
+        const Reach reach = line_search(slope_0, rules.of_one, slope_at);
         // Left beyond a corner, one stone in a thousand that is pushed deep into another undoes the sweep.
         if (!reach.is_found) slope_at(reach.low);
     }

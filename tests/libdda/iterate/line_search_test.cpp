@@ -23,7 +23,7 @@ template <class Slope>
 Found search(const Slope& slope)
 {
     Found found;
-    found.reach = line_search(slope(0.0), IterationRules(), [&](double s) {
+    found.reach = line_search(slope(0.0), IterationRules().of_all, [&](double s) {
         ++found.evaluations;
         return found.slope = slope(s);
     });
@@ -40,13 +40,13 @@ TEST(LineSearch, GoesTheWholeWayWhereItLeadsToBalance)
     EXPECT_EQ(found.evaluations, 1);
 }
 
-// A stone that is stopped by another after a hundredth of its way.
+// A stone that is stopped by another after a tenth of its way.
 TEST(LineSearch, FindsTheCornerWhereAContactCloses)
 {
-    const Found found = search([](double s) { return -1 + 0.1 * s + 1e3 * std::max(s - 1e-2, 0.0); });
+    const Found found = search([](double s) { return -1 + 0.1 * s + 100 * std::max(s - 0.1, 0.0); });
     EXPECT_TRUE(found.reach.is_found);
     EXPECT_LE(std::abs(found.slope), 0.5);
-    EXPECT_NEAR(found.reach.low, 1.1e-2, 1e-3);
+    EXPECT_NEAR(found.reach.low, 0.11, 0.005);
     EXPECT_EQ(found.reach.low, found.reach.high);
 }
 
@@ -67,7 +67,7 @@ TEST(LineSearch, TellsBetweenWhichTheForcesTurn)
     EXPECT_LT(found.reach.low, 0.4);
     EXPECT_GE(found.reach.high, 0.4);
     EXPECT_LT(found.reach.high - found.reach.low, 1e-3);
-    EXPECT_EQ(found.evaluations, IterationRules().most_evaluations);
+    EXPECT_EQ(found.evaluations, IterationRules().of_all.most_evaluations);
 }
 
 }  // namespace voussoir::step

@@ -60,10 +60,10 @@ TEST(Newton, TwentyTimesTheStonesTakeHardlyMoreIterationsAStep)
     EXPECT_LT(large.drift, 2e-4);
 }
 
-// By more than friction can take.
+// By more than friction can take: joints slide in many places at once.
 TEST(Newton, ALargeWallThatSlidesTakesFewIterationsAStep)
 {
-    EXPECT_LT(push(Kinematics::planar_rigid, 24, 46, 0.5, 0.144).iterations, 7.2);
+    EXPECT_LT(push(Kinematics::planar_rigid, 24, 46, 0.5, 0.144).iterations, 8);
 }
 
 }  // namespace voussoir::testing

@@ -39,8 +39,9 @@ TEST_P(Plain, ABlockSlidesDownAnIncline)
     EXPECT_NEAR(centroid(model, state, 1).x(), exact, 1e-3 * exact);
 }
 
-// A stack that is shaken, rocks, slides and lands: step after step both leave it where the other does, within ten
-// tolerances. Each step of the plain iteration begins where the fast one came to.
+// A stack that is shaken, rocks, slides and lands: solved a hundred times as closely as by default, step after
+// step both leave it where the other does, within the default tolerance. Each step of the plain one begins where
+// the fast one came to.
 TEST_P(Plain, MakesTheStepsOfTheFastOne)
 {
     Model model = make_model(GetParam(), stone(), dry(30));
@@ -50,7 +51,11 @@ TEST_P(Plain, MakesTheStepsOfTheFastOne)
     State state = initial_state(model);
     Stage fast = by(OpenClose::newton, dynamic_stage(0, 2e-3)), plain = by(OpenClose::plain, fast);
     const auto shaking = std::make_shared<const GroundMotion>(GroundMotion::sine_acceleration(5, 3, 0, 1));
-    for (Stage* stage : {&fast, &plain}) stage->motions.push_back({0, 0, shaking});
+    const double tolerance = fast.control.force_tolerance;
+    for (Stage* stage : {&fast, &plain}) {
+        stage->motions.push_back({0, 0, shaking});
+        stage->control.force_tolerance = tolerance / 100;
+    }
     begin_stage(model, 0, state);
     EnergyLedger of_fast = open_ledger(model, state);
     Workspace work_fast(model), work_plain(model);
@@ -66,11 +71,11 @@ TEST_P(Plain, MakesTheStepsOfTheFastOne)
         if (one.cuts + two.cuts > 0 || one.time_step != two.time_step) continue;
         for (int b = 1; b < static_cast<int>(model.blocks.size()); ++b) {
             const double apart = (centroid(model, state, b) - centroid(model, other, b)).norm();
-            worst = std::max(worst, 2 * apart / (h * h * gravity * fast.control.force_tolerance));
+            worst = std::max(worst, 2 * apart / (h * h * gravity * tolerance));
         }
     }
     std::printf("the two steps differ by %.2g tolerances\n", worst);
-    EXPECT_LT(worst, 10);
+    EXPECT_LT(worst, 1);
 }
 
 }  // namespace voussoir::testing
