@@ -150,7 +150,7 @@ template <class K>
 bool Newton<K>::soften()
 {
     if (!is_loose_ || relaxes()) return true;
-    for (double share = rules_.softest; share < 1; share *= rules_.hardening) {
+    for (double share = rules_.softest; share < 1;) {
         scale_stiffness(share, problem_.patch_threads, problem_.contacts);
         is_at_hand_ = false;
         descend(rules_.soft_tolerance);
@@ -161,6 +161,7 @@ bool Newton<K>::soften()
         scale_stiffness(1 / (share * rules_.hardening), problem_.patch_threads, problem_.contacts);
         if (!solved) return false;
         problem_.d += with_.directions.direction;
+        share *= rules_.hardening;
     }
     is_at_hand_ = false;
     return true;
