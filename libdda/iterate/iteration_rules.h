@@ -13,12 +13,13 @@ struct SearchRule {
     int halved_every = 1;   // so many evaluations, whatever regula falsi says
 };
 
-/// What the iteration goes by. None of it moves the answer by more than the tolerance of a step: it is accepted by
-/// its residual alone. Source: docs/numerics.md 3.
+/// What the iteration goes by. A step is accepted by its residual alone. Where it has one solution none of this
+/// moves it by more than the tolerance; on the way to rest, where friction leaves several, it may decide which is
+/// found. Source: docs/numerics.md 3.
 struct IterationRules {
     // A change of state of so few contacts is a matter of all stones, more are first a matter of single ones.
     std::size_t few_changes = 8;        // points
-    double few_changes_of_all = 0.005;  // and this share of them, as long as the whole tangent leads on
+    double few_changes_of_all = 0.005;  // and this share of them
 
     // Linear systems are solved to this share of what the step still asks for, within two bounds.
     double linear_share = 0.5;
@@ -36,7 +37,7 @@ struct IterationRules {
     int rows_in_domain = 32;  // some; fewer rows that are due stay on one thread
     int most_domains = 1024;  // some
 
-    // Elastic stones that are let go: joints softened at their forces.
+    // Elastic stones on the way to rest: joints softened at their forces.
     double softest = 1.0 / 65536;  // of the stiffness
     double hardening = 4;          // each time by this
     double soft_tolerance = 1e-2;  // of the load: only the states of the contacts are wanted

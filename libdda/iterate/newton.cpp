@@ -194,7 +194,7 @@ bool Newton<K>::descend(double tolerance)
     for (int iteration = 0;; ++iteration) {
         if (!is_at_hand_ && !evaluate(problem_.d, problem_)) return fail_inverted(problem_, report_);
         if (!problem_.residual.allFinite()) return fail(Trouble::inaccurate_solution, report_);
-        double worst = note_unbalance(tolerance, problem_, report_);
+        const double worst = note_unbalance(tolerance, problem_, report_);
         if (worst <= 1) return true;
         if (iteration >= control_.max_open_close) return fail(Trouble::chatter, report_);
         const std::size_t changed = note_changes(problem_, with_.states);

@@ -84,7 +84,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     problem.patches_of_rows.begin();
 
     const int rows = static_cast<int>(problem.block_of_row.size());
-    problem.threads = is_large(problem) ? stage.control.threads : 1;
+    problem.threads = rows < blocks_worth_threads ? 1 : stage.control.threads;
     problem.pairs.clear();
     for (const PatchStep<K>& patch : problem.contacts.patches)
         if (patch.row_a >= 0 && patch.row_b >= 0)

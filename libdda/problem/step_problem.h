@@ -50,13 +50,6 @@ struct StepProblem {
     std::vector<std::pair<int, int>> known_pairs;  // those of the step before: they make the pattern that is there
 };
 
-/// Whether so many blocks move that a direction for all of them is dear beside anything done among a few.
-template <class K>
-bool is_large(const StepProblem<K>& problem)
-{
-    return problem.block_of_row.size() >= static_cast<std::size_t>(blocks_worth_threads);
-}
-
 /// Sets up blocks, contacts and pattern for a step of length h. @param jumps of blocks that land in it, ascending
 template <class K>
 void assemble_blocks(const Model& model, const Stage& stage, const State& state,

@@ -37,13 +37,6 @@ Residual residual_of(std::size_t row, double tolerance, const StepProblem<K>& pr
 }  // namespace
 
 template <class K>
-double unbalance_of(std::size_t row, double tolerance, const StepProblem<K>& problem)
-{
-    const Residual found = residual_of(row, tolerance, problem);
-    return found.force / found.allowed;
-}
-
-template <class K>
 Unbalance unbalance(const StepProblem<K>& problem, double tolerance)
 {
     const auto look_at = [&](std::size_t row, Unbalance& most) {
@@ -64,9 +57,7 @@ Unbalance unbalance(const StepProblem<K>& problem, double tolerance)
     return worst;
 }
 
-#define VOUSSOIR_INSTANTIATE(K)                                               \
-    template double unbalance_of(std::size_t, double, const StepProblem<K>&); \
-    template Unbalance unbalance(const StepProblem<K>&, double)
+#define VOUSSOIR_INSTANTIATE(K) template Unbalance unbalance(const StepProblem<K>&, double)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

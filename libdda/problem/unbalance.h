@@ -1,8 +1,6 @@
 // How far the blocks of a step are from equilibrium.
 #pragma once
 
-#include <cstddef>
-
 #include "libdda/problem/step_problem.h"
 
 namespace voussoir::step
@@ -14,10 +12,6 @@ struct Unbalance {
     double ratio = 0;  // residual / load of that block
     int block = -1;
 };
-
-/// Residual / tolerance of the block of a row, as below.
-template <class K>
-double unbalance_of(std::size_t row, double tolerance, const StepProblem<K>& problem);
 
 /// Largest |R_i| / tol_i over the blocks, moments divided by the block's size, at the residual of the problem. The
 /// tolerance of a block is a share of its own load, never less than what rounding leaves of its stiffness.
