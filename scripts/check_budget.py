@@ -15,9 +15,9 @@ from pathlib import Path
 
 # Room of libdda: lines, constants.
 BUDGET = {
-    "block": (920, 17),
-    "forces": (2000, 25),
-    "problem": (455, 1),
+    "block": (920, 7),
+    "forces": (2100, 19),
+    "problem": (420, 1),
     "iterate": (860, 21),
     "impact": (580, 8),
     "step": (730, 1),

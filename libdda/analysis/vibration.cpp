@@ -9,7 +9,7 @@
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/contact/placed_part.h"
 #include "libdda/forces/applied_forces.h"
-#include "libdda/forces/bars.h"
+#include "libdda/forces/other_forces.h"
 
 namespace voussoir
 {
@@ -19,10 +19,10 @@ namespace
 
 /// The blocks as they are at the start of a step from rest that nothing drives. Boundaries carry them: dashpots
 /// hold nothing, and a structure that floats has no modes to speak of.
-/// @param applied the springs of boundaries and of tied sides
+/// @param others the springs of boundaries, of tied sides and of bars
 template <class K>
 std::vector<step::BlockStep<K>> blocks_at_rest(const Model& model, const State& state,
-                                               step::AppliedForces<K>& applied)
+                                               step::OtherForces<K>& others)
 {
     Stage stage;
     stage.type = StageType::static_equilibrium;
@@ -35,22 +35,18 @@ std::vector<step::BlockStep<K>> blocks_at_rest(const Model& model, const State& 
         step::begin_block(model, stage, rest, b, 1.0, 1.0, blocks[b]);
         blocks[b].row = -1;
     }
-    step::find_applied_forces(model, stage, rest, 1.0, 1.0, blocks, applied);
+    others.each([&](auto& group) { step::begin_forces(model, stage, rest, 1.0, 1.0, blocks, group); });
     return blocks;
 }
 
-/// The bars with the stiffness that they have at rest: a slack one has none.
+/// Forces get the stiffness that they have at rest: a slack bar has none.
 template <class K>
-std::vector<step::BarStep<K>> bars_at_rest(const Model& model, const State& state, int rows,
-                                           const std::vector<step::BlockStep<K>>& blocks)
+void find_stiffness_at_rest(int rows, const std::vector<step::BlockStep<K>>& blocks, step::OtherForces<K>& others)
 {
-    std::vector<step::BarStep<K>> bars;
-    step::begin_bars(model, state, blocks, bars);
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(rows * K::unknowns);
     std::vector<double> load(rows, 0.0);
     const Eigen::VectorXd unmoved = forces;
-    step::add_bar_forces(unmoved, 1, blocks, bars, forces, load);
-    return bars;
+    others.each([&](auto& group) { step::add_forces(unmoved, blocks, group, forces, load); });
 }
 
 template <class K>
@@ -162,27 +158,15 @@ std::vector<int> number_rows(const std::vector<Bar>& bars, ClosedJoints<K>& join
 template <class K>
 using BlockView = Eigen::Map<typename K::Square>;
 
-/// What ties couple, once for each: their rows, the larger one first.
-template <class K, class Function>
-void for_each_tie(const step::AppliedForces<K>& applied, const std::vector<step::BlockStep<K>>& blocks,
-                  const Function& function)
-{
-    for (const step::Coupling<K>& coupling : applied.couplings) {
-        const int row = blocks[coupling.block].row, column = blocks[coupling.other].row;
-        if (coupling.mutual && row > column && column >= 0) function(row, column, coupling.matrix);
-    }
-}
-
 template <class K>
-void set_pattern(int rows, const step::AppliedForces<K>& applied, const std::vector<step::BarStep<K>>& bars,
-                 const std::vector<step::BlockStep<K>>& blocks, Vibration<K>& vibration)
+void set_pattern(int rows, const step::OtherForces<K>& others, const std::vector<step::BlockStep<K>>& blocks,
+                 Vibration<K>& vibration)
 {
     std::vector<std::pair<int, int>> pairs;
     for (const VibratingPoint<K>& p : vibration.points)
         if (p.row_a >= 0 && p.row_b >= 0)
             pairs.emplace_back(std::max(p.row_a, p.row_b), std::min(p.row_a, p.row_b));
-    for_each_tie(applied, blocks, [&](int row, int column, const auto&) { pairs.emplace_back(row, column); });
-    step::add_bar_pairs(blocks, bars, pairs);
+    others.each([&](const auto& group) { step::add_pairs(blocks, group, pairs); });
     solve::set_pattern(vibration.stiffness, K::unknowns, rows, pairs);
 }
 
@@ -250,24 +234,21 @@ Vibration<K> vibration_about(const Model& model, const State& state)
     constexpr int n = K::unknowns;
     State with_contacts = state;
     if (state.step == 0) find_initial_contacts(model, with_contacts);
-    step::AppliedForces<K> applied;
-    std::vector<step::BlockStep<K>> blocks = blocks_at_rest<K>(model, with_contacts, applied);
+    step::OtherForces<K> others;
+    std::vector<step::BlockStep<K>> blocks = blocks_at_rest<K>(model, with_contacts, others);
     ClosedJoints<K> joints(model, with_contacts, blocks);
     Vibration<K> vibration;
     vibration.block_of_row = number_rows(model.bars, joints, blocks);
     const int rows = static_cast<int>(vibration.block_of_row.size());
-    const std::vector<step::BarStep<K>> bars = bars_at_rest(model, with_contacts, rows, blocks);
+    find_stiffness_at_rest(rows, blocks, others);
     vibration.points = std::move(joints.points);
     vibration.mass.assign(static_cast<std::size_t>(rows) * n * n, 0.0);
     vibration.translating_mass.assign(static_cast<std::size_t>(rows) * K::dimension, 0.0);
-    set_pattern(rows, applied, bars, blocks, vibration);
+    set_pattern(rows, others, blocks, vibration);
     for (const step::BlockStep<K>& block : blocks)
         if (block.row >= 0) add_block(block, vibration);
     for (const VibratingPoint<K>& point : vibration.points) add_joint(point, vibration.stiffness);
-    for_each_tie(applied, blocks, [&](int row, int column, const auto& matrix) {
-        BlockView<K>(vibration.stiffness.block(vibration.stiffness.position(row, column))) -= matrix;
-    });
-    step::add_bar_stiffness(blocks, bars, vibration.stiffness);
+    others.each([&](const auto& group) { step::add_stiffness(blocks, group, vibration.stiffness); });
     hold(blocks, vibration.stiffness);
     return vibration;
 }

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 Vector3d ground_velocity(const Model& model, const Stage& stage, double time)
 {
     Vector3d velocity = Vector3d::Zero();
-    for (int component = 0; component < 3; ++component) {
+    for (int component = 0; component < velocity.size(); ++component) {
         std::vector<const GroundMotion*> different;  // a motion shared by many foundations counts once
         std::size_t moved = 0, held = 0;
         for (const FoundationMotion& motion : stage.motions) {

@@ -19,7 +19,7 @@ namespace voussoir::step
 template <int D>
 struct DeformableIn {
     static constexpr Kinematics kinematics =
-        D == 3 ? Kinematics::spatial_deformable : Kinematics::planar_deformable;
+        D == 2 ? Kinematics::planar_deformable : Kinematics::spatial_deformable;
     static constexpr bool deformable = true;
     static constexpr int dimension = D;
     static constexpr int unknowns = D + D * D;
@@ -70,10 +70,10 @@ struct DeformableIn {
 /// 6 unknowns, planar 3: u, r.
 template <int D>
 struct RigidIn {
-    static constexpr Kinematics kinematics = D == 3 ? Kinematics::spatial_rigid : Kinematics::planar_rigid;
+    static constexpr Kinematics kinematics = D == 2 ? Kinematics::planar_rigid : Kinematics::spatial_rigid;
     static constexpr bool deformable = false;
     static constexpr int dimension = D;
-    static constexpr int spins = D == 3 ? 3 : 1;
+    static constexpr int spins = SpinIn<D>::SizeAtCompileTime;
     static constexpr int unknowns = D + spins;
     using Vector = VectorIn<D>;
     using Matrix = MatrixIn<D>;
@@ -85,7 +85,7 @@ struct RigidIn {
 
     static Vector displacement(const Unknowns& d, const Vector& y)
     {
-        if constexpr (D == 3)
+        if constexpr (D > 2)
             return d.template head<3>() + d.template tail<3>().cross(y);
         else
             return {d[0] - d[2] * y.y(), d[1] + d[2] * y.x()};
@@ -97,7 +97,7 @@ struct RigidIn {
     }
     static void add_stiffness(Square& stiffness, const Vector& ya, const Vector& yb, const Matrix& c)
     {
-        if constexpr (D == 3) {
+        if constexpr (D > 2) {
             const Matrix c_yb = c * skew(yb), ya_skew = skew(ya);
             stiffness.template topLeftCorner<3, 3>() += c;
             stiffness.template topRightCorner<3, 3>() -= c_yb;

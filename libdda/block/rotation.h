@@ -12,7 +12,7 @@ namespace voussoir::step
 
 /// A spin: three components, in the plane one, from the first axis to the second.
 template <int D>
-using SpinIn = Eigen::Matrix<double, D == 3 ? 3 : 1, 1>;
+using SpinIn = Eigen::Matrix<double, D == 2 ? 1 : D, 1>;
 
 /// The matrix W with W y = r x y.
 inline Eigen::Matrix3d skew(const SpinIn<3>& r)
@@ -106,7 +106,7 @@ inline Eigen::Matrix<double, 1, 1> inertia_tensor(const Eigen::Matrix2d& spread)
 template <int D>
 SpinIn<D> spin_of(const MatrixIn<D>& spread, const SpinIn<D>& momentum)
 {
-    if constexpr (D == 3)
+    if constexpr (D > 2)
         return inertia_tensor(spread).inverse() * momentum;
     else
         return momentum / spread.trace();

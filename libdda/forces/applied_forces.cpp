@@ -1,8 +1,10 @@
 #include "libdda/forces/applied_forces.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "libdda/block/ground_velocity.h"
+#include "libdda/forces/other_forces.h"
 #include "libdda/forces/side_ties.h"
 #include "libdda/forces/viscous_boundary.h"
 
@@ -65,11 +67,21 @@ double work_of(const typename K::Unknowns& force, const State& state, int b, con
     return work;
 }
 
+/// Calls visit(row, column, coupling) for what couples two blocks with unknowns symmetrically, once for each.
+template <class K, class Visit>
+void for_each_mutual(const std::vector<BlockStep<K>>& blocks, const AppliedForces<K>& applied, const Visit& visit)
+{
+    for (const Coupling<K>& coupling : applied.couplings) {
+        const int row = blocks[coupling.block].row, column = blocks[coupling.other].row;
+        if (coupling.mutual && row > column && column >= 0) visit(row, column, coupling);
+    }
+}
+
 }  // namespace
 
 template <class K>
-void find_applied_forces(const Model& model, const Stage& stage, const State& state, double h, double end_time,
-                         std::vector<BlockStep<K>>& blocks, AppliedForces<K>& forces)
+void begin_forces(const Model& model, const Stage& stage, const State& state, double h, double end_time,
+                  std::vector<BlockStep<K>>& blocks, AppliedForces<K>& forces)
 {
     forces.own.clear();
     forces.couplings.clear();
@@ -81,35 +93,80 @@ void find_applied_forces(const Model& model, const Stage& stage, const State& st
 }
 
 template <class K>
-void book_applied_forces(const State& state, const std::vector<BlockStep<K>>& blocks, const Eigen::VectorXd& d,
-                         double h, const AppliedForces<K>& forces, EnergyLedger& energy)
+void add_pairs(const std::vector<BlockStep<K>>& blocks, const AppliedForces<K>& applied,
+               std::vector<std::pair<int, int>>& pairs)
+{
+    for_each_mutual(blocks, applied, [&](int row, int column, const Coupling<K>& /*coupling*/) {
+        pairs.emplace_back(row, column);
+    });
+}
+
+template <class K>
+void note_tied(const std::vector<BlockStep<K>>& blocks, const AppliedForces<K>& applied, std::vector<char>& tied)
+{
+    const auto tie = [&](int block) {
+        if (const int row = blocks[block].row; row >= 0) tied[row] = true;
+    };
+    for (const AppliedForce<K>& force : applied.own) tie(force.block);
+    for (const Coupling<K>& coupling : applied.couplings) tie(coupling.block), tie(coupling.other);
+}
+
+template <class K>
+void add_forces(const Eigen::VectorXd& d, const std::vector<BlockStep<K>>& blocks, AppliedForces<K>& applied,
+                Eigen::VectorXd& forces, std::vector<double>& load)
 {
     constexpr int n = K::unknowns;
-    book_side_ties(state, blocks, forces, energy);
-    for (const AppliedForce<K>& applied : forces.own) {
-        const BlockStep<K>& block = blocks[applied.block];
+    for (const AppliedForce<K>& one : applied.own) {
+        const int row = blocks[one.block].row;
+        if (row < 0) continue;
+        const typename K::Unknowns force = applied.at(one, blocks, d);
+        forces.segment<n>(n * row) += force;
+        load[row] += force.template head<K::dimension>().norm();
+    }
+}
+
+template <class K>
+void add_stiffness(const std::vector<BlockStep<K>>& blocks, const AppliedForces<K>& applied,
+                   solve::BlockMatrix& matrix)
+{
+    for_each_mutual(blocks, applied, [&](int row, int column, const Coupling<K>& coupling) {
+        Eigen::Map<typename K::Square>(matrix.block(matrix.position(row, column))) -= coupling.matrix;
+    });
+}
+
+template <class K>
+void book_forces(const State& state, const std::vector<BlockStep<K>>& blocks, const Eigen::VectorXd& d, double h,
+                 const AppliedForces<K>& applied, EnergyLedger& energy)
+{
+    constexpr int n = K::unknowns;
+    book_side_ties(state, blocks, applied, energy);
+    for (const AppliedForce<K>& one : applied.own) {
+        const BlockStep<K>& block = blocks[one.block];
         if (block.row < 0) continue;
-        const typename K::Unknowns own = d.segment<n>(n * block.row), force = forces.at(applied, blocks, d);
+        const typename K::Unknowns own = d.segment<n>(n * block.row), force = applied.at(one, blocks, d);
         const typename K::Unknowns path = h * block.velocity + own;
         const typename K::Vector moved =
-            pose_in<K::dimension>(K::kinematics, state, applied.block).centroid - block.start.centroid;
-        const double work = work_of<K>(force, state, applied.block, block, moved, path);
+            pose_in<K::dimension>(K::kinematics, state, one.block).centroid - block.start.centroid;
+        const double work = work_of<K>(force, state, one.block, block, moved, path);
         (block.jumps ? energy.impact : energy.algorithmic_rotation) -= force.dot(path) - work;
-        if (applied.kind == AppliedForce<K>::Kind::boundary) {
+        if (one.kind == AppliedForce<K>::Kind::boundary) {
             energy.boundary_work += work;
-        } else if (applied.kind == AppliedForce<K>::Kind::damping) {
-            const double of_ground = force.template head<K::dimension>().dot(applied.ground_move);
+        } else if (one.kind == AppliedForce<K>::Kind::damping) {
+            const double of_ground = force.template head<K::dimension>().dot(one.ground_move);
             energy.foundation_work += of_ground;
             energy.damping_material += of_ground - work;
         }
     }
 }
 
-#define VOUSSOIR_INSTANTIATE(K)                                                                               \
-    template void find_applied_forces(const Model&, const Stage&, const State&, double, double,               \
-                                      std::vector<BlockStep<K>>&, AppliedForces<K>&);                         \
-    template void book_applied_forces(const State&, const std::vector<BlockStep<K>>&, const Eigen::VectorXd&, \
-                                      double, const AppliedForces<K>&, EnergyLedger&)
+template <class K>
+void update_forces(const Model& model, const Stage& stage, const std::vector<BlockStep<K>>& blocks,
+                   const AppliedForces<K>& /*applied*/, State& state)
+{
+    update_reactions(model, stage, blocks, state);
+}
+
+#define VOUSSOIR_INSTANTIATE(K) VOUSSOIR_INSTANTIATE_FORCES(AppliedForces, K)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

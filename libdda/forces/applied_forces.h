@@ -2,10 +2,14 @@
 // and damping that grows with mass. A scene without them has none.
 #pragma once
 
+#include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "libdda/block/block_step.h"
 #include "libdda/model/report.h"
+#include "libdda/model/stage.h"
+#include "libdda/solve/block_matrix.h"
 
 namespace voussoir::step
 {
@@ -45,7 +49,7 @@ struct TieIn {
     VectorIn<D> period = VectorIn<D>::Zero();  // m, from a to b
 };
 
-/// All of a step.
+/// All of a step. The verbs are those of other_forces.h.
 template <class K>
 struct AppliedForces {
     std::vector<AppliedForce<K>> own;
@@ -66,17 +70,28 @@ struct AppliedForces {
     }
 };
 
-/// All such forces in a step of length h, and their resistance in the `base` of their blocks, which are prepared.
-/// @param end_time stage time at its end [s]
+/// Their resistance is in the `base` of their blocks then, and no part of add_stiffness().
 template <class K>
-void find_applied_forces(const Model& model, const Stage& stage, const State& state, double h, double end_time,
-                         std::vector<BlockStep<K>>& blocks, AppliedForces<K>& forces);
-
-/// Adds their work in an accepted step: on the way that blocks went, and what that way differs by from the one
-/// that the momentum balance knows, to the terms of EnergyLedger. The blocks of `state` are where the step left
-/// them. @param d all unknowns of the step
+void begin_forces(const Model& model, const Stage& stage, const State& state, double h, double end_time,
+                  std::vector<BlockStep<K>>& blocks, AppliedForces<K>& forces);
 template <class K>
-void book_applied_forces(const State& state, const std::vector<BlockStep<K>>& blocks, const Eigen::VectorXd& d,
-                         double h, const AppliedForces<K>& forces, EnergyLedger& energy);
+void add_pairs(const std::vector<BlockStep<K>>& blocks, const AppliedForces<K>& applied,
+               std::vector<std::pair<int, int>>& pairs);
+template <class K>
+void note_tied(const std::vector<BlockStep<K>>& blocks, const AppliedForces<K>& applied, std::vector<char>& tied);
+template <class K>
+void add_forces(const Eigen::VectorXd& d, const std::vector<BlockStep<K>>& blocks, AppliedForces<K>& applied,
+                Eigen::VectorXd& forces, std::vector<double>& load);
+/// What is mutual; the rest is not symmetric.
+template <class K>
+void add_stiffness(const std::vector<BlockStep<K>>& blocks, const AppliedForces<K>& applied,
+                   solve::BlockMatrix& matrix);
+template <class K>
+void book_forces(const State& state, const std::vector<BlockStep<K>>& blocks, const Eigen::VectorXd& d, double h,
+                 const AppliedForces<K>& applied, EnergyLedger& energy);
+/// The reactions of faces that are carried: State::boundary_reactions.
+template <class K>
+void update_forces(const Model& model, const Stage& stage, const std::vector<BlockStep<K>>& blocks,
+                   const AppliedForces<K>& applied, State& state);
 
 }  // namespace voussoir::step

@@ -86,17 +86,17 @@ struct LateralLaw {
     void add_part(const Across<D>& from, const Across<D>& to, double t_0, double t_1, Across<D>& force_sum,
                   AcrossSquare<D>& tangent_sum) const
     {
-        static const double places[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
-                                        0.8611363115940526},
-                            weights[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
-                                         0.3478548451374538};
-        for (int i = 0; i < 4; ++i) {
-            const double t = 0.5 * (t_0 + t_1) + 0.5 * (t_1 - t_0) * places[i];
-            const Across<D> x = from + t * (to - from);
-            const double weight = 0.5 * (t_1 - t_0) * weights[i];
-            force_sum += weight * force(x);
-            tangent_sum += weight * t * tangent(x);
-        }
+        struct Gauss {
+            double place, weight;
+        };
+        const double middle = 0.5 * (t_0 + t_1), half = 0.5 * (t_1 - t_0);
+        for (const Gauss& gauss :
+             {Gauss{0.8611363115940526, 0.3478548451374538}, Gauss{0.3399810435848563, 0.6521451548625461}})
+            for (const double t : {middle - half * gauss.place, middle + half * gauss.place}) {
+                const Across<D> x = from + t * (to - from);
+                force_sum += half * gauss.weight * force(x);
+                tangent_sum += half * gauss.weight * t * tangent(x);
+            }
     }
     /// The mean of the force on the straight way, and its derivative by the end: exact but for Gauss's rule of
     /// four points where it yields.
@@ -112,8 +112,8 @@ struct LateralLaw {
             exit = std::clamp((-half + std::sqrt(inside)) / a, 0.0, 1.0);
         }
         const double ends[] = {0, entry, exit, 1};
-        for (int i = 0; i < 3; ++i)
-            if (ends[i + 1] > ends[i]) add_part(from, to, ends[i], ends[i + 1], force_sum, tangent_sum);
+        for (std::size_t i = 1; i < std::size(ends); ++i)
+            if (ends[i] > ends[i - 1]) add_part(from, to, ends[i - 1], ends[i], force_sum, tangent_sum);
     }
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "libdda/block/orthonormal.h"
+#include "libdda/forces/other_forces.h"
 
 namespace voussoir::step
 {
@@ -93,19 +94,20 @@ void pull_dowel(const typename K::Vector& apart, double end_share, BarStep<K>& s
 }  // namespace
 
 template <class K>
-void begin_bars(const Model& model, const State& state, const std::vector<BlockStep<K>>& blocks,
-                std::vector<BarStep<K>>& bars)
+void begin_forces(const Model& model, const Stage& stage, const State& state, double /*h*/, double /*end_time*/,
+                  std::vector<BlockStep<K>>& blocks, Bars<K>& bars)
 {
     constexpr int D = K::dimension;
     using Vector = typename K::Vector;
-    bars.clear();
+    bars.end_share = end_share(stage);
+    bars.steps.clear();
     for (std::size_t i = 0; i < model.bars.size(); ++i) {
         if (is_out<D>(state, i)) continue;
         const Bar& bar = model.bars[i];
         const BlockStep<K>&a = blocks[bar.block_a], &b = blocks[bar.block_b];
         const PlacedBar<D> start = place_bar<D>(bar, a.start, b.start),
                            predicted = place_bar<D>(bar, a.predicted, b.predicted);
-        BarStep<K>& step = bars.emplace_back();
+        BarStep<K>& step = bars.steps.emplace_back();
         step.bar = &bar;
         step.index = i;
         if (!bar.is_rod) step.frame = orthonormal<D>(typename K::Matrix(0.5 * (start.frame + predicted.frame)));
@@ -123,18 +125,18 @@ void begin_bars(const Model& model, const State& state, const std::vector<BlockS
 }
 
 template <class K>
-void add_bar_forces(const Eigen::VectorXd& d, double end_share, const std::vector<BlockStep<K>>& blocks,
-                    std::vector<BarStep<K>>& bars, Eigen::VectorXd& forces, std::vector<double>& load)
+void add_forces(const Eigen::VectorXd& d, const std::vector<BlockStep<K>>& blocks, Bars<K>& bars,
+                Eigen::VectorXd& forces, std::vector<double>& load)
 {
     constexpr int n = K::unknowns;
     using Vector = typename K::Vector;
-    for (BarStep<K>& step : bars) {
+    for (BarStep<K>& step : bars.steps) {
         const BlockStep<K>&a = blocks[step.bar->block_a], &b = blocks[step.bar->block_b];
         const Vector apart = moved(d, b, step.lever_b) - moved(d, a, step.lever_a);
         if (step.bar->is_rod)
-            pull_rod(apart, end_share, step);
+            pull_rod(apart, bars.end_share, step);
         else
-            pull_dowel(apart, end_share, step);
+            pull_dowel(apart, bars.end_share, step);
         const auto add = [&](const BlockStep<K>& block, const Vector& lever, const Vector& force) {
             if (block.row < 0) return;
             typename K::Unknowns on = K::Unknowns::Zero();
@@ -148,22 +150,29 @@ void add_bar_forces(const Eigen::VectorXd& d, double end_share, const std::vecto
 }
 
 template <class K>
-void add_bar_pairs(const std::vector<BlockStep<K>>& blocks, const std::vector<BarStep<K>>& bars,
-                   std::vector<std::pair<int, int>>& pairs)
+void note_tied(const std::vector<BlockStep<K>>& blocks, const Bars<K>& bars, std::vector<char>& tied)
 {
-    for (const BarStep<K>& step : bars) {
+    for (const BarStep<K>& step : bars.steps)
+        for (const int block : {step.bar->block_a, step.bar->block_b})
+            if (blocks[block].row >= 0) tied[blocks[block].row] = true;
+}
+
+template <class K>
+void add_pairs(const std::vector<BlockStep<K>>& blocks, const Bars<K>& bars,
+               std::vector<std::pair<int, int>>& pairs)
+{
+    for (const BarStep<K>& step : bars.steps) {
         const int a = blocks[step.bar->block_a].row, b = blocks[step.bar->block_b].row;
         if (a >= 0 && b >= 0) pairs.emplace_back(std::max(a, b), std::min(a, b));
     }
 }
 
 template <class K>
-void add_bar_stiffness(const std::vector<BlockStep<K>>& blocks, const std::vector<BarStep<K>>& bars,
-                       solve::BlockMatrix& matrix)
+void add_stiffness(const std::vector<BlockStep<K>>& blocks, const Bars<K>& bars, solve::BlockMatrix& matrix)
 {
     using Matrix = typename K::Matrix;
     using Vector = typename K::Vector;
-    for (const BarStep<K>& step : bars) {
+    for (const BarStep<K>& step : bars.steps) {
         const int a = blocks[step.bar->block_a].row, b = blocks[step.bar->block_b].row;
         const auto add = [&](int row, int column, const Vector& on, const Vector& from, const Matrix& with) {
             const int at = row == column ? matrix.diagonal(row) : matrix.position(row, column);
@@ -182,12 +191,12 @@ void add_bar_stiffness(const std::vector<BlockStep<K>>& blocks, const std::vecto
 }
 
 template <class K>
-void book_bars(const State& state, const std::vector<BlockStep<K>>& blocks, const std::vector<BarStep<K>>& bars,
-               const Eigen::VectorXd& d, double h, EnergyLedger& energy)
+void book_forces(const State& state, const std::vector<BlockStep<K>>& blocks, const Eigen::VectorXd& d, double h,
+                 const Bars<K>& bars, EnergyLedger& energy)
 {
     constexpr int D = K::dimension;
     using Vector = typename K::Vector;
-    for (const BarStep<K>& step : bars) {
+    for (const BarStep<K>& step : bars.steps) {
         const Bar& bar = *step.bar;
         const BlockStep<K>&a = blocks[bar.block_a], &b = blocks[bar.block_b];
         const BarEnd<K> end = end_of(step, state);
@@ -207,10 +216,11 @@ void book_bars(const State& state, const std::vector<BlockStep<K>>& blocks, cons
 }
 
 template <class K>
-void update_bars(const std::vector<BarStep<K>>& bars, State& state)
+void update_forces(const Model& /*model*/, const Stage& /*stage*/, const std::vector<BlockStep<K>>& /*blocks*/,
+                   const Bars<K>& bars, State& state)
 {
     constexpr int D = K::dimension;
-    for (const BarStep<K>& step : bars) {
+    for (const BarStep<K>& step : bars.steps) {
         const BarEnd<K> end = end_of(step, state);
         double* stored = state.bars.data() + numbers_per_bar<D> * step.index;
         for (int k = 0; k < D; ++k) stored[k] = end.force.plastic[k];
@@ -218,18 +228,7 @@ void update_bars(const std::vector<BarStep<K>>& bars, State& state)
     }
 }
 
-#define VOUSSOIR_INSTANTIATE(K)                                                                             \
-    template void begin_bars(const Model&, const State&, const std::vector<BlockStep<K>>&,                  \
-                             std::vector<BarStep<K>>&);                                                     \
-    template void add_bar_forces(const Eigen::VectorXd&, double, const std::vector<BlockStep<K>>&,          \
-                                 std::vector<BarStep<K>>&, Eigen::VectorXd&, std::vector<double>&);         \
-    template void add_bar_pairs(const std::vector<BlockStep<K>>&, const std::vector<BarStep<K>>&,           \
-                                std::vector<std::pair<int, int>>&);                                         \
-    template void add_bar_stiffness(const std::vector<BlockStep<K>>&, const std::vector<BarStep<K>>&,       \
-                                    solve::BlockMatrix&);                                                   \
-    template void book_bars(const State&, const std::vector<BlockStep<K>>&, const std::vector<BarStep<K>>&, \
-                            const Eigen::VectorXd&, double, EnergyLedger&);                                 \
-    template void update_bars(const std::vector<BarStep<K>>&, State&)
+#define VOUSSOIR_INSTANTIATE(K) VOUSSOIR_INSTANTIATE_FORCES(Bars, K)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

@@ -36,34 +36,33 @@ struct BarStep {
     Matrix springs = Matrix::Zero();  // N/m, of the pull
 };
 
-/// Sets up the bars of the model that hold; the blocks are prepared.
+/// All of the model that hold. The verbs are those of other_forces.h.
 template <class K>
-void begin_bars(const Model& model, const State& state, const std::vector<BlockStep<K>>& blocks,
-                std::vector<BarStep<K>>& bars);
+struct Bars {
+    std::vector<BarStep<K>> steps;
+    double end_share = 0;  // of their forces, taken at the end of the step
+};
 
-/// Adds their forces at the iterate d. @param forces (rows x unknowns); @param load N per row
 template <class K>
-void add_bar_forces(const Eigen::VectorXd& d, double end_share, const std::vector<BlockStep<K>>& blocks,
-                    std::vector<BarStep<K>>& bars, Eigen::VectorXd& forces, std::vector<double>& load);
-
-/// Rows that bars couple, the larger one first.
+void begin_forces(const Model& model, const Stage& stage, const State& state, double h, double end_time,
+                  std::vector<BlockStep<K>>& blocks, Bars<K>& bars);
 template <class K>
-void add_bar_pairs(const std::vector<BlockStep<K>>& blocks, const std::vector<BarStep<K>>& bars,
-                   std::vector<std::pair<int, int>>& pairs);
-
-/// Adds their stiffness at the last evaluation.
+void add_pairs(const std::vector<BlockStep<K>>& blocks, const Bars<K>& bars,
+               std::vector<std::pair<int, int>>& pairs);
 template <class K>
-void add_bar_stiffness(const std::vector<BlockStep<K>>& blocks, const std::vector<BarStep<K>>& bars,
-                       solve::BlockMatrix& matrix);
-
-/// Books what bars did in an accepted step; the blocks of `state` are where the step left them, its bars are not.
-/// @param d all unknowns of the step
+void note_tied(const std::vector<BlockStep<K>>& blocks, const Bars<K>& bars, std::vector<char>& tied);
 template <class K>
-void book_bars(const State& state, const std::vector<BlockStep<K>>& blocks, const std::vector<BarStep<K>>& bars,
-               const Eigen::VectorXd& d, double h, EnergyLedger& energy);
-
-/// What of bars is plastic at the end of the step, and which have left their holes, into the state.
+void add_forces(const Eigen::VectorXd& d, const std::vector<BlockStep<K>>& blocks, Bars<K>& bars,
+                Eigen::VectorXd& forces, std::vector<double>& load);
 template <class K>
-void update_bars(const std::vector<BarStep<K>>& bars, State& state);
+void add_stiffness(const std::vector<BlockStep<K>>& blocks, const Bars<K>& bars, solve::BlockMatrix& matrix);
+/// The bars of `state` are those of the start of the step.
+template <class K>
+void book_forces(const State& state, const std::vector<BlockStep<K>>& blocks, const Eigen::VectorXd& d, double h,
+                 const Bars<K>& bars, EnergyLedger& energy);
+/// What of bars is plastic, and which have left their holes.
+template <class K>
+void update_forces(const Model& model, const Stage& stage, const std::vector<BlockStep<K>>& blocks,
+                   const Bars<K>& bars, State& state);
 
 }  // namespace voussoir::step

@@ -17,7 +17,7 @@ template <class K>
 void add_one_sided(const StepProblem<K>& problem, const VectorXd& x, VectorXd& y)
 {
     constexpr int n = K::unknowns;
-    for (const Coupling<K>& coupling : problem.applied.couplings) {
+    for (const Coupling<K>& coupling : problem.others.applied.couplings) {
         const int row = problem.blocks[coupling.block].row, column = problem.blocks[coupling.other].row;
         if (coupling.mutual || row < 0 || column < 0) continue;
         const typename K::Unknowns force = coupling.matrix * x.segment<n>(n * column);

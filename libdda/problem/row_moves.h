@@ -56,12 +56,7 @@ template <class K>
 void find_tied_rows(const StepProblem<K>& problem, std::vector<char>& tied)
 {
     tied.assign(problem.block_of_row.size(), false);
-    const auto tie = [&](int block) {
-        if (const int row = problem.blocks[block].row; row >= 0) tied[row] = true;
-    };
-    for (const AppliedForce<K>& force : problem.applied.own) tie(force.block);
-    for (const Coupling<K>& coupling : problem.applied.couplings) tie(coupling.block), tie(coupling.other);
-    for (const BarStep<K>& bar : problem.bars) tie(bar.bar->block_a), tie(bar.bar->block_b);
+    problem.others.each([&](const auto& group) { note_tied(problem.blocks, group, tied); });
 }
 
 }  // namespace voussoir::step

@@ -76,9 +76,8 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         if (!all_held) problem.block_of_row.push_back(b);
     }
     damp_sliding_blocks<K>(model, stage, contacts, problem.blocks);
-    find_applied_forces(model, stage, state, h, end_time, problem.blocks, problem.applied);
-    begin_bars(model, state, problem.blocks, problem.bars);
-    problem.end_share = end_share(stage);
+    problem.others.each(
+        [&](auto& group) { begin_forces(model, stage, state, h, end_time, problem.blocks, group); });
     add_body_accelerations(stage, h, end_time, problem.blocks);
     begin_contacts(model, stage, h, contacts, problem.blocks, problem.contacts);
     problem.patches_of_rows.begin();
@@ -89,11 +88,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     for (const PatchStep<K>& patch : problem.contacts.patches)
         if (patch.row_a >= 0 && patch.row_b >= 0)
             problem.pairs.emplace_back(std::max(patch.row_a, patch.row_b), std::min(patch.row_a, patch.row_b));
-    for (const Coupling<K>& coupling : problem.applied.couplings) {
-        const int row = problem.blocks[coupling.block].row, column = problem.blocks[coupling.other].row;
-        if (coupling.mutual && row > column && column >= 0) problem.pairs.emplace_back(row, column);
-    }
-    add_bar_pairs(problem.blocks, problem.bars, problem.pairs);
+    problem.others.each([&](const auto& group) { add_pairs(problem.blocks, group, problem.pairs); });
     if (problem.pairs != problem.known_pairs || problem.matrix.rows() != rows) {
         problem.known_pairs = problem.pairs;
         solve::set_pattern(problem.matrix, K::unknowns, rows, problem.pairs);
@@ -164,20 +159,6 @@ void gather_contact_forces(StepProblem<K>& problem)
     });
 }
 
-/// What acts on blocks by itself, at the iterate d.
-template <class K>
-void gather_applied_forces(const VectorXd& d, StepProblem<K>& problem)
-{
-    constexpr int n = K::unknowns;
-    for (const AppliedForce<K>& applied : problem.applied.own) {
-        const int row = problem.blocks[applied.block].row;
-        if (row < 0) continue;
-        const typename K::Unknowns force = problem.applied.at(applied, problem.blocks, d);
-        problem.contact_force.template segment<n>(n * row) += force;
-        problem.load[row] += force.template head<K::dimension>().norm();
-    }
-}
-
 }  // namespace
 
 template <class K>
@@ -185,8 +166,8 @@ bool evaluate_residual(const VectorXd& d, StepProblem<K>& problem)
 {
     constexpr int n = K::unknowns;
     gather_contact_forces(problem);
-    gather_applied_forces(d, problem);
-    add_bar_forces(d, problem.end_share, problem.blocks, problem.bars, problem.contact_force, problem.load);
+    problem.others.each(
+        [&](auto& group) { add_forces(d, problem.blocks, group, problem.contact_force, problem.load); });
     std::atomic<bool> admissible = true;
     in_parallel(problem.block_of_row.size(), problem.threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t row = first; row < end; ++row) {
@@ -275,12 +256,7 @@ void assemble_matrix(bool published, StepProblem<K>& problem)
         }
     });
     assemble_contacts(problem);
-    for (const Coupling<K>& coupling : problem.applied.couplings) {
-        const int row = problem.blocks[coupling.block].row, column = problem.blocks[coupling.other].row;
-        if (coupling.mutual && row > column && column >= 0)
-            Block(matrix.block(matrix.position(row, column))) -= coupling.matrix;
-    }
-    add_bar_stiffness(problem.blocks, problem.bars, matrix);
+    problem.others.each([&](const auto& group) { add_stiffness(problem.blocks, group, matrix); });
     if (any_held) hold_components(problem);
 }
 

@@ -16,9 +16,8 @@
 
 #include "libdda/block/block_step.h"
 #include "libdda/contact/find_contacts.h"
-#include "libdda/forces/applied_forces.h"
-#include "libdda/forces/bars.h"
 #include "libdda/forces/contact_step.h"
+#include "libdda/forces/other_forces.h"
 #include "libdda/model/parallel.h"
 #include "libdda/problem/patches_of_rows.h"
 #include "libdda/solve/block_matrix.h"
@@ -36,9 +35,7 @@ struct StepProblem {
     std::vector<int> block_of_row;     // blocks that have unknowns
     ContactStep<K> contacts;
     PatchesOfRows patches_of_rows;
-    AppliedForces<K> applied;                // of viscous boundaries, tied sides, mass damping; empty without
-    std::vector<BarStep<K>> bars;            // of the model
-    double end_share = 0;                    // of the forces of bars, taken at the end of the step
+    OtherForces<K> others;                   // that are no contacts
     double fracture = 0;                     // J, tension energy lost by joints that broke in this step
     Eigen::VectorXd d;                       // unknowns, the accepted ones after the iteration
     Eigen::VectorXd residual;                // inertia + internal - external

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "libdda/forces/viscous_boundary.h"
 #include "libdda/problem/part_timer.h"
 #include "libdda/step/energy_book.h"
 #include "libdda/step/update.h"
@@ -84,11 +83,10 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
     report.time_step = problem.h;
     book_redetection(stage, state, contact::spring_energy(model, work.contacts) - energy.contact, energy);
     update_blocks(problem, state);
-    update_reactions(model, stage, problem.blocks, state);
     const EnergyLedger before = energy;
     book_step(state, problem, work.contacts, energy);
     if (stage.type == StageType::static_equilibrium) book_with_what_the_stage_takes(problem, before, energy);
-    update_bars(problem.bars, state);
+    problem.others.each([&](const auto& group) { update_forces(model, stage, problem.blocks, group, state); });
     update_contacts(model, stage, problem, work.contacts, state, report);
     advance_clocks(stage, problem.h, state);
     damp_velocities(model, stage, problem, state, energy);

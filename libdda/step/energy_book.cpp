@@ -172,8 +172,8 @@ void book_step(const State& state, const StepProblem<K>& problem, const ContactS
     add_points_in_order(problem.contacts, problem.threads, share_of_point, [&](const PointShare& share) {
         (share.jumps ? energy.impact : energy.algorithmic_rotation) -= share.gain;
     });
-    book_applied_forces(state, problem.blocks, problem.d, problem.h, problem.applied, energy);
-    book_bars(state, problem.blocks, problem.bars, problem.d, problem.h, energy);
+    problem.others.each(
+        [&](const auto& group) { book_forces(state, problem.blocks, problem.d, problem.h, group, energy); });
     energy.note_peaks();
 }
 

@@ -20,8 +20,8 @@ std::size_t bytes_for_the_ground(const Model& model, const Stage& stage)
     step::StepProblem<K> system;
     step::assemble_blocks<K>(model, stage, state, {}, stage.control.time_step, {}, system);
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    return bytes(system.applied.own) + bytes(system.applied.couplings) + bytes(system.applied.ties) +
-           bytes(state.boundary_reactions) + bytes(state.branch_strains);
+    return bytes(system.others.applied.own) + bytes(system.others.applied.couplings) +
+           bytes(system.others.applied.ties) + bytes(state.boundary_reactions) + bytes(state.branch_strains);
 }
 
 class AppliedForces : public ::testing::TestWithParam<Kinematics>

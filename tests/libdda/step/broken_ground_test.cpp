@@ -69,12 +69,13 @@ void expect_noticed(const char* name, const Wrong& wrong)
 /// Halves forces of one kind, those that another block has a part in or the others.
 void halve(System& system, Kind kind, bool coupled)
 {
-    for (auto& force : system.applied.own) {
+    for (auto& force : system.others.applied.own) {
         if (force.kind != kind || coupled != (force.coupling >= 0)) continue;
         force.constant *= 0.5;
         force.resistance *= 0.5;
         system.blocks[static_cast<std::size_t>(force.block)].base -= force.resistance;
-        if (force.coupling >= 0) system.applied.couplings[static_cast<std::size_t>(force.coupling)].matrix *= 0.5;
+        if (force.coupling >= 0)
+            system.others.applied.couplings[static_cast<std::size_t>(force.coupling)].matrix *= 0.5;
     }
 }
 
@@ -95,7 +96,7 @@ TEST(BrokenGround, WithHalfTheDashpotsOfTheBase)
     const double h = stage.control.time_step, end = stage.control.dissipation_used();
     expect_noticed("dashpots of the base halved",
                    {.in_step = {.in_equations = [&](System& system) {
-                        for (auto& force : system.applied.own) {
+                        for (auto& force : system.others.applied.own) {
                             if (force.kind != Kind::boundary || force.coupling >= 0) continue;
                             auto& block = system.blocks[static_cast<std::size_t>(force.block)];
                             force.resistance *= 0.5;

@@ -135,11 +135,12 @@ TYPED_TEST(BrokenStep, WithDampedBlocksThatIsNotBrokenLeavesNothing)
 template <class K>
 void halve(step::StepProblem<K>& system, typename step::AppliedForce<K>::Kind kind)
 {
-    for (step::AppliedForce<K>& force : system.applied.own) {
+    for (step::AppliedForce<K>& force : system.others.applied.own) {
         if (force.kind != kind) continue;
         force.constant *= 0.5;
         force.resistance *= 0.5;
-        if (force.coupling >= 0) system.applied.couplings[static_cast<std::size_t>(force.coupling)].matrix *= 0.5;
+        if (force.coupling >= 0)
+            system.others.applied.couplings[static_cast<std::size_t>(force.coupling)].matrix *= 0.5;
     }
 }
 
@@ -201,7 +202,7 @@ TYPED_TEST(BrokenStep, WithATieThatPullsOneSideAlone)
                               [](step::StepProblem<TypeParam>& system) {
                                   using Kind = typename step::AppliedForce<TypeParam>::Kind;
                                   bool first = true;
-                                  for (auto& force : system.applied.own) {
+                                  for (auto& force : system.others.applied.own) {
                                       if (force.kind != Kind::tie) continue;
                                       if (!first) force.constant.setZero();
                                       first = false;
