@@ -16,9 +16,19 @@ namespace
 
 bool is_sound(const RunReport& report)
 {
-    const std::array counts{report.steps,          report.step_cuts,         report.unconverged_steps,
-                            report.divided_steps,  report.refused_steps,     report.open_close_iterations,
-                            report.factorisations, report.linear_iterations, report.factor_entries};
+    const std::array counts{report.steps,
+                            report.step_cuts,
+                            report.unconverged_steps,
+                            report.divided_steps,
+                            report.refused_steps,
+                            report.open_close_iterations,
+                            report.factorisations,
+                            report.linear_iterations,
+                            report.factor_entries,
+                            report.acted.relaxed,
+                            report.acted.whole_tangents,
+                            report.acted.shortened,
+                            report.acted.softened};
     return report.outcome >= Outcome::completed && report.outcome <= Outcome::interrupted &&
            std::all_of(counts.begin(), counts.end(), is_count) &&
            (!report.diagnosis || is_whole(*report.diagnosis)) &&

@@ -151,6 +151,7 @@ bool Newton<K>::soften()
 {
     if (!is_loose_ || relaxes()) return true;
     for (double share = rules_.softest; share < 1;) {
+        ++report_.acted.softened;
         scale_stiffness(share, problem_.patch_threads, problem_.contacts);
         is_at_hand_ = false;
         descend(rules_.soft_tolerance);
@@ -180,8 +181,10 @@ bool Newton<K>::find_direction(std::size_t changed, double worst)
     if (is_motion(stage_) && static_cast<double>(changed) <= few) {
         const double tolerance = std::clamp(rules_.linear_share / worst, rules_.finest, rules_.coarsest);
         if (with_.directions.find_whole(tolerance, rules_, problem_, report_) &&
-            problem_.residual.dot(direction) < 0)
+            problem_.residual.dot(direction) < 0) {
+            ++report_.acted.whole_tangents;
             return true;
+        }
     }
     if (!with_.directions.find(false, problem_, report_)) return fail(Trouble::singular_system, report_);
     return problem_.residual.dot(direction) < 0 || fail(Trouble::inaccurate_solution, report_);
@@ -198,7 +201,10 @@ bool Newton<K>::descend(double tolerance)
         if (worst <= 1) return true;
         if (iteration >= control_.max_open_close) return fail(Trouble::chatter, report_);
         const std::size_t changed = note_changes(problem_, with_.states);
-        if (changed > rules_.few_changes && relaxes()) with_.relaxation.sweep(tolerance, worst, rules_, problem_);
+        if (changed > rules_.few_changes && relaxes()) {
+            with_.relaxation.sweep(tolerance, worst, rules_, problem_);
+            ++report_.acted.relaxed;
+        }
         if (!find_direction(changed, worst)) return false;
         const VectorXd& direction = with_.directions.direction;
         const double slope_0 = problem_.residual.dot(direction);
@@ -209,6 +215,7 @@ bool Newton<K>::descend(double tolerance)
         const Reach reach = line_search(slope_0, rules_.of_all, slope_at);
         // A little beyond a corner is better than no way at all.
         if (!reach.is_found) slope_at(reach.low > 0 ? reach.low : reach.high);
+        report_.acted.shortened += reach.high < 1 || !reach.is_found;
         problem_.d.swap(with_.trial);
         is_at_hand_ = true;
     }

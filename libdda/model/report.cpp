@@ -24,6 +24,15 @@ double EnergyLedger::relative_residual() const
     return whole > 0 || std::isnan(residual()) ? std::abs(residual()) / whole : (residual() == 0 ? 0 : 1);
 }
 
+IterationCounts& IterationCounts::operator+=(const IterationCounts& other)
+{
+    relaxed += other.relaxed;
+    whole_tangents += other.whole_tangents;
+    shortened += other.shortened;
+    softened += other.softened;
+    return *this;
+}
+
 std::string_view name_of(Part part)
 {
     switch (part) {

@@ -96,11 +96,22 @@ enum class Part {
 /// The name of a part, as in results.
 std::string_view name_of(Part part);
 
+/// What of the open-close iteration acted, in times.
+struct IterationCounts {
+    std::int64_t relaxed = 0;         // stones were relaxed one by one
+    std::int64_t whole_tangents = 0;  // a direction was that of the whole tangent
+    std::int64_t shortened = 0;       // less than the whole of a direction was gone
+    std::int64_t softened = 0;        // joints were softened on the way to rest
+
+    IterationCounts& operator+=(const IterationCounts& other);
+};
+
 /// What one step did.
 struct StepReport {
     StepOutcome outcome = StepOutcome::converged;  // how it ended
     double time_step = 0;                          // s, of the accepted step
     int open_close_iterations = 0;                 // of all attempts
+    IterationCounts acted;                         // in them
     int cuts = 0;                                  // attempts that failed
     int refused = 0;                               // attempts whose error was larger than step_error
     bool divided = false;                          // ended just before stones land
@@ -172,6 +183,7 @@ struct RunReport {
     std::int64_t refused_steps = 0;  // done again, their error larger than step_error
     std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;  // counts
     std::int64_t factor_entries = 0;                              // of the last factorisation
+    IterationCounts acted;                                        // in the open-close iterations
     double simulated_time = 0;                                    // s, dynamic stages only
     double max_penetration = 0;                                   // m, as note_overlap counts it
     DeepestOverlap deepest;                                       // by its share

@@ -24,6 +24,7 @@ void add_step(const StepReport& step, RunReport& report)
     report.divided_steps += step.divided;
     report.refused_steps += step.refused;
     report.open_close_iterations += step.open_close_iterations;
+    report.acted += step.acted;
     report.factorisations += step.factorisations;
     report.linear_iterations += step.linear_iterations;
     if (step.factor_entries > 0) report.factor_entries = step.factor_entries;
@@ -106,6 +107,7 @@ void add_cost(const StepReport& undone, StepReport& step)
     step.cuts += undone.cuts;
     step.refused += undone.refused;
     step.open_close_iterations += undone.open_close_iterations;
+    step.acted += undone.acted;
     step.factorisations += undone.factorisations;
     step.linear_iterations += undone.linear_iterations;
     for (std::size_t i = 0; i < step.seconds.size(); ++i) step.seconds[i] += undone.seconds[i];

@@ -45,6 +45,7 @@ TEST(Summary, HasEveryKeyOfTheDesign)
                             "step_cuts",
                             "unconverged_steps",
                             "open_close_iterations",
+                            "iteration_acted",
                             "factorisations",
                             "cpu_time_s",
                             "wall_time_s",

@@ -18,6 +18,7 @@ namespace
 struct Pushed {
     double iterations = 0;  // a step
     double drift = 0;       // m, the farthest
+    RunReport rested, shaken;
 };
 
 /// A running bond that is brought to rest and pushed in its plane at 2 Hz, in steps of 8 ms, of which none is cut.
@@ -39,9 +40,12 @@ Pushed push(Kinematics kinematics, int courses, int stones, double share, double
     EXPECT_EQ(shaken.outcome, Outcome::completed);
     EXPECT_EQ(shaken.step_cuts, 0);
     EXPECT_EQ(shaken.steps, std::lround(duration / motion.control.time_step));
-    Pushed pushed{static_cast<double>(shaken.open_close_iterations) / static_cast<double>(shaken.steps)};
+    Pushed pushed;
+    pushed.iterations = static_cast<double>(shaken.open_close_iterations) / static_cast<double>(shaken.steps);
     for (int b = 1; b < static_cast<int>(model.blocks.size()); ++b)
         pushed.drift = std::max(pushed.drift, (centroid(model, state, b) - centroid(model, before, b)).norm());
+    pushed.rested = rested;
+    pushed.shaken = shaken;
     std::printf("%zu stones: %.2f iterations a step, drift %.2g mm\n", model.blocks.size(), pushed.iterations,
                 1e3 * pushed.drift);
     return pushed;
@@ -64,6 +68,34 @@ TEST(Newton, TwentyTimesTheStonesTakeHardlyMoreIterationsAStep)
 TEST(Newton, ALargeWallThatSlidesTakesFewIterationsAStep)
 {
     EXPECT_LT(push(Kinematics::planar_rigid, 24, 46, 0.5, 0.144).iterations, 8);
+}
+
+TEST(Newton, TheReportCountsWhatActed)
+{
+    const Pushed wall = push(Kinematics::planar_rigid, 8, 12, 0.5, 0.144);
+    const IterationCounts &of_rest = wall.rested.acted, &of_motion = wall.shaken.acted;
+    EXPECT_GT(of_rest.relaxed, 0);
+    EXPECT_EQ(of_rest.whole_tangents, 0) << "on the way to rest it may lead to another equilibrium";
+    EXPECT_GT(of_motion.relaxed, 0);
+    EXPECT_GT(of_motion.whole_tangents, 0);
+    EXPECT_GT(of_motion.shortened, 0);
+    EXPECT_EQ(of_rest.softened + of_motion.softened, 0) << "of rigid stones";
+    for (const RunReport& report : {wall.rested, wall.shaken})
+        for (const std::int64_t times :
+             {report.acted.relaxed, report.acted.whole_tangents, report.acted.shortened})
+            EXPECT_LE(times, report.open_close_iterations);
+}
+
+// What does not act costs nothing and is not counted.
+TEST(Newton, NothingButTheGuessActsOnABlockThatLies)
+{
+    Model model = block_on_plane(Kinematics::spatial_rigid, 30);
+    State state = initial_state(model);
+    const RunReport report = run_quietly(model, {static_stage(1), dynamic_stage(0.05, 1e-3)}, state);
+    EXPECT_EQ(report.outcome, Outcome::completed);
+    EXPECT_GT(report.open_close_iterations, 0);
+    const IterationCounts& acted = report.acted;
+    EXPECT_EQ(acted.relaxed + acted.whole_tangents + acted.shortened + acted.softened, 0);
 }
 
 }  // namespace voussoir::testing
