@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <numeric>
 
 #include "libdda/analysis/energies.h"
 #include "libdda/step/advance.h"
@@ -14,7 +15,6 @@ namespace voussoir::app::problems
 namespace
 {
 
-constexpr int plain_iterations = 1000;    // as a case has them that asks for the plain iteration
 constexpr int patience_at_rest = 3;       // times the iterations of a step in time, as the static driver has it
 constexpr double closely = 0.01;          // times the tolerance
 constexpr double most_not_unique = 0.05;  // of all problems
@@ -91,7 +91,7 @@ void settle_alone(const Model& model, const Stage& stage, const State& before, c
     found.verdict = found.why.empty() ? Verdict::lawful : Verdict::wrong;
 }
 
-Judgement begun(const Case& the_case, const StepProblem& problem, const MadeStep& fast)
+Judgement begun(const Case& the_case, const StoredStep& problem, const MadeStep& fast)
 {
     Judgement found;
     found.name = problem.name;
@@ -123,11 +123,11 @@ std::string_view name_of(Verdict verdict)
     return "lawful";
 }
 
-MadeStep make_step(const Case& the_case, Stage stage, const StepProblem& problem, OpenClose open_close)
+MadeStep make_step(const Case& the_case, Stage stage, const StoredStep& problem, OpenClose open_close)
 {
     stage.control.open_close = open_close;
     if (open_close == OpenClose::plain)
-        stage.control.max_open_close = plain_iterations;
+        stage.control.max_open_close = plain_open_close;
     else if (stage.type == StageType::static_equilibrium)
         stage.control.max_open_close *= patience_at_rest;
     stage.control.min_time_step = problem.time_step;  // no second attempt, by a shorter step
@@ -141,7 +141,7 @@ MadeStep make_step(const Case& the_case, Stage stage, const StepProblem& problem
     return step;
 }
 
-Judgement compare(const Case& the_case, const Stage& stage, const StepProblem& problem, const MadeStep& fast,
+Judgement compare(const Case& the_case, const Stage& stage, const StoredStep& problem, const MadeStep& fast,
                   const MadeStep& plain)
 {
     Judgement found = begun(the_case, problem, fast);
@@ -155,7 +155,7 @@ namespace
 {
 
 /// Of steps that are solved more closely, in units of what the stage tolerates; nothing when they cannot be made.
-std::optional<double> difference_when_closer(const Case& the_case, const Stage& stage, const StepProblem& problem)
+std::optional<double> difference_when_closer(const Case& the_case, const Stage& stage, const StoredStep& problem)
 {
     Stage close = stage;
     close.control.force_tolerance *= closely;
@@ -167,7 +167,7 @@ std::optional<double> difference_when_closer(const Case& the_case, const Stage& 
 
 }  // namespace
 
-Judgement judge(const Case& the_case, const StepProblem& problem, const JudgeOptions& options)
+Judgement judge(const Case& the_case, const StoredStep& problem, const JudgeOptions& options)
 {
     Stage stage = stage_of(problem, the_case);
     if (options.iterations > 0) stage.control.max_open_close = options.iterations;
@@ -186,12 +186,19 @@ Judgement judge(const Case& the_case, const StepProblem& problem, const JudgeOpt
     return found;
 }
 
-bool passes(const std::vector<Judgement>& judgements)
+int fast_iterations(const std::vector<Judgement>& judgements)
+{
+    return std::accumulate(judgements.begin(), judgements.end(), 0,
+                           [](int sum, const Judgement& each) { return sum + each.fast.open_close_iterations; });
+}
+
+bool passes(const std::vector<Judgement>& judgements, const JudgeOptions& options)
 {
     const auto count = [&](Verdict verdict) {
         return std::count_if(judgements.begin(), judgements.end(),
                              [&](const Judgement& each) { return each.verdict == verdict; });
     };
+    if (options.most_in_all > 0 && fast_iterations(judgements) > options.most_in_all) return false;
     return count(Verdict::wrong) == 0 && count(Verdict::fast_failed) == 0 &&
            static_cast<double>(count(Verdict::not_unique)) <=
                most_not_unique * static_cast<double>(judgements.size());

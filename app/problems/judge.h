@@ -44,23 +44,28 @@ struct Judgement {
 constexpr double most_difference = 10;
 
 /// One attempt at the step of a problem, with a workspace of its own. @param stage of the problem
-MadeStep make_step(const Case& the_case, Stage stage, const StepProblem& problem, OpenClose open_close);
+MadeStep make_step(const Case& the_case, Stage stage, const StoredStep& problem, OpenClose open_close);
 
 /// @param stage of the problem; @param fast, plain steps from its state
-Judgement compare(const Case& the_case, const Stage& stage, const StepProblem& problem, const MadeStep& fast,
+Judgement compare(const Case& the_case, const Stage& stage, const StoredStep& problem, const MadeStep& fast,
                   const MadeStep& plain);
 
 /// How problems are judged.
 struct JudgeOptions {
-    int large_from = 0;  // blocks, from which the plain iteration is not asked; 0: it always is
-    int iterations = 0;  // that the fast one may take; 0: as the case has them
+    int large_from = 0;   // blocks, from which the plain iteration is not asked; 0: it always is
+    int iterations = 0;   // that the fast one may take; 0: as the case has them
+    int most_in_all = 0;  // iterations that the fast one may take in all problems together; 0: any number
 };
 
 /// @throws InputError when the problem is not one of the case
-Judgement judge(const Case& the_case, const StepProblem& problem, const JudgeOptions& options = {});
+Judgement judge(const Case& the_case, const StoredStep& problem, const JudgeOptions& options = {});
+
+/// Iterations of the fast one, of all together. A tangent that lacks a term leads to the same step, by more of
+/// them.
+int fast_iterations(const std::vector<Judgement>& judgements);
 
 /// Whether the fast iteration has passed: nothing wrong, it fails nowhere alone, and at most one step in twenty is
-/// not unique.
-bool passes(const std::vector<Judgement>& judgements);
+/// not unique; and it takes no more iterations than it may.
+bool passes(const std::vector<Judgement>& judgements, const JudgeOptions& options = {});
 
 }  // namespace voussoir::app::problems

@@ -20,7 +20,7 @@ std::size_t place_of(const CaseText& text, std::vector<CaseText>& cases)
     return place;
 }
 
-bool is_of(const StepProblem& problem, const Case& the_case)
+bool is_of(const StoredStep& problem, const Case& the_case)
 {
     const auto index = static_cast<std::size_t>(problem.state.stage);
     if (index >= the_case.stages.size() || !results::fits(problem.state, the_case.model)) return false;
@@ -34,7 +34,7 @@ bool is_of(const StepProblem& problem, const Case& the_case)
 
 void add(const Corpus& more, Corpus& corpus)
 {
-    for (StepProblem problem : more.problems) {
+    for (StoredStep problem : more.problems) {
         problem.case_index = place_of(more.cases[problem.case_index], corpus.cases);
         corpus.problems.push_back(std::move(problem));
     }
@@ -46,7 +46,7 @@ Case read(const CaseText& text)
     return reader::read_case_text("/a step problem has no files/case.yaml", text.text, text.overrides);
 }
 
-Stage stage_of(const StepProblem& problem, const Case& the_case)
+Stage stage_of(const StoredStep& problem, const Case& the_case)
 {
     if (!is_of(problem, the_case))
         throw InputError(problem.name, "the state of another model", "take the problems of this case again");

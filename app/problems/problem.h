@@ -20,7 +20,7 @@ struct CaseText {
 };
 
 /// One step to be made. The state names the stage.
-struct StepProblem {
+struct StoredStep {
     std::string name;               // unique in a file: "column.000120", its scene and the steps before it
     std::size_t case_index = 0;     // of Corpus::cases
     double time_step = 0;           // s, that is to be attempted
@@ -32,8 +32,8 @@ struct StepProblem {
 
 /// Step problems and the cases that they are taken from.
 struct Corpus {
-    std::vector<CaseText> cases;        // each once
-    std::vector<StepProblem> problems;  // in the order in which they were taken
+    std::vector<CaseText> cases;       // each once
+    std::vector<StoredStep> problems;  // in the order in which they were taken
 };
 
 /// Adds all problems of another corpus; a case that both have stays there once.
@@ -44,6 +44,6 @@ Case read(const CaseText& text);
 
 /// The stage of a problem as its step sees it, on one thread.
 /// @throws InputError when the problem is not one of this case
-Stage stage_of(const StepProblem& problem, const Case& the_case);
+Stage stage_of(const StoredStep& problem, const Case& the_case);
 
 }  // namespace voussoir::app::problems

@@ -68,7 +68,7 @@ template <typename T, typename Member>
 std::vector<T> column(const Corpus& corpus, const Member& member)
 {
     std::vector<T> values;
-    for (const StepProblem& problem : corpus.problems) values.push_back(member(problem));
+    for (const StoredStep& problem : corpus.problems) values.push_back(member(problem));
     return values;
 }
 
@@ -77,7 +77,7 @@ void write_states(const Corpus& corpus, Hdf5File& file)
 {
     results::Packer packer;
     std::vector<Whole> ends;
-    for (const StepProblem& problem : corpus.problems) {
+    for (const StoredStep& problem : corpus.problems) {
         results::state_fields(packer, problem.state);
         ends.push_back(static_cast<Whole>(packer.bytes.size()));
     }
@@ -100,7 +100,7 @@ std::string_view state_bytes(const std::string& bytes, const std::vector<Whole>&
     return std::string_view(bytes).substr(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
 }
 
-bool is_sound(const StepProblem& problem, std::size_t cases)
+bool is_sound(const StoredStep& problem, std::size_t cases)
 {
     return problem.case_index < cases && std::isfinite(problem.time_step) && problem.time_step > 0 &&
            results::is_count(problem.increment) && std::isfinite(problem.force_tolerance) &&
@@ -172,7 +172,7 @@ Corpus load(const std::filesystem::path& path)
     if (!columns.are_alike() || file.read<Whole>("/problems/checksum") != std::vector<Whole>{checksum(bytes)})
         refuse_damaged(path);
     for (std::size_t i = 0; i < columns.names.size(); ++i) {
-        StepProblem problem;
+        StoredStep problem;
         problem.name = columns.names[i];
         problem.case_index = static_cast<std::size_t>(columns.cases[i]);
         problem.time_step = columns.time_steps[i];

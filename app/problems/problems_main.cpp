@@ -42,7 +42,7 @@ problems::Corpus load_all(const std::vector<std::string>& files)
     problems::Corpus corpus;
     for (const std::string& file : files) problems::add(problems::load(file), corpus);
     std::set<std::string> names;
-    for (const problems::StepProblem& problem : corpus.problems)
+    for (const problems::StoredStep& problem : corpus.problems)
         if (!names.insert(problem.name).second)
             throw InputError(problem.name, "two problems have this name", "take one of them with --name");
     return corpus;
@@ -53,11 +53,11 @@ int judge(const std::vector<std::string>& files, const std::string& json, const 
 {
     const problems::Corpus corpus = load_all(files);
     std::size_t width = 8;
-    for (const problems::StepProblem& problem : corpus.problems) width = std::max(width, problem.name.size());
+    for (const problems::StoredStep& problem : corpus.problems) width = std::max(width, problem.name.size());
     say(problems::head_line(static_cast<int>(width)));
     std::map<std::size_t, app::Case> cases;
     std::vector<problems::Judgement> found;
-    for (const problems::StepProblem& problem : corpus.problems) {
+    for (const problems::StoredStep& problem : corpus.problems) {
         if (!cases.contains(problem.case_index)) {
             cases.clear();
             cases.emplace(problem.case_index, problems::read(corpus.cases[problem.case_index]));
@@ -66,8 +66,8 @@ int judge(const std::vector<std::string>& files, const std::string& json, const 
         say(problems::line_of(found.back(), static_cast<int>(width)));
     }
     say(problems::summary_of(found));
-    if (!json.empty()) write_json(problems::json_of(found), json);
-    return problems::passes(found) ? 0 : 1;
+    if (!json.empty()) write_json(problems::json_of(found, options), json);
+    return problems::passes(found, options) ? 0 : 1;
 }
 
 int take(const problems::TakeArguments& arguments, const std::string& output)
@@ -128,6 +128,8 @@ int run(int argc, char** argv)
     judging->add_option("--large-from", all.options.large_from, "blocks, from which the laws alone judge");
     judging->add_option("--iterations", all.options.iterations,
                         "that the fast iteration may take; else the case's");
+    judging->add_option("--most-iterations", all.options.most_in_all,
+                        "that the fast iteration may take in all problems together");
     CLI::App* joining = program.add_subcommand("join", "write the problems of several files into one");
     joining->add_option("FILE", all.files, "files of step problems")->required();
     joining->add_option("-o,--output", all.output, "file of step problems to write")->required();

@@ -83,12 +83,13 @@ std::string summary_of(const std::vector<Judgement>& judgements)
     const auto of = [&](Verdict verdict) { return count(judgements, verdict); };
     const std::string lawful =
         of(Verdict::lawful) > 0 ? fmt::format(", {} by the laws alone", of(Verdict::lawful)) : "";
-    return fmt::format("{} problems: {} the same, {} not unique, {} plain failed, {} fast failed, {} wrong{}",
-                       judgements.size(), of(Verdict::same), of(Verdict::not_unique), of(Verdict::plain_failed),
-                       of(Verdict::fast_failed), of(Verdict::wrong), lawful);
+    return fmt::format(
+        "{} problems: {} the same, {} not unique, {} plain failed, {} fast failed, {} wrong{}; {} iterations",
+        judgements.size(), of(Verdict::same), of(Verdict::not_unique), of(Verdict::plain_failed),
+        of(Verdict::fast_failed), of(Verdict::wrong), lawful, fast_iterations(judgements));
 }
 
-std::string json_of(const std::vector<Judgement>& judgements)
+std::string json_of(const std::vector<Judgement>& judgements, const JudgeOptions& options)
 {
     Json list = Json::array();
     for (const Judgement& each : judgements) {
@@ -107,7 +108,7 @@ std::string json_of(const std::vector<Judgement>& judgements)
     }
     Json whole;
     whole["summary"] = summary_of(judgements);
-    whole["passes"] = passes(judgements);
+    whole["passes"] = passes(judgements, options);
     whole["problems"] = std::move(list);
     return whole.dump(1) + "\n";
 }

@@ -20,7 +20,7 @@ std::string line_of(const Judgement& judgement, int width);
 std::string summary_of(const std::vector<Judgement>& judgements);
 
 /// All of it, every number in full.
-std::string json_of(const std::vector<Judgement>& judgements);
+std::string json_of(const std::vector<Judgement>& judgements, const JudgeOptions& options = {});
 
 /// Lines of a comparison of two runs.
 std::string lines_of(const WholeComparison& both);

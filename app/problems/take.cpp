@@ -75,7 +75,7 @@ class Taker
         return has_all() || (arguments_.every == 0 && !arguments_.at.empty() && times_.empty());
     }
 
-    std::vector<StepProblem> problems;
+    std::vector<StoredStep> problems;
 
  private:
     /// Whether the step that begins with `before_` is.
@@ -89,12 +89,12 @@ class Taker
         return in_turn || in_time;
     }
 
-    std::optional<StepProblem> problem_of(const Stage& stage, const State& after, const StepReport& step,
-                                          const EnergyLedger& energy) const
+    std::optional<StoredStep> problem_of(const Stage& stage, const State& after, const StepReport& step,
+                                         const EnergyLedger& energy) const
     {
         if (stage.type == StageType::static_equilibrium && !(stands_still(before_) && stands_still(after)))
             return std::nullopt;
-        StepProblem problem;
+        StoredStep problem;
         char number[32];
         std::snprintf(number, sizeof number, ".%06lld", static_cast<long long>(before_.step));
         problem.name = arguments_.name + number;
@@ -123,10 +123,10 @@ class Taker
     const Case& case_;
     State before_;
     EnergyLedger energy_;
-    std::vector<double> times_;         // s, ascending, not yet taken
-    std::optional<StepProblem> found_;  // of the step under way
-    int noted_steps_ = 0;               // static: of the increment
-    double unbalanced_ = 1;             // static: after the last step
+    std::vector<double> times_;        // s, ascending, not yet taken
+    std::optional<StoredStep> found_;  // of the step under way
+    int noted_steps_ = 0;              // static: of the increment
+    double unbalanced_ = 1;            // static: after the last step
 };
 
 CaseText text_of(const TakeArguments& arguments)
@@ -143,7 +143,7 @@ CaseText text_of(const TakeArguments& arguments)
     return text;
 }
 
-std::vector<StepProblem> problems_of(const TakeArguments& arguments, const Case& the_case)
+std::vector<StoredStep> problems_of(const TakeArguments& arguments, const Case& the_case)
 {
     State state = initial_state(the_case.model);
     RunPosition position = start_position(the_case.model, the_case.stages, state);

@@ -107,7 +107,7 @@ WholeRun run_with(const Case& the_case, OpenClose of_motion)
         stage.control.threads = 1;
         if (stage.type != StageType::dynamic) continue;
         stage.control.open_close = of_motion;
-        if (of_motion == OpenClose::plain) stage.control.max_open_close = 1000;
+        if (of_motion == OpenClose::plain) stage.control.max_open_close = plain_open_close;
     }
     WholeRun made;
     State state = initial_state(the_case.model);

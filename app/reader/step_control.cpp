@@ -11,8 +11,6 @@ constexpr double static_time_step = 1;  // s
 constexpr double dynamic_time_step = 2e-3;  // s
 // Shi's six passes; his scheme does not improve with more.
 constexpr int published_open_close = 6;
-// The plain iteration has nothing to shorten it, and shall end where it leads.
-constexpr int plain_open_close = 1000;
 
 void read_integrator(YamlCursor& stage, StepControl& control)
 {

@@ -9,6 +9,7 @@
 #include "libdda/iterate/line_search.h"
 #include "libdda/model/parallel.h"
 #include "libdda/problem/row_moves.h"
+#include "libdda/problem/unbalance.h"
 
 namespace voussoir::step
 {
@@ -150,23 +151,12 @@ void Relaxation<K>::move(int row, const Unknowns& to, Moves& moves, StepProblem<
 }
 
 template <class K>
-bool Relaxation<K>::is_balanced(int row, double unbalanced, const StepProblem<K>& problem) const
-{
-    constexpr int n = K::unknowns, dimension = K::dimension;
-    const double allowed = unbalanced * problem.load[row];
-    const auto residual = problem.residual.template segment<n>(n * row);
-    return residual.template head<dimension>().norm() <= allowed &&
-           residual.template tail<n - dimension>().norm() <=
-               allowed * problem.blocks[problem.block_of_row[row]].size;
-}
-
-template <class K>
 void Relaxation<K>::relax(int row, double unbalanced, const IterationRules& rules, Moves& moves,
                           StepProblem<K>& problem)
 {
     constexpr int n = K::unknowns;
     for (int i = 0; i < newton_steps; ++i) {
-        if (is_balanced(row, unbalanced, problem)) return;
+        if (unbalance_of(row, unbalanced, problem) <= 1) return;
         const Unknowns residual = problem.residual.template segment<n>(n * row);
         const Unknowns from = problem.d.template segment<n>(n * row);
         const Unknowns direction = -tangent_of(row, problem).llt().solve(residual);
@@ -215,7 +205,7 @@ void Relaxation<K>::find_due(double unbalanced, const StepProblem<K>& problem)
             for (const int row : moves.due) is_due_[row] = !tied_[row];
     in_parallel(is_due_.size(), problem.threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t row = first; row < end; ++row)
-            if (is_due_[row]) is_due_[row] = !is_balanced(static_cast<int>(row), unbalanced, problem);
+            if (is_due_[row]) is_due_[row] = unbalance_of(static_cast<int>(row), unbalanced, problem) > 1;
     });
     due_.clear();
     for (std::size_t row = 0; row < is_due_.size(); ++row)

@@ -48,7 +48,6 @@ class Relaxation
     void everywhere(bool back, int threads, const Work& work);
     void relax_all(bool back, double unbalanced, const IterationRules& rules, Moves& moves,
                    StepProblem<K>& problem);
-    bool is_balanced(int row, double unbalanced, const StepProblem<K>& problem) const;
     void relax(int row, double unbalanced, const IterationRules& rules, Moves& moves, StepProblem<K>& problem);
     /// Where stones were moved, those of them and of their neighbours are due that are out of balance.
     void find_due(double unbalanced, const StepProblem<K>& problem);

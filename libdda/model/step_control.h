@@ -17,6 +17,9 @@ namespace voussoir
 /// the step keeps the end-of-step force.
 enum class Integrator { newmark, energy_decaying };
 
+/// Iterations that the plain iteration may take: nothing shortens it, and it shall end where it leads.
+constexpr int plain_open_close = 1000;
+
 /// How the state of contacts is found.
 enum class OpenClose {
     newton,     // Newton iteration with a line search
@@ -44,7 +47,7 @@ struct StepControl {
     // Steps end just before stones land, and the rest of the step follows, in scenes of at most this many blocks
     // with unknowns. In a large structure something lands in nearly every step, and none of it decides.
     int divide_up_to_blocks = 10;
-    int max_open_close = 80;        // Newton iterations (published: 6) before the step is cut
+    int max_open_close = 80;  // Newton iterations before the step is cut (published: 6; see plain_open_close)
     double force_tolerance = 1e-5;  // unbalanced force of a block / (its weight + its contact forces)
     LinearSolverKind linear_solver = LinearSolverKind::automatic;  // who solves
     double linear_tolerance =

@@ -1,7 +1,6 @@
 #include "libdda/problem/unbalance.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <mutex>
 
@@ -19,7 +18,7 @@ struct Residual {
 };
 
 template <class K>
-Residual residual_of(std::size_t row, double tolerance, const StepProblem<K>& problem)
+Residual residual_of(int row, double tolerance, const StepProblem<K>& problem)
 {
     constexpr int n = K::unknowns, dimension = K::dimension;
     constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
@@ -37,9 +36,16 @@ Residual residual_of(std::size_t row, double tolerance, const StepProblem<K>& pr
 }  // namespace
 
 template <class K>
+double unbalance_of(int row, double tolerance, const StepProblem<K>& problem)
+{
+    const auto [force, allowed] = residual_of(row, tolerance, problem);
+    return force / allowed;
+}
+
+template <class K>
 Unbalance unbalance(const StepProblem<K>& problem, double tolerance)
 {
-    const auto look_at = [&](std::size_t row, Unbalance& most) {
+    const auto look_at = [&](int row, Unbalance& most) {
         const auto [force, allowed] = residual_of(row, tolerance, problem);
         if (force / allowed > most.worst)
             most = {force / allowed, problem.load[row] > 0 ? force / problem.load[row] : 0,
@@ -49,7 +55,7 @@ Unbalance unbalance(const StepProblem<K>& problem, double tolerance)
     std::mutex mutex;
     in_parallel(problem.block_of_row.size(), problem.threads, [&](std::size_t first, std::size_t end) {
         Unbalance most;
-        for (std::size_t row = first; row < end; ++row) look_at(row, most);
+        for (std::size_t row = first; row < end; ++row) look_at(static_cast<int>(row), most);
         const std::lock_guard lock(mutex);
         // Of equals the first.
         if (most.worst > worst.worst || (most.worst == worst.worst && most.block < worst.block)) worst = most;
@@ -57,7 +63,9 @@ Unbalance unbalance(const StepProblem<K>& problem, double tolerance)
     return worst;
 }
 
-#define VOUSSOIR_INSTANTIATE(K) template Unbalance unbalance(const StepProblem<K>&, double)
+#define VOUSSOIR_INSTANTIATE(K)                                       \
+    template double unbalance_of(int, double, const StepProblem<K>&); \
+    template Unbalance unbalance(const StepProblem<K>&, double)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

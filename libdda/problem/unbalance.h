@@ -13,6 +13,10 @@ struct Unbalance {
     int block = -1;
 };
 
+/// Residual / tolerance of the block of a row, as below.
+template <class K>
+double unbalance_of(int row, double tolerance, const StepProblem<K>& problem);
+
 /// Largest |R_i| / tol_i over the blocks, moments divided by the block's size, at the residual of the problem. The
 /// tolerance of a block is a share of its own load, never less than what rounding leaves of its stiffness.
 /// @param tolerance that share

@@ -20,13 +20,17 @@ TEST_F(JudgedProblems, AreJudgedTheSame)
     const Corpus corpus = take(arguments);
     const Case the_case = read(corpus.cases[0]);
     std::vector<Judgement> found;
-    for (const StepProblem& problem : corpus.problems) {
+    for (const StoredStep& problem : corpus.problems) {
         found.push_back(judge(the_case, problem));
         EXPECT_EQ(found.back().verdict, Verdict::same) << line_of(found.back(), 20);
         EXPECT_GT(found.back().plain.open_close_iterations, 0);
     }
     EXPECT_TRUE(passes(found));
     EXPECT_EQ(judge(the_case, corpus.problems.back(), {.large_from = 2}).verdict, Verdict::lawful);
+    const int taken = fast_iterations(found);
+    EXPECT_GT(taken, 0);
+    EXPECT_TRUE(passes(found, {.most_in_all = taken}));
+    EXPECT_FALSE(passes(found, {.most_in_all = taken - 1})) << "a lame iteration fails by their number";
     EXPECT_NE(json_of(found).find("\"passes\": true"), std::string::npos);
 }
 
@@ -52,7 +56,7 @@ class FalsifiedStep : public ShakenBoxes
     }
 
     Case the_case;
-    StepProblem problem;
+    StoredStep problem;
     Stage stage;
     MadeStep fast, plain;
 };

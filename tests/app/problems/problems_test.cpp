@@ -34,7 +34,7 @@ TEST_F(Problems, AreTheStatesOfTheRunBitForBit)
     ASSERT_GE(corpus.problems.size(), 14U);
     const Case the_case = read(corpus.cases[0]);
     const auto run_hashes = hashes_of_run(the_case);
-    for (const StepProblem& problem : corpus.problems) {
+    for (const StoredStep& problem : corpus.problems) {
         SCOPED_TRACE(problem.name);
         if (problem.state.step > 0) {
             EXPECT_EQ(hash_of(problem.state), run_hashes.at(problem.state.step));
@@ -63,7 +63,7 @@ TEST_F(Problems, StayWholeInAFile)
     EXPECT_EQ(loaded.cases, corpus.cases);
     ASSERT_EQ(loaded.problems.size(), corpus.problems.size());
     for (std::size_t i = 0; i < corpus.problems.size(); ++i) {
-        const StepProblem &was = corpus.problems[i], &is = loaded.problems[i];
+        const StoredStep &was = corpus.problems[i], &is = loaded.problems[i];
         EXPECT_EQ(is.name, was.name);
         EXPECT_EQ(is.time_step, was.time_step);
         EXPECT_EQ(is.increment, was.increment);
@@ -90,7 +90,7 @@ TEST_F(Problems, AreChosenByTimeNumberAndTag)
     arguments.most = 3;
     const Corpus turned = take(arguments);
     ASSERT_EQ(turned.problems.size(), 3U);
-    for (const StepProblem& problem : turned.problems)
+    for (const StoredStep& problem : turned.problems)
         EXPECT_EQ(std::count(problem.tags.begin(), problem.tags.end(), "sticking"), 1);
 }
 
@@ -131,7 +131,7 @@ TEST_F(Problems, OfAnotherModelAreRefused)
     arguments.every = 50;
     Corpus corpus = take(arguments);
     const Case the_case = read(corpus.cases[0]);
-    StepProblem problem = corpus.problems.back();
+    StoredStep problem = corpus.problems.back();
     problem.state.coordinates.pop_back();
     EXPECT_THROW(stage_of(problem, the_case), InputError);
     problem = corpus.problems.back();

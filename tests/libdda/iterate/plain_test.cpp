@@ -21,7 +21,7 @@ INSTANTIATE_TEST_SUITE_P(Kinematics, Plain, every_kinematics(), test_name);
 Stage by(OpenClose iteration, Stage stage)
 {
     stage.control.open_close = iteration;
-    if (iteration == OpenClose::plain) stage.control.max_open_close = 1000;
+    if (iteration == OpenClose::plain) stage.control.max_open_close = plain_open_close;
     return stage;
 }
 
