@@ -199,9 +199,10 @@ bool passes(const std::vector<Judgement>& judgements, const JudgeOptions& option
                              [&](const Judgement& each) { return each.verdict == verdict; });
     };
     if (options.most_in_all > 0 && fast_iterations(judgements) > options.most_in_all) return false;
+    const double most = options.most_not_unique >= 0 ? options.most_not_unique
+                                                     : most_not_unique * static_cast<double>(judgements.size());
     return count(Verdict::wrong) == 0 && count(Verdict::fast_failed) == 0 &&
-           static_cast<double>(count(Verdict::not_unique)) <=
-               most_not_unique * static_cast<double>(judgements.size());
+           static_cast<double>(count(Verdict::not_unique)) <= most;
 }
 
 }  // namespace voussoir::app::problems

@@ -52,9 +52,10 @@ Judgement compare(const Case& the_case, const Stage& stage, const StoredStep& pr
 
 /// How problems are judged.
 struct JudgeOptions {
-    int large_from = 0;   // blocks, from which the plain iteration is not asked; 0: it always is
-    int iterations = 0;   // that the fast one may take; 0: as the case has them
-    int most_in_all = 0;  // iterations that the fast one may take in all problems together; 0: any number
+    int large_from = 0;        // blocks, from which the plain iteration is not asked; 0: it always is
+    int iterations = 0;        // that the fast one may take; 0: as the case has them
+    int most_in_all = 0;       // iterations that the fast one may take in all problems together; 0: any number
+    int most_not_unique = -1;  // problems; -1: one in twenty
 };
 
 /// @throws InputError when the problem is not one of the case
@@ -64,8 +65,8 @@ Judgement judge(const Case& the_case, const StoredStep& problem, const JudgeOpti
 /// them.
 int fast_iterations(const std::vector<Judgement>& judgements);
 
-/// Whether the fast iteration has passed: nothing wrong, it fails nowhere alone, and at most one step in twenty is
-/// not unique; and it takes no more iterations than it may.
+/// Whether the fast iteration has passed: nothing wrong, it fails nowhere alone, and no more steps than
+/// may be are not unique, and it takes no more iterations than it may.
 bool passes(const std::vector<Judgement>& judgements, const JudgeOptions& options = {});
 
 }  // namespace voussoir::app::problems

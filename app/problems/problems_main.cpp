@@ -130,6 +130,8 @@ int run(int argc, char** argv)
                         "that the fast iteration may take; else the case's");
     judging->add_option("--most-iterations", all.options.most_in_all,
                         "that the fast iteration may take in all problems together");
+    judging->add_option("--most-not-unique", all.options.most_not_unique,
+                        "problems that may have two steps; else one in twenty");
     CLI::App* joining = program.add_subcommand("join", "write the problems of several files into one");
     joining->add_option("FILE", all.files, "files of step problems")->required();
     joining->add_option("-o,--output", all.output, "file of step problems to write")->required();
