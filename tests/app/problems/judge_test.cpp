@@ -31,6 +31,7 @@ TEST_F(JudgedProblems, AreJudgedTheSame)
     EXPECT_GT(taken, 0);
     EXPECT_TRUE(passes(found, {.most_in_all = taken}));
     EXPECT_FALSE(passes(found, {.most_in_all = taken - 1})) << "a lame iteration fails by their number";
+    EXPECT_TRUE(passes(found, {.most_not_unique = 0}));
     EXPECT_NE(json_of(found).find("\"passes\": true"), std::string::npos);
 }
 
@@ -125,7 +126,8 @@ TEST_F(FalsifiedStep, ThatWasNotMadeIsTold)
     EXPECT_EQ(judged().verdict, Verdict::plain_failed);
     EXPECT_TRUE(passes({judged()}));
     EXPECT_EQ(summary_of({judged()}),
-              "1 problems: 0 the same, 0 not unique, 1 plain failed, 0 fast failed, 0 wrong");
+              "1 problems: 0 the same, 0 not unique, 1 plain failed, 0 fast failed, 0 wrong; " +
+                  std::to_string(good.report.open_close_iterations) + " iterations");
 }
 
 TEST_F(JudgedProblems, OfAWholeRunByBothIterationsAgree)
