@@ -65,8 +65,8 @@ Judgement judge(const Case& the_case, const StoredStep& problem, const JudgeOpti
 /// them.
 int fast_iterations(const std::vector<Judgement>& judgements);
 
-/// Whether the fast iteration has passed: nothing wrong, it fails nowhere alone, and no more steps than
-/// may be are not unique, and it takes no more iterations than it may.
+/// Whether the fast iteration has passed: nothing is wrong, it fails nowhere alone, and neither the problems that
+/// are not unique nor its iterations are more than they may be.
 bool passes(const std::vector<Judgement>& judgements, const JudgeOptions& options = {});
 
 }  // namespace voussoir::app::problems

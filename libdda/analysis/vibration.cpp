@@ -8,7 +8,6 @@
 #include "libdda/contact/contact_history.h"
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/contact/placed_part.h"
-#include "libdda/forces/applied_forces.h"
 #include "libdda/forces/other_forces.h"
 
 namespace voussoir

@@ -1,7 +1,6 @@
 #include "libdda/forces/applied_forces.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 
 #include "libdda/block/ground_velocity.h"
 #include "libdda/forces/other_forces.h"

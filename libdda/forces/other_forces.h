@@ -1,19 +1,18 @@
-// The register of all forces that are no contacts. A new one is a group with a header of its own, with the seven
-// verbs below as overloads, and one member here: step, relaxation, modes and energies then know it.
+// The register of all forces that are no contacts. A new one is a group with a header of its own, with seven verbs
+// as overloads, and one member here: step, relaxation, modes and energies then know it.
 //
-//   begin_forces(model, stage, state, h, end_time, blocks, group)  sets up a step; the blocks are prepared. What
-//   is
-//                                          the same in all of the step may go to the `base` of a block.
-//   add_pairs(blocks, group, pairs)        rows that it couples, the larger one first
-//   note_tied(blocks, group, tied)         marks rows that it acts on: they are not relaxed by themselves
-//   add_forces(d, blocks, group, forces, load)  its forces at the iterate d on all rows, and their size [N] per
-//   row add_stiffness(blocks, group, matrix)   the symmetric tangent at the last iterate book_forces(state,
-//   blocks, d, h, group, energy)  the terms of an accepted step: work on the way that blocks
-//                                          went, and what that way differs by from the one of the momentum
-//                                          balance. The blocks of `state` are where the step left them.
-//   update_forces(model, stage, blocks, group, state)  brings what it remembers to the end of the step
+// - begin_forces sets up a step; the blocks are prepared. What stays the same in a step may go to the `base` of a
+//   block.
+// - add_pairs names the rows that it couples, the larger one first.
+// - note_tied marks the rows that it acts on: their stones are not relaxed one by one.
+// - add_forces adds its forces at the iterate d, and their size [N] for each row.
+// - add_stiffness adds the symmetric tangent at the last iterate.
+// - book_forces adds the terms of an accepted step to the energies: the work on the way that blocks went, and what
+//   that way differs by from the one of the momentum balance. The blocks of `state` are where the step left them.
+// - update_forces brings what it remembers to the end of the step.
 //
-// All but the forces of a step are nothing for a scene without them.
+// Two places still ask by name: the whole tangent for what a free field adds to one side alone
+// (iterate/directions.cpp), and the modes for the blocks that bars touch (analysis/vibration.cpp).
 #pragma once
 
 #include "libdda/forces/applied_forces.h"
