@@ -158,10 +158,10 @@ void print_materials(const Model& model)
     for (const JointMaterial& joint : model.joints) {
         say(fmt::format(
             "joint {}: friction {:g} deg, cohesion {:g} Pa, tensile strength {:g} Pa, contact stiffness {}, "
-            "shear to normal {:g}, relaxation time {:g} s, restitution {}",
+            "shear to normal {:g}, face {}, relaxation time {:g} s, restitution {}",
             joint.name, joint.friction_angle * 180 / std::numbers::pi, joint.cohesion, joint.tensile_strength,
-            in_words(joint.stiffness), joint.shear_to_normal_stiffness, joint.relaxation_time,
-            joint.has_landing_law() ? fmt::format("{:g}", *joint.restitution) : "none"));
+            in_words(joint.stiffness), joint.shear_to_normal_stiffness, results::name_of(joint.face),
+            joint.relaxation_time, joint.has_landing_law() ? fmt::format("{:g}", *joint.restitution) : "none"));
         for (const FrictionAtSpeed& point : joint.friction_at_speed)
             say(fmt::format("  friction {:g} deg when it slips at {:g} m/s", point.angle * 180 / std::numbers::pi,
                             point.speed));

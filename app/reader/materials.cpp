@@ -105,6 +105,8 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
         joint.stiffness.factor = factor->as_quantity(words::dimension::number, words::Range::positive());
     joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", words::dimension::number,
                                                       words::Range::positive(), joint.shear_to_normal_stiffness);
+    joint.face =
+        map.choice_or<FaceLaw>("face", {{"corners", FaceLaw::corners}, {"points", FaceLaw::points}}, joint.face);
     joint.relaxation_time = map.quantity_or("relaxation_time", words::dimension::time,
                                             words::Range::non_negative(), joint.relaxation_time);
     joint.restitution = read_restitution(map, joint.relaxation_time > 0);

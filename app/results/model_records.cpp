@@ -130,7 +130,7 @@ void write_friction_at_speed(const Model& model, Hdf5File& file)
 
 void write_joints(const Model& model, Hdf5File& file)
 {
-    std::vector<std::string> names, kinds;
+    std::vector<std::string> names, kinds, faces;
     std::vector<double> friction, cohesion, tension, stiffness, factor, shear, dashpot, restitution;
     for (const JointMaterial& joint : model.joints) {
         names.push_back(joint.name);
@@ -141,6 +141,7 @@ void write_joints(const Model& model, Hdf5File& file)
         stiffness.push_back(joint.stiffness.value);
         factor.push_back(joint.stiffness.factor);
         shear.push_back(joint.shear_to_normal_stiffness);
+        faces.emplace_back(name_of(joint.face));
         dashpot.push_back(joint.relaxation_time);
         restitution.push_back(joint.has_landing_law() ? *joint.restitution : std::nan(""));
     }
@@ -153,6 +154,7 @@ void write_joints(const Model& model, Hdf5File& file)
     file.write("/model/joint_materials/stiffness", stiffness);
     file.write("/model/joint_materials/stiffness_factor", factor);
     file.write("/model/joint_materials/shear_to_normal_stiffness", shear);
+    file.write_texts("/model/joint_materials/face", faces);
     file.write("/model/joint_materials/dashpot", dashpot);
     file.write("/model/joint_materials/restitution",
                restitution);  // NaN: impacts are left to springs and dashpots

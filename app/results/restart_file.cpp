@@ -15,7 +15,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 20\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 21\n";  // its number rises when the layout changes
 constexpr const char* what = "a restart file";
 constexpr std::size_t head_bytes = 1 + 8 + 8;  // whether it ended, its time, the bytes of what follows
 
@@ -109,12 +109,12 @@ void trust_fields(Archive& archive, Start& start)
     auto& [at_rest, modes, energy] = start;
     archive.fields(at_rest, modes.outcome, modes.loose, modes.rigid);
     archive.list(modes.modes, [](auto& to, auto& mode) {
-        auto& [frequency, mass_share, joint_share, lowered_by_joints, raised_by_stones, dashpot_time, rayleigh,
-               hysteretic] = mode;
+        auto& [frequency, mass_share, joint_share, lowered_by_joints, raised_by_stones, raised_by_corners,
+               dashpot_time, rayleigh, hysteretic] = mode;
         to.field(frequency);
         to.field(mass_share);
-        to.fields(joint_share, lowered_by_joints, raised_by_stones, dashpot_time, rayleigh.of_mass,
-                  rayleigh.of_stiffness, hysteretic);
+        to.fields(joint_share, lowered_by_joints, raised_by_stones, raised_by_corners, dashpot_time,
+                  rayleigh.of_mass, rayleigh.of_stiffness, hysteretic);
     });
     ledger_fields(archive, energy);
 }

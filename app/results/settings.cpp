@@ -56,6 +56,11 @@ std::string_view name_of(ContactStiffness::Kind kind)
     return "none";
 }
 
+std::string_view name_of(FaceLaw face)
+{
+    return face == FaceLaw::points ? "points" : "corners";
+}
+
 std::string_view name_of(PlaneCondition plane)
 {
     return plane == PlaneCondition::strain ? "strain" : "stress";

@@ -15,6 +15,7 @@ std::string_view name_of(OpenClose open_close);
 std::string_view name_of(LinearSolverKind solver);
 std::string_view name_of(StageType type);
 std::string_view name_of(ContactStiffness::Kind kind);
+std::string_view name_of(FaceLaw face);
 std::string_view name_of(PlaneCondition plane);
 std::string_view name_of(RestSupport support);
 

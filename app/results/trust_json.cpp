@@ -42,7 +42,8 @@ Json modes(const NaturalModes& found)
                         {"mass_fraction", {mode.mass_share.x(), mode.mass_share.y(), mode.mass_share.z()}},
                         {"strain_energy_in_joints", mode.joint_share},
                         {"lowered_by_joints", mode.lowered_by_joints},
-                        {"raised_by_stones", mode.raised_by_stones}});
+                        {"raised_by_stones", mode.raised_by_stones},
+                        {"raised_by_corners", mode.raised_by_corners}});
     return list;
 }
 

@@ -12,7 +12,8 @@ namespace
 {
 
 constexpr std::size_t most_modes_named = 4;
-constexpr double worth_naming = 1e-4;  // of the energy put in
+constexpr double worth_saying_of_corners = 0.05;  // of a frequency
+constexpr double worth_naming = 1e-4;             // of the energy put in
 
 /// "4.7 %", "0.0012 %".
 std::string percent(double share)
@@ -142,6 +143,16 @@ std::string damping_in_words(const Trust& trust)
                        trust.of_modes || trust.steps_follow ? "at most " : "", percent(worst->algorithmic));
 }
 
+/// What springs at the corners do to the first mode, where it is worth a word.
+std::string corners_in_words(const std::vector<NaturalMode>& modes)
+{
+    if (modes.empty() || modes.front().raised_by_corners < worth_saying_of_corners) return "";
+    const NaturalMode& first = modes.front();
+    return fmt::format(
+        "; faces on springs at their corners raise the first by {}, with face: points it is some {:.3g} Hz",
+        percent(first.raised_by_corners), first.frequency / (1 + first.raised_by_corners));
+}
+
 }  // namespace
 
 std::string vibrations_in_words(const Trust& trust)
@@ -150,7 +161,7 @@ std::string vibrations_in_words(const Trust& trust)
     double lowered = 0;
     for (const NaturalMode& mode : trust.start.modes.modes) lowered = std::max(lowered, mode.lowered_by_joints);
     if (lowered > 0) words += fmt::format("; joints lower them by at most {}", percent(lowered));
-    return words;
+    return words + corners_in_words(trust.start.modes.modes);
 }
 
 std::string shares_in_words(const EnergyShares& shares)

@@ -85,7 +85,7 @@ DrawnMisfit misfit_in(const Model& model)
     const std::vector<double> widths = least_widths(model);
     DrawnMisfit misfit;
     for (const ContactPatchIn<D>& patch : contacts.patches) {
-        const auto points = std::span(contacts.points).subspan(patch.first_point, patch.point_count);
+        const auto points = corners_of(contacts, patch);
         const double size_a = size_of(model, patch.block_a), size_b = size_of(model, patch.block_b);
         const double size = std::min(size_a, size_b),
                      width = std::min(widths[patch.block_a], widths[patch.block_b]);

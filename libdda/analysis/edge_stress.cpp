@@ -28,10 +28,11 @@ struct Bed {
     void add(const BedPatch& patch)
     {
         if (!first) first = &patch;
-        for (std::size_t i = 0; i < patch.points.size(); ++i) {
-            const BedPoint& p = patch.points[i];
+        const std::size_t corners = patch.points.size() - patch.inner;
+        for (std::size_t i = 0; i < corners; ++i)
+            sides.emplace_back(patch.points[(i + 1) % corners].position - patch.points[i].position);
+        for (const BedPoint& p : patch.points) {
             points.push_back(p);
-            sides.emplace_back(patch.points[(i + 1) % patch.points.size()].position - p.position);
             area += p.area;
             centre += p.area * p.position;
             normal += p.area * patch.normal;

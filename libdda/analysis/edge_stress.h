@@ -26,7 +26,8 @@ struct BedPatch {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, as it is now
     std::array<FacePlane, 2> faces;                    // that the two blocks bring to it
     bool edge_edge = false;                            // has no faces
-    std::vector<BedPoint> points;                      // a polygon in turn
+    std::vector<BedPoint> points;                      // a polygon in turn, and then what is inside
+    std::size_t inner = 0;                             // of the points are inside
 };
 
 /// What bears most.

@@ -87,10 +87,9 @@ BedPatch bed_of(const Model& model, const ContactSetIn<D>& contacts, const Conta
             plane_of(contact::ShapeIn<D>::of(model.blocks[patch.block_b])[patch.part_b], patch.feature_b);
         bed.faces = sign > 0 ? std::array{of_a, of_b} : std::array{of_b, of_a};
     }
-    for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-        const ContactPointIn<D>& point = contacts.points[i];
+    for (const ContactPointIn<D>& point : points_of(contacts, patch))
         bed.points.push_back({to_space(point.position), point.area, point.normal_force});
-    }
+    bed.inner = bed.points.size() - corners_of(contacts, patch).size();
     return bed;
 }
 

@@ -33,13 +33,11 @@ Vector3d outward(const ConvexPolygon& outline, std::uint32_t edge)
 }
 
 template <int D>
-Corners corners_of(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
+Corners drawn_corners(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
 {
     Corners corners;
-    for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-        const ContactPointIn<D>& point = contacts.points[i];
+    for (const ContactPointIn<D>& point : corners_of(contacts, patch))
         corners.push_back({to_space(point.position), point.gap + point.rest_gap, point.area, 0});
-    }
     return corners;
 }
 
@@ -136,13 +134,13 @@ void collect(const Model& model, const std::vector<PlacedBlock>& blocks, const C
         const Side incident = side_of<D>(model, blocks, found.block_a, found.part_a, found.feature_a),
                    reference = side_of<D>(model, blocks, found.block_b, found.part_b, found.feature_b);
         if (incident.normal.dot(reference.normal) > -std::cos(facing_angle)) continue;
-        const Corners all = corners_of(contacts, found);
+        const Corners all = drawn_corners(contacts, found);
         Corners corners = nearer_than<D>(touching_distance(model, found.block_a, found.block_b), all);
         share_area<D>(reference.normal, contact::depth_of<D>(model), corners);
         if (area_of(corners) <= 0) continue;
         const bool swapped = found.block_a > found.block_b;
         WatchedJoint& joint = joints[std::minmax(found.block_a, found.block_b)];
-        joint.area += area_of(all);
+        for (const ContactPointIn<D>& point : points_of(contacts, found)) joint.area += point.area;
         joint.bonded = joint.bonded || found.intact;
         const Vector3d normal = (swapped ? -1 : 1) * (reference.normal - incident.normal).normalized();
         add_patch(facing_patch(incident, reference, swapped, corners), normal, corners, joint);

@@ -26,6 +26,7 @@ struct ModeEnergies {
     double measured = 0, ruled = 0;  // in joints whose stiffness was measured, or follows from a rule
     double dashpots = 0;             // in joints, times their relaxation time
     double stones = 0;               // in the half stones beside the joints, were they strained as the joints are
+    double turned_corners = 0;       // in joints that turn on springs at their corners
 };
 
 template <class K>
@@ -64,7 +65,9 @@ ModeEnergies energies_of(const Eigen::VectorXd& shape, const Vibration<K>& vibra
             twice += points[end].normal_stiffness * opening * opening;
         }
         const double uniform = force * force / stiffness;
-        sum.stones += points[first].stone_normal * (uniform + corners_to_face * (twice - uniform));
+        const double too_stiff = points[first].at_corners ? corners_to_face : 1;
+        sum.stones += points[first].stone_normal * (uniform + too_stiff * (twice - uniform));
+        if (points[first].at_corners) sum.turned_corners += twice - uniform;
     }
     return sum;
 }
@@ -160,6 +163,7 @@ NaturalMode mode_of(const Model& model, double eigenvalue, const Eigen::VectorXd
     const double stored = K::deformable ? std::max(0.0, eigenvalue - joints) : 0;
     mode.lowered_by_joints = lowered_by(twice, stored, !K::deformable);
     if (K::deformable) mode.raised_by_stones = raised_by(stored, twice.stones, joints);
+    mode.raised_by_corners = raised_by(eigenvalue, eigenvalue + (corners_to_face - 1) * twice.turned_corners, 0);
     mode.dashpot_time = twice.dashpots / eigenvalue;
     if (std::any_of(model.materials.begin(), model.materials.end(),
                     [](const auto& m) { return m.rayleigh.any(); }))

@@ -22,6 +22,9 @@ struct NaturalMode {
     // Deformable scenes: by how much elastic stones would lower it, for those of uniform strain do not bend;
     // roughly.
     double raised_by_stones = 0;
+    // By how much faces that turn on springs at their corners raise it against faces that turn as their area does;
+    // roughly.
+    double raised_by_corners = 0;
     double dashpot_time = 0;        // s, mean relaxation time: dashpots damp it with omega x this / 2 of critical
     RayleighDamping rayleigh = {};  // means of the blocks', of mass by kinetic and of stiffness by strain energy
     double hysteretic = 0;  // damping ratio: mean of the blocks' branches' at its frequency, by strain energy

@@ -110,6 +110,7 @@ class ClosedJoints
         point.shear_stiffness = joint.shear_to_normal_stiffness * point.normal_stiffness;
         point.relaxation_time = joint.relaxation_time;
         point.measured = joint.stiffness.kind == ContactStiffness::Kind::per_area;
+        point.at_corners = joint.face == FaceLaw::corners;
         for (const int b : {patch.block_a, patch.block_b}) add_half_stone(b, patch, joint, point);
         points.push_back(point);
         blocks_of_points.emplace_back(patch.block_a, patch.block_b);

@@ -23,6 +23,7 @@ struct VibratingPoint {
     double stone_normal = 0, stone_shear = 0;  // the two half stones beside it / the joint, of compliance
     double relaxation_time = 0;                // s, of its dashpots
     bool measured = false;                     // its stiffness is an input in Pa/m
+    bool at_corners = true;                    // its face rests on its corners alone
 };
 
 /// What vibrates: the blocks with unknowns that a closed joint holds.

@@ -40,9 +40,10 @@ std::vector<Side> sides_of(const Model& model, const ContactPatch& patch, std::s
 
 }  // namespace
 
-double strip_width(const Model& model, const ContactPatch& patch, std::span<const ContactPoint> points)
+double strip_width(const Model& model, const ContactPatch& patch, std::span<const ContactPoint> all_points)
 {
     if (patch.edge_edge) return infinite;
+    const std::span<const ContactPoint> points = corners_of(all_points);
     double width = infinite;
     const std::vector<Side> sides = sides_of(model, patch, points);
     for (const Side& own : sides)

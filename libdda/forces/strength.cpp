@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "libdda/geometry/polygon_moments.h"
+
 namespace voussoir::step
 {
 
@@ -16,18 +18,6 @@ namespace
 {
 
 constexpr double no_tension = 1e-3;  // of the cohesion
-
-/// Second moments of the area of a convex polygon about its centroid, the origin, by triangles from there [m4].
-Eigen::Matrix2d second_moments(const std::vector<Vector2d>& corners)
-{
-    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vector2d &p = corners[i], &q = corners[(i + 1) % corners.size()], sum = p + q;
-        const double area = 0.5 * std::abs(p.x() * q.y() - p.y() * q.x());
-        second += area / 12 * (p * p.transpose() + q * q.transpose() + sum * sum.transpose());
-    }
-    return second;
-}
 
 /// Most tensile normal stress of a corner [Pa, pressing positive]: N/A + bending, linear over the polygon.
 template <class Patch>
@@ -42,12 +32,13 @@ double least_pressure(const Patch& patch, const std::vector<PointStep<3>>& point
     double force = 0;
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
         const Vector3d lever = contacts.points[i].position - centre;
-        corners.emplace_back(u.dot(lever), v.dot(lever));
+        const Vector2d place(u.dot(lever), v.dot(lever));
+        if (!is_inner(contacts.points[i])) corners.push_back(place);
         force += points[i].normal;
-        moment += points[i].normal * corners.back();
+        moment += points[i].normal * place;
     }
     const Vector2d bending =
-        patch.count < 3 ? Vector2d::Zero() : Vector2d(second_moments(corners).inverse() * moment);
+        corners.size() < 3 ? Vector2d::Zero() : Vector2d(PolygonMoments(corners).second.inverse() * moment);
     double least = force / area;
     for (const Vector2d& corner : corners) least = std::min(least, force / area + bending.dot(corner));
     return least;

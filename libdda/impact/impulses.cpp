@@ -130,8 +130,7 @@ void Impulses<K>::reach(int index)
         if (takes_part_[k]) continue;
         takes_part_[k] = 1;
         const ContactPatchIn<D>& patch = contacts_.patches[k];
-        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            const ContactPointIn<D>& point = contacts_.points[i];
+        for (const ContactPointIn<D>& point : corners_of(contacts_, patch)) {
             if (point.gap >= 0 && !patch.intact) continue;
             const Meeting<K> m = meeting(patch, point, 0);
             if (m.mobility > 0) meetings_.push_back(m);

@@ -79,7 +79,7 @@ std::vector<Jump<K>> Landings<K>::find()
     for (int k = 0; k < static_cast<int>(contacts_.patches.size()); ++k) {
         const ContactPatchIn<D>& patch = contacts_.patches[k];
         if (patch.intact || !model_.joint_between(patch.block_a, patch.block_b).has_landing_law()) continue;
-        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+        for (int i = patch.first_point, behind = end_of_corners(contacts_, patch); i < behind; ++i) {
             const double gap = contacts_.points[i].gap;
             if (gap < 0) continue;
             const double approach = approach_of({i, k});
@@ -196,7 +196,7 @@ std::vector<ClosingPoint> missed_landings(const Model& model, const Stage& stage
         for (std::size_t k = first; k < end; ++k) {
             const auto& patch = contacts.patches[k];
             if (patch.intact || !model.joint_between(patch.block_a, patch.block_b).has_landing_law()) continue;
-            for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
+            for (int i = patch.first_point, behind = end_of_corners(contacts, patch); i < behind; ++i) {
                 const auto& point = contacts.points[i];
                 if (point.gap < 0 || problem.contacts.points[i].normal == 0) continue;
                 const Body<K> a = body_of<K>(model, state, patch.block_a),

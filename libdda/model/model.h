@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,12 @@ struct ContactStiffness {
     double factor = 1;  // -, times what the spelling gives: how studies vary the stiffness of every spelling
 };
 
+/// Where the springs of a face act.
+enum class FaceLaw : std::uint8_t {
+    corners,  // at its corners, as the papers have it: three times too stiff in bending, too strong in torsion
+    points,   // at its corners and at points inside: as stiff as its area, and as strong against turning on it
+};
+
 /// Friction of a joint at one speed of slip.
 struct FrictionAtSpeed {
     double speed = 0;  // m/s, > 0
@@ -68,6 +75,7 @@ struct JointMaterial {
     double tensile_strength = 0;             // Pa; a dry joint has neither
     ContactStiffness stiffness;              // normal
     double shear_to_normal_stiffness = 0.5;  // -; Shi's 1/h2
+    FaceLaw face = FaceLaw::corners;
     double relaxation_time = 0;  // s, stiffness-proportional contact damping (eta of N = -k(g + eta dg/dt))
     // -, 0..1, of the approach speed where stones land on one another; none: impacts are left to the springs, as
     // in the papers. A dashpot takes its place

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "libdda/geometry/plane.h"
@@ -19,8 +20,11 @@ enum class ContactStatus : std::uint8_t {
     sliding,  // at the friction bound
 };
 
-/// One corner of a contact polygon, one end of a contact segment (planar), or the one point of an edge-edge
-/// contact. Forces act on block a of the patch.
+/// In the feature of points inside a face or on its sides.
+constexpr std::uint32_t inner_feature = 0x80000000;
+
+/// One corner of a contact polygon, one end of a contact segment (planar), the one point of an edge-edge contact,
+/// or a point inside a face. Forces act on block a of the patch.
 template <int D>
 struct ContactPointIn {
     std::uint32_t feature = 0;  // which vertex, or which edge crosses which side: survives sliding
@@ -52,8 +56,43 @@ struct ContactPatchIn {
 template <int D>
 struct ContactSetIn {
     std::vector<ContactPatchIn<D>> patches;  // ascending
-    std::vector<ContactPointIn<D>> points;   // patch by patch
+    std::vector<ContactPointIn<D>>
+        points;  // patch by patch, the corners of each in their order before what is inside
 };
+
+/// Whether a point lies inside its face or on a side of it: it is no corner.
+template <int D>
+bool is_inner(const ContactPointIn<D>& point)
+{
+    return (point.feature & inner_feature) != 0;
+}
+
+/// All points of a patch.
+template <int D>
+std::span<const ContactPointIn<D>> points_of(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
+{
+    return std::span(contacts.points).subspan(patch.first_point, patch.point_count);
+}
+
+/// Those of them that bound it: gaps are widest and deepest there.
+template <int D>
+std::span<const ContactPointIn<D>> corners_of(std::span<const ContactPointIn<D>> points)
+{
+    std::size_t count = 0;
+    while (count < points.size() && !is_inner(points[count])) ++count;
+    return points.first(count);
+}
+template <int D>
+std::span<const ContactPointIn<D>> corners_of(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
+{
+    return corners_of(points_of(contacts, patch));
+}
+/// Behind the last of them.
+template <int D>
+int end_of_corners(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
+{
+    return patch.first_point + static_cast<int>(corners_of(contacts, patch).size());
+}
 
 using ContactPoint = ContactPointIn<3>;  ///< In space.
 using ContactPatch = ContactPatchIn<3>;  ///< In space.

@@ -11,11 +11,11 @@ namespace voussoir::app::studies::stability
 
 std::vector<StabilityScene> stability_scenes(const CaseReader& read)
 {
-    return {sliding_scene(), rocking_scene(), step_error_scene(), wall_scene(),           modulus_scene(),
-            column_scene(),  density_scene(), size_scene(),       shape_scene(),          needle_scene(),
-            point_scene(),   fit_scene(),     friction_scene(),   coordinate_scene(read), gravity_scene(),
-            shaking_scene(), impact_scene(),  uplift_scene(),     landing_scene(),        ground_scene(),
-            bar_scene(),     many_scene(),    heap_scene()};
+    return {sliding_scene(), rocking_scene(), step_error_scene(), wall_scene(),     modulus_scene(),
+            column_scene(),  density_scene(), size_scene(),       shape_scene(),    needle_scene(),
+            point_scene(),   face_scene(),    fit_scene(),        friction_scene(), coordinate_scene(read),
+            gravity_scene(), shaking_scene(), impact_scene(),     uplift_scene(),   landing_scene(),
+            ground_scene(),  bar_scene(),     many_scene(),       heap_scene()};
 }
 
 std::string in_words(const CellParameter& parameter)

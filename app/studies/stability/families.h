@@ -22,6 +22,8 @@ StabilityScene shape_scene();
 StabilityScene needle_scene();  // a stone stands on points
 StabilityScene point_scene();   // vertex on vertex, edge on edge
 
+StabilityScene face_scene();  // joints with points inside their faces
+
 StabilityScene fit_scene();  // a column that does not fit as drawn
 
 StabilityScene friction_scene();

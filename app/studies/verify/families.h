@@ -40,6 +40,9 @@ std::vector<Benchmark> wave_benchmarks();
 /// Bonded rods, layers at resonance and a tower that vibrates, at the program's defaults.
 std::vector<Benchmark> vibration_benchmarks();
 
+/// Joints that rest on points inside their faces: bending and torsion.
+std::vector<Benchmark> face_benchmarks();
+
 /// Waves through viscous boundaries, layers on rock, and Rayleigh's damping.
 std::vector<Benchmark> ground_benchmarks();
 

@@ -1,0 +1,205 @@
+// The points of a face have its area, its moments and its mean distance from the centroid.
+#include "libdda/contact/face_points.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "libdda/contact/narrow_phase.h"
+#include "libdda/geometry/polygon_moments.h"
+#include "libdda/model/state.h"
+
+namespace voussoir::testing
+{
+
+namespace
+{
+
+using contact::PolygonPoint;
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Outline = std::vector<Vector2d>;
+
+constexpr double pi = std::numbers::pi;
+
+Outline regular(int corners)
+{
+    Outline outline;
+    for (int i = 0; i < corners; ++i)
+        outline.emplace_back(std::cos(2 * pi * i / corners), std::sin(2 * pi * i / corners));
+    return outline;
+}
+
+Outline rectangle(double a, double b)
+{
+    return {{-a, -b}, {a, -b}, {a, b}, {-a, b}};
+}
+
+/// Corners of an affine image of a regular polygon, each turned a little: convex, and of no symmetry.
+Outline irregular(std::mt19937& engine)
+{
+    std::uniform_real_distribution<double> part(0, 1);
+    const int corners = 3 + static_cast<int>(5 * part(engine));
+    const double longer = 1 + 3 * part(engine), skew = part(engine);
+    Outline outline;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * pi * (i + 0.6 * part(engine)) / corners;
+        outline.emplace_back(longer * std::cos(angle) + skew * std::sin(angle), std::sin(angle));
+    }
+    return outline;
+}
+
+/// A face in space: a frame, and the plane of the incident face over it.
+struct Face {
+    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();  // columns u, v, n
+    Vector2d slope = Vector2d::Zero();
+
+    std::vector<PolygonPoint> of(const Outline& outline) const
+    {
+        std::vector<PolygonPoint> points;
+        // The incident face is seen from below: its loop runs clockwise about the normal.
+        for (auto corner = outline.rbegin(); corner != outline.rend(); ++corner) {
+            const double gap = -1e-3 + slope.dot(*corner);
+            points.push_back({frame * Vector3d(corner->x(), corner->y(), gap), gap, 0,
+                              static_cast<std::uint32_t>(points.size())});
+        }
+        contact::assign_tributary_areas(points, frame.col(2));
+        contact::add_inner_points(Vector3d(frame.col(2)), points);
+        return points;
+    }
+    Vector2d flat(const PolygonPoint& point) const { return (frame.transpose() * point.position).head<2>(); }
+};
+
+/// Mean distance of a polygon from its centroid [m], by triangles in polar coordinates.
+double mean_distance(const Outline& outline)
+{
+    const PolygonMoments moments(outline);
+    double sum = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vector2d p = outline[i] - moments.centroid, q = outline[(i + 1) % outline.size()] - moments.centroid;
+        const Vector2d along = (q - p).normalized();
+        const double height = std::abs(p.x() * along.y() - p.y() * along.x());
+        const auto primitive = [&](double s) {  // of (h^2 + s^2)^(1/2) h / 3 by s
+            return height / 6 * (s * std::hypot(s, height) + height * height * std::asinh(s / height));
+        };
+        sum += primitive(q.dot(along)) - primitive(p.dot(along));
+    }
+    return sum / moments.area;
+}
+
+double mean_distance(const Face& face, const Outline& outline)
+{
+    const PolygonMoments moments(outline);
+    double sum = 0;
+    for (const PolygonPoint& point : face.of(outline))
+        sum += point.area * (face.flat(point) - moments.centroid).norm();
+    return sum / moments.area;
+}
+
+void expect_moments_of(const Outline& outline, const Face& face)
+{
+    const PolygonMoments exact(outline);
+    double area = 0;
+    Vector2d first = Vector2d::Zero();
+    Matrix2d second = Matrix2d::Zero();
+    for (const PolygonPoint& point : face.of(outline)) {
+        const Vector2d at = face.flat(point) - exact.centroid;
+        EXPECT_GT(point.area, 0);
+        EXPECT_NEAR(point.gap, -1e-3 + face.slope.dot(face.flat(point)), 1e-12);
+        area += point.area;
+        first += point.area * at;
+        second += point.area * at * at.transpose();
+    }
+    EXPECT_NEAR(area, exact.area, 1e-12 * exact.area);
+    EXPECT_LT(first.norm(), 1e-12 * std::pow(exact.area, 1.5));
+    EXPECT_LT((second - exact.second).norm(), 1e-11 * exact.second.norm());
+}
+
+/// Whether a place is in a polygon that runs counter-clockwise.
+bool contains(const Outline& outline, const Vector2d& place)
+{
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vector2d side = outline[(i + 1) % outline.size()] - outline[i], to = place - outline[i];
+        if (side.x() * to.y() - side.y() * to.x() < 0) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST(FacePoints, HaveTheMomentsOfTheFace)
+{
+    std::mt19937 engine(7);
+    Face face;
+    face.frame = Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    face.slope = {1e-4, -2e-4};
+    for (int i = 0; i < 300; ++i) expect_moments_of(irregular(engine), face);
+    for (int corners = 3; corners < 9; ++corners) expect_moments_of(regular(corners), face);
+}
+
+TEST(FacePoints, LieInTheFace)
+{
+    std::mt19937 engine(8);
+    const Face face;
+    for (int i = 0; i < 300; ++i) {
+        const Outline outline = irregular(engine);
+        const std::vector<PolygonPoint> points = face.of(outline);
+        ASSERT_EQ(points.size(), 4 * outline.size());
+        for (std::size_t k = 2 * outline.size(); k < points.size(); ++k)
+            EXPECT_TRUE(contains(outline, face.flat(points[k])));
+    }
+}
+
+// What even pressure bears against turning on the face: corners with tributary areas have 0.707 a of a square.
+TEST(FacePoints, HaveTheMeanDistanceOfTheFace)
+{
+    const Face face;
+    EXPECT_NEAR(mean_distance(rectangle(0.5, 0.5)), 0.3826, 1e-4);
+    for (const double longer : {1., 2., 3., 5.}) {
+        const Outline outline = rectangle(longer, 1);
+        EXPECT_NEAR(mean_distance(face, outline) / mean_distance(outline), 1, 0.02) << "1 : " << longer;
+    }
+    for (int corners = 3; corners < 9; ++corners) {
+        const Outline outline = regular(corners);
+        EXPECT_NEAR(mean_distance(face, outline) / mean_distance(outline), 1, 0.01) << corners << " corners";
+    }
+    std::mt19937 engine(9);
+    double squares = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Outline outline = irregular(engine);
+        const double error = mean_distance(face, outline) / mean_distance(outline) - 1;
+        EXPECT_LT(std::abs(error), 0.04);
+        squares += error * error;
+    }
+    EXPECT_LT(std::sqrt(squares / 300), 0.015);
+}
+
+TEST(FacePoints, KeepTheirLabelsApart)
+{
+    const std::vector<PolygonPoint> points = Face().of(regular(6));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_EQ((points[i].feature & inner_feature) != 0, i >= 6);
+        for (std::size_t k = 0; k < i; ++k) EXPECT_NE(points[i].feature, points[k].feature);
+    }
+}
+
+// Boole's rule is exact to the fifth degree.
+TEST(FacePoints, OfASegmentAreExactToTheFifthDegree)
+{
+    std::vector<contact::PolygonPointIn<2>> points{{{0, 0}, -1e-3, 1, 0}, {{2, 0}, -3e-3, 1, 1}};
+    contact::add_inner_points(Vector2d(0, 1), points);
+    for (int degree = 0; degree < 6; ++degree) {
+        double sum = 0;
+        for (const contact::PolygonPointIn<2>& point : points)
+            sum += point.area * std::pow(point.position.x(), degree);
+        EXPECT_NEAR(sum, std::pow(2, degree + 1) / (degree + 1), 1e-12);
+    }
+    for (const contact::PolygonPointIn<2>& point : points)
+        EXPECT_NEAR(point.gap, -1e-3 - 1e-3 * point.position.x(), 1e-15);
+}
+
+}  // namespace voussoir::testing
