@@ -10,7 +10,7 @@ using Eigen::Vector2d;
 PolygonMoments::PolygonMoments(std::span<const Vector2d> corners)
 {
     // By triangles from the first corner, so that large coordinates cancel nothing.
-    const Vector2d origin = corners.front();
+    const Vector2d& origin = corners.front();
     Vector2d first = Vector2d::Zero();
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
         const Vector2d p = corners[i] - origin, q = corners[i + 1] - origin, sum = p + q;

@@ -119,6 +119,79 @@ void expect_moments_of(const Outline& outline, const Face& face)
     EXPECT_LT((second - exact.second).norm(), 1e-11 * exact.second.norm());
 }
 
+struct Place {
+    Vector2d at;    // m
+    double weight;  // of the area
+};
+
+std::vector<Place> by_triangles(const Outline& outline, int parts)
+{
+    std::vector<Place> places;
+    double area = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vector2d p = outline[i] / parts, q = outline[(i + 1) % outline.size()] / parts;
+        const double small = 0.5 * (p.x() * q.y() - p.y() * q.x());
+        for (int u = 0; u < parts; ++u)
+            for (int v = 0; u + v < parts; ++v) {
+                places.push_back({(u + 1. / 3) * p + (v + 1. / 3) * q, small});
+                if (u + v + 1 < parts) places.push_back({(u + 2. / 3) * p + (v + 2. / 3) * q, small});
+            }
+        area += small * parts * parts;
+    }
+    for (Place& place : places) place.weight /= area;
+    return places;
+}
+
+std::vector<Place> face_places(const Outline& outline)
+{
+    const Face face;
+    const double area = PolygonMoments(outline).area;
+    std::vector<Place> places;
+    for (const PolygonPoint& point : face.of(outline)) places.push_back({face.flat(point), point.area / area});
+    return places;
+}
+
+/// Friction of a face of unit friction force that slides by (vx, vy, spin about the origin).
+class Limit
+{
+ public:
+    explicit Limit(std::vector<Place> places) : places_(std::move(places)) {}
+
+    double power(const Vector3d& slide) const
+    {
+        double sum = 0;
+        for (const Place& place : places_) sum += place.weight * speed(slide, place).norm();
+        return sum;
+    }
+    Vector3d force(const Vector3d& slide) const
+    {
+        Vector3d sum = Vector3d::Zero();
+        for (const Place& place : places_) {
+            const Vector2d along = place.weight * speed(slide, place).normalized();
+            sum += Vector3d(along.x(), along.y(), place.at.x() * along.y() - place.at.y() * along.x());
+        }
+        return sum;
+    }
+
+ private:
+    static Vector2d speed(const Vector3d& slide, const Place& place)
+    {
+        return {slide.x() - slide.z() * place.at.y(), slide.y() + slide.z() * place.at.x()};
+    }
+
+    std::vector<Place> places_;
+};
+
+std::vector<Vector3d> ways_to_slide(double length)
+{
+    std::mt19937 engine(3);
+    std::normal_distribution<double> normal;
+    std::vector<Vector3d> ways;
+    ways.reserve(600);
+    for (int i = 0; i < 600; ++i) ways.emplace_back(normal(engine), normal(engine), normal(engine) / length);
+    return ways;
+}
+
 /// Whether a place is in a polygon that runs counter-clockwise.
 bool contains(const Outline& outline, const Vector2d& place)
 {
@@ -176,6 +249,26 @@ TEST(FacePoints, HaveTheMeanDistanceOfTheFace)
         squares += error * error;
     }
     EXPECT_LT(std::sqrt(squares / 300), 0.015);
+}
+
+// Couple and shear at once, at even pressure: for every way to slide, the limit by integration over the face, as a
+// share of what the points resist in that direction of force.
+TEST(FacePoints, HaveTheLimitOfCoupleAndShearTogether)
+{
+    for (const Outline& outline : {rectangle(1, 1), rectangle(2, 1), rectangle(3, 1), regular(3), regular(6)}) {
+        const Limit exact(by_triangles(outline, 24)), points(face_places(outline));
+        const std::vector<Vector3d> slides = ways_to_slide(mean_distance(outline));
+        double weakest = 1, strongest = 1;
+        for (const Vector3d& slide : slides) {
+            const Vector3d force = exact.force(slide);
+            double beyond = 0;
+            for (const Vector3d& way : slides) beyond = std::max(beyond, force.dot(way) / points.power(way));
+            weakest = std::min(weakest, 1 / beyond);
+            strongest = std::max(strongest, 1 / beyond);
+        }
+        EXPECT_GT(weakest, 0.955) << outline.size() << " corners";
+        EXPECT_LT(strongest, 1.02) << outline.size() << " corners";
+    }
 }
 
 TEST(FacePoints, KeepTheirLabelsApart)

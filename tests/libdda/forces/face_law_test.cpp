@@ -71,6 +71,7 @@ std::vector<double> sway(const Stack& stack, double extent)
     }
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(stiffness, masses);
     std::vector<double> frequencies;
+    frequencies.reserve(2 * n);
     for (int i = 0; i < 2 * n; ++i) frequencies.push_back(std::sqrt(solver.eigenvalues()[i]) / (2 * pi));
     return frequencies;
 }
@@ -161,6 +162,7 @@ ConvexPolyhedron upright(const std::vector<Vector2d>& outline, double height)
 std::vector<Vector2d> regular(int corners)
 {
     std::vector<Vector2d> outline;
+    outline.reserve(corners);
     for (int i = 0; i < corners; ++i)
         outline.emplace_back(0.5 * std::cos(2 * pi * i / corners), 0.5 * std::sin(2 * pi * i / corners));
     return outline;
@@ -172,7 +174,8 @@ double mean_distance(const std::vector<Vector2d>& outline)
     constexpr int parts = 20000;
     double sum = 0, area = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vector2d p = outline[i], along = outline[(i + 1) % outline.size()] - p;
+        const Vector2d& p = outline[i];
+        const Vector2d along = outline[(i + 1) % outline.size()] - p;
         const double thin = 0.5 * std::abs(p.x() * along.y() - p.y() * along.x()) / parts;
         for (int k = 0; k < parts; ++k) {
             sum += thin * 2 / 3 * (p + (k + 0.5) / parts * along).norm();
