@@ -6,6 +6,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "app/studies/scenes/shapes.h"
 #include "app/studies/verify/families.h"
 #include "app/studies/verify/picture.h"
 #include "app/studies/verify/references/faces.h"
@@ -171,19 +172,12 @@ Outline rectangle(double longer)
     return {{-a, -b}, {a, -b}, {a, b}, {-a, b}};
 }
 
+/// A prism that stands on its outline.
 ConvexPolyhedron plate(const Outline& outline)
 {
-    const int n = static_cast<int>(outline.size());
-    std::vector<Vector3d> vertices;
-    for (const double z : {0., plate_height})
-        for (const Vector2d& corner : outline) vertices.emplace_back(corner.x(), corner.y(), z);
-    std::vector<std::vector<int>> faces(2);
-    for (int i = 0; i < n; ++i) {
-        faces[0].push_back(n - 1 - i);
-        faces[1].push_back(n + i);
-        faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
-    }
-    return make_convex_polyhedron(std::move(vertices), std::move(faces), "plate");
+    ConvexPolyhedron shape = scenes::prism(outline, 0, plate_height);  // along x
+    for (Vector3d& vertex : shape.vertices) vertex = Vector3d(vertex.y(), vertex.z(), vertex.x());
+    return shape;
 }
 
 /// What a plate loses of its spin, over what even pressure takes.

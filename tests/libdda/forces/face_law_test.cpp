@@ -16,7 +16,6 @@ namespace
 {
 
 using Eigen::MatrixXd;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double pi = std::numbers::pi;
@@ -143,57 +142,22 @@ INSTANTIATE_TEST_SUITE_P(Every, Faces, every_kinematics(), test_name);
 namespace
 {
 
-/// A prism upon a regular or other polygon. @param outline counter-clockwise seen from above [m]
-ConvexPolyhedron upright(const std::vector<Vector2d>& outline, double height)
+/// Mean distance from the middle of a rectangle of 2 a x 2 b [m].
+double mean_distance(double a, double b)
 {
-    const int n = static_cast<int>(outline.size());
-    std::vector<Vector3d> vertices;
-    for (const double z : {0., height})
-        for (const Vector2d& corner : outline) vertices.emplace_back(corner.x(), corner.y(), z);
-    std::vector<std::vector<int>> faces(2);
-    for (int i = 0; i < n; ++i) {
-        faces[0].push_back(n - 1 - i);
-        faces[1].push_back(n + i);
-        faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
-    }
-    return make_convex_polyhedron(vertices, faces);
-}
-
-std::vector<Vector2d> regular(int corners)
-{
-    std::vector<Vector2d> outline;
-    outline.reserve(corners);
-    for (int i = 0; i < corners; ++i)
-        outline.emplace_back(0.5 * std::cos(2 * pi * i / corners), 0.5 * std::sin(2 * pi * i / corners));
-    return outline;
-}
-
-/// Mean distance from the centroid, which is the origin [m], by thin triangles.
-double mean_distance(const std::vector<Vector2d>& outline)
-{
-    constexpr int parts = 20000;
-    double sum = 0, area = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vector2d& p = outline[i];
-        const Vector2d along = outline[(i + 1) % outline.size()] - p;
-        const double thin = 0.5 * std::abs(p.x() * along.y() - p.y() * along.x()) / parts;
-        for (int k = 0; k < parts; ++k) {
-            sum += thin * 2 / 3 * (p + (k + 0.5) / parts * along).norm();
-            area += thin;
-        }
-    }
-    return sum / area;
+    return (std::hypot(a, b) + a * a / (2 * b) * std::asinh(b / a) + b * b / (2 * a) * std::asinh(a / b)) / 3;
 }
 
 struct Spinning {
     Model model;
     State state;
 
-    explicit Spinning(const std::vector<Vector2d>& outline)
+    /// A plate of 2 a x 2 b.
+    Spinning(double a, double b)
         : model(make_model(Kinematics::spatial_rigid, stone(), on_points(std::atan(0.5) / degrees, 1e10)))
     {
         hold(model, add_box(model, "floor", {-5, -5, -1}, {5, 5, 0}));
-        model.blocks.push_back(make_block("plate", 0, 0, {upright(outline, 0.02)}));
+        add_box(model, "plate", {-a, -b, 0}, {a, b, 0.02});
         state = initial_state(model);
         run_quietly(model, {static_stage(1)}, state);
     }
@@ -214,21 +178,15 @@ struct Spinning {
 
 }  // namespace
 
-// Even pressure holds a plate with mu N times the mean distance from its centroid.
+// Even pressure holds a plate with mu N times the mean distance from its centroid; other outlines: voussoir verify
+// face-torsion.
 TEST(FaceTorsion, StopsASpinningPlateAsEvenPressureDoes)
 {
-    std::vector<std::vector<Vector2d>> outlines{regular(3), regular(4), regular(6)};
-    for (const double longer : {2., 3., 5.})
-        outlines.push_back(
-            {{-0.1 * longer, -0.1}, {0.1 * longer, -0.1}, {0.1 * longer, 0.1}, {-0.1 * longer, 0.1}});
-    for (const std::vector<Vector2d>& outline : outlines) {
-        Spinning plate(outline);
-        const double spin = 4, duration = 0.1;
-        const Eigen::Matrix3d second = plate.model.mass_second(1);
-        const double moment = 0.5 * plate.model.mass(1) * gravity * mean_distance(outline);
-        const double lost = moment * duration / (second(0, 0) + second(1, 1));
-        EXPECT_NEAR((spin - plate.run(spin, duration)) / lost, 1, 0.02)
-            << outline.size() << " corners, " << outline[0].transpose();
+    for (const double a : {0.3, 0.6, 0.9}) {
+        const double b = 0.3, spin = 4, duration = 0.1;
+        Spinning plate(a, b);
+        const double lost = 0.5 * gravity * mean_distance(a, b) * duration / ((a * a + b * b) / 3);
+        EXPECT_NEAR((spin - plate.run(spin, duration)) / lost, 1, 0.01) << a << " x " << b << " m";
     }
 }
 
@@ -236,7 +194,7 @@ TEST(FaceTorsion, StopsASpinningPlateAsEvenPressureDoes)
 TEST(FaceTorsion, OfAStraightSlideIsNone)
 {
     for (const double towards : {0., 0.3, 0.9}) {
-        Spinning plate(regular(4));
+        Spinning plate(0.5, 0.5);
         const Vector3d along(std::cos(towards), std::sin(towards), 0);
         const double turned = plate.run(0, 0.1, along);
         EXPECT_NEAR(turned, 0, 1e-6);
