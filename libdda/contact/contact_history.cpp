@@ -1,9 +1,12 @@
 #include "libdda/contact/contact_history.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "libdda/contact/normal_stiffness.h"
+#include "libdda/model/friction_law.h"
 
 namespace voussoir::contact
 {
@@ -11,6 +14,7 @@ namespace voussoir::contact
 namespace
 {
 
+constexpr double to_spare = 0.1;              // of the deepest depth, and of the friction bound
 constexpr double same_plane = 0.9;            // cosine: the faces of a rough or warped joint, not its edge
 constexpr double nearest_point_reach = 0.05;  // of the patch's extent
 
@@ -29,17 +33,64 @@ double rest_gap_between(std::span<const ContactPointIn<D>> old, const VectorIn<D
     return weights > 0 ? sum / weights : 0;
 }
 
+/// Slips and rest gaps of the points of a patch as linear functions of the place: springs have the same resultant
+/// and moments by them, whatever their points.
+template <int D>
+class LinearMemory
+{
+ public:
+    using Values = Eigen::Matrix<double, 2 * D + 1, 1>;  // m, elastic slip, plastic slip, rest gap
+
+    /// @param normal unit, of the patch
+    LinearMemory(std::span<const ContactPointIn<D>> points, const VectorIn<D>& normal)
+    {
+        double area = 0;
+        for (const ContactPointIn<D>& point : points) {
+            area += point.area;
+            centre_ += point.area * point.position;
+            mean_ += point.area * values_of(point);
+        }
+        centre_ /= area;
+        mean_ /= area;
+        MatrixIn<D> spread = MatrixIn<D>::Zero();
+        Eigen::Matrix<double, 2 * D + 1, D> moment = Eigen::Matrix<double, 2 * D + 1, D>::Zero();
+        for (const ContactPointIn<D>& point : points) {
+            const VectorIn<D> lever = point.position - centre_;
+            spread += point.area * lever * lever.transpose();
+            moment += point.area * values_of(point) * lever.transpose();
+        }
+        // Across the plane of the patch there is nothing to tell.
+        slope_ = moment * (spread + spread.trace() * normal * normal.transpose()).inverse();
+    }
+    Values at(const VectorIn<D>& place) const { return mean_ + slope_ * (place - centre_); }
+
+ private:
+    static Values values_of(const ContactPointIn<D>& point)
+    {
+        Values values;
+        values << point.elastic_slip, point.plastic_slip, point.rest_gap;
+        return values;
+    }
+    VectorIn<D> centre_ = VectorIn<D>::Zero();
+    Values mean_ = Values::Zero();
+    Eigen::Matrix<double, 2 * D + 1, D> slope_;
+};
+
 /// Takes over slip and rest gap from the old patch; `sign` is -1 when reference and incident body have changed
 /// places.
 /// @param sheared share of the patch that the old one was: what has only now come into touch has no elastic slip,
 /// and the mean is taken, so that the shear force does not jump
 /// @param extent of the patch: the root of its area, or its length [m]
+/// @param linear what replaces the memory of single points, or null
+/// @param index of the point in its patch: most often that of the old one too
 template <int D>
-void inherit(const History<D>& history, bool same_features, double sign, double sheared, double extent,
-             ContactPointIn<D>& point)
+void inherit(const History<D>& history, const LinearMemory<D>* linear, bool same_features, double sign,
+             double sheared, double extent, std::size_t index, ContactPointIn<D>& point)
 {
     const ContactPointIn<D>* source = nullptr;
-    if (same_features)
+    if (same_features && index < history.points.size() && history.points[index].feature == point.feature)
+        source = &history.points[index];
+    else if (same_features)
         for (const ContactPointIn<D>& old : history.points)
             if (old.feature == point.feature) source = &old;
     if (!source) {
@@ -56,20 +107,25 @@ void inherit(const History<D>& history, bool same_features, double sign, double 
         point.plastic_slip = sign * source->plastic_slip;
         point.rest_gap = source->rest_gap;
         point.status = source->status;
-        return;
+    } else {
+        double area = 0;
+        for (const ContactPointIn<D>& old : history.points) {
+            area += old.area;
+            point.elastic_slip += sign * old.area * old.elastic_slip;
+            point.plastic_slip += sign * old.area * old.plastic_slip;
+        }
+        if (area > 0) {
+            point.elastic_slip *= sheared / area;
+            point.plastic_slip /= area;
+            point.status = history.points.front().status;
+        }
+        point.rest_gap = rest_gap_between(history.points, point.position);
     }
-    double area = 0;
-    for (const ContactPointIn<D>& old : history.points) {
-        area += old.area;
-        point.elastic_slip += sign * old.area * old.elastic_slip;
-        point.plastic_slip += sign * old.area * old.plastic_slip;
-    }
-    if (area > 0) {
-        point.elastic_slip *= sheared / area;
-        point.plastic_slip /= area;
-        point.status = history.points.front().status;
-    }
-    point.rest_gap = rest_gap_between(history.points, point.position);
+    if (!linear) return;
+    const typename LinearMemory<D>::Values values = linear->at(point.position);
+    point.elastic_slip = sign * sheared * values.template head<D>();
+    point.plastic_slip = sign * values.template segment<D>(D);
+    point.rest_gap = values[2 * D];
 }
 
 /// Of a patch with the normal stiffness `stiffness` in all [N/m], how much the old patch had: at most 1.
@@ -188,7 +244,47 @@ double new_rest_gap(const Model& model, const State& state, const ContactPatchIn
     return std::clamp(rest_gap_between<D>(beside, corner.position), -fit, fit);
 }
 
+/// What a face rests on, by the points that it has beside its corners.
+enum class Inside : std::uint8_t { none, few, all };
+template <int D>
+Inside inside_of(std::uint32_t last_feature)
+{
+    if ((last_feature & inner_feature) == 0) return Inside::none;
+    return (last_feature & whole_feature) == whole_feature ? Inside::few : Inside::all;
+}
+
+/// Whether a point presses and sticks with some to spare. @param deepest depth of the patch [m]; @param most
+/// elastic slip at the friction bound, over the depth [-]
+template <int D>
+bool holds(const ContactPointIn<D>& point, const VectorIn<D>& elastic_slip, double deepest, double most)
+{
+    return point.gap < -to_spare * deepest && elastic_slip.norm() < (1 - to_spare) * most * -point.gap;
+}
+
 }  // namespace
+
+template <int D>
+bool acts_as_a_whole(const Model& model, const History<D>& history)
+{
+    if (!history.patch || history.patch->edge_edge || model.fit_tolerance > 0) return false;
+    const ContactPatchIn<D>& patch = *history.patch;
+    if (patch.intact) return true;
+    double deepest = 0;
+    for (const ContactPointIn<D>& point : history.points) deepest = std::max(deepest, -point.gap);
+    const JointMaterial& joint = model.joint_between(patch.block_a, patch.block_b);
+    const double most =
+        friction_between(model, patch.block_a, patch.block_b, true).at_rest / joint.shear_to_normal_stiffness;
+    for (const ContactPointIn<D>& point : history.points)
+        if (point.status != ContactStatus::locked || !holds(point, point.elastic_slip, deepest, most))
+            return false;
+    if (inside_of<D>(history.points.back().feature) != Inside::all) return true;
+    // As a whole it keeps of its slip what is linear.
+    const LinearMemory<D> linear(history.points, patch.normal);
+    const auto corners = corners_of(history.points);
+    return std::all_of(corners.begin(), corners.end(), [&](const ContactPointIn<D>& corner) {
+        return holds<D>(corner, linear.at(corner.position).template head<D>(), deepest, most);
+    });
+}
 
 template <int D>
 void attach_history(const Model& model, const State& state, const std::vector<bool>& fully_held,
@@ -215,6 +311,11 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
     const bool forgives = overlap == NewOverlap::forgiven && !patch.intact && !same_features;
     const bool turns_away =
         model.fit_tolerance > 0 && history.patch && !patch.intact && !looks_alike(patch, *history.patch);
+    std::optional<LinearMemory<D>> linear;
+    const Inside now = inside_of<D>(polygon.points.back().feature);
+    if (history.patch && now != Inside::none && now != inside_of<D>(history.points.back().feature) &&
+        !history.patch->edge_edge)
+        linear.emplace(history.points, history.patch->normal);
     found.points.reserve(polygon.points.size());
     for (const PolygonPointIn<D>& corner : polygon.points) {
         ContactPointIn<D> point;
@@ -222,7 +323,8 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
         point.position = corner.position;
         point.area = corner.area * depth_of<D>(model);
         if (history.patch)
-            inherit(history, same_features, sign, sheared, extent, point);
+            inherit(history, linear ? &*linear : nullptr, same_features, sign, sheared, extent,
+                    found.points.size(), point);
         else
             point.rest_gap = new_rest_gap(model, state, patch, corner, size, history);
         if (turns_away) point.rest_gap = std::min(point.rest_gap, 0.0);
@@ -239,6 +341,7 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
 }
 
 #define VOUSSOIR_INSTANTIATE(D)                                                                                \
+    template bool acts_as_a_whole(const Model&, const History<D>&);                                            \
     template void attach_history(const Model&, const State&, const std::vector<bool>&, const PlacedPartIn<D>&, \
                                  const PlacedPartIn<D>&, const ContactPolygonIn<D>&, const History<D>&,        \
                                  NewOverlap, FoundPatch<D>&)

@@ -60,4 +60,9 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
                     const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap,
                     FoundPatch<D>& found);
 
+/// Whether a face pressed and stuck all over when the last step ended, with some to spare, or is bonded: all that
+/// it does in the next is linear over it.
+template <int D>
+bool acts_as_a_whole(const Model& model, const History<D>& history);
+
 }  // namespace voussoir::contact

@@ -1,8 +1,11 @@
 #include "libdda/contact/face_points.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "libdda/geometry/polygon_moments.h"
 #include "libdda/model/state.h"
@@ -21,6 +24,9 @@ using Eigen::Vector3d;
 constexpr std::uint32_t on_side = inner_feature, towards_corner = inner_feature | 0x8000,
                         towards_side = inner_feature | 0x40000000;
 constexpr double of_corners = 1.0 / 3;  // of the rim: then the mean distance from the middle of a side is its own
+
+constexpr double of_whole_corners = 0.1;  // of a face that is no parallelogram and acts as a whole
+constexpr double alike = 1e-9;            // of its second moment
 
 /// Share of the area on the rim, by the polygon's second moment over that of its corners: 1/4 of a triangle, 1/3
 /// of a parallelogram, 5/12 of a hexagon, 1/2 of a disc. Fitted, so that the mean distance from the centroid is
@@ -41,7 +47,7 @@ struct Spread {
     Vector2d mean = Vector2d::Zero();    // m
     Matrix2d second = Matrix2d::Zero();  // m2, about the centroid
 
-    explicit Spread(const std::vector<Place>& places)
+    explicit Spread(std::span<const Place> places)
     {
         for (const Place& place : places) {
             mean += place.weight * place.at;
@@ -62,21 +68,70 @@ Matrix2d map_between(const Matrix2d& a, const Matrix2d& b)
     return std::sqrt(of_b / (of_a * sum.determinant())) * sum;
 }
 
-/// The gap as a linear function of the place.
-struct LinearGap {
-    double at_centroid = 0;             // m
-    Vector2d slope = Vector2d::Zero();  // -
+/// A face in its plane: places from its centroid, shares of its area, and the gap, linear over it.
+struct Face {
+    Vector3d u, v, normal, centroid;
+    double area = 0;    // m2
+    Matrix2d second;    // m2, about the centroid, over the area
+    double gap = 0;     // m, at the centroid
+    Vector2d slope;     // -, of the gap
+    std::size_t count;  // of its corners
+    std::span<Place> corners;
+    std::vector<PolygonPoint>& points;
 
-    /// @param corners with tributary weights; @param gaps theirs [m]
-    LinearGap(const std::vector<Place>& corners, const Spread& spread, const std::vector<PolygonPoint>& points)
+    /// @param points corners with tributary areas
+    Face(const Vector3d& normal, std::vector<PolygonPoint>& points)
+        : u(normal.unitOrthogonal()), v(normal.cross(u)), normal(normal), count(points.size()), points(points)
     {
+        thread_local std::vector<Vector2d>
+            polygon;  // kept, as places are: this is done for each face in each step
+        thread_local std::vector<Place> places;
+        polygon.clear();
+        places.clear();
+        const Vector3d origin = points.front().position;
+        for (const PolygonPoint& point : points)
+            polygon.emplace_back(u.dot(point.position - origin), v.dot(point.position - origin));
+        const PolygonMoments moments(polygon);
+        area = moments.area;
+        if (!(area > 0)) return;
+        second = moments.second / area;
+        for (std::size_t i = 0; i < count; ++i)
+            places.push_back({polygon[i] - moments.centroid, points[i].area / area});
+        corners = places;
+        find_gap();
+        centroid =
+            origin + moments.centroid.x() * u + moments.centroid.y() * v + (gap - points.front().gap) * normal;
+    }
+    void set_corner(std::size_t corner, double weight) { points[corner].area = weight * area; }
+    void add(const Place& place, double share, std::uint32_t label)
+    {
+        const double rise = slope.dot(place.at);
+        points.push_back({centroid + place.at.x() * u + place.at.y() * v + rise * normal, gap + rise,
+                          share * place.weight * area, label});
+    }
+    void find_gap()
+    {
+        const Spread spread(corners);
         double mean = 0;
         Vector2d covariance = Vector2d::Zero();
-        for (std::size_t i = 0; i < corners.size(); ++i) mean += corners[i].weight * points[i].gap;
-        for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t i = 0; i < count; ++i) mean += corners[i].weight * points[i].gap;
+        for (std::size_t i = 0; i < count; ++i)
             covariance += corners[i].weight * (points[i].gap - mean) * (corners[i].at - spread.mean);
         slope = spread.about_mean().inverse() * covariance;
-        at_centroid = mean - slope.dot(spread.mean);
+        gap = mean - slope.dot(spread.mean);
+    }
+};
+
+/// Where the places of what lies inside a face go, so that with what is on its corners or on its rim, whose share
+/// is `share`, first and second moments are its own.
+struct Inside {
+    Vector2d mean;    // m
+    Matrix2d second;  // m2, about it
+
+    Inside(double share, const Spread& outside, const Matrix2d& second_of_face)
+        : mean(-share / (1 - share) * outside.mean),
+          second((second_of_face - share * outside.second) / (1 - share) - mean * mean.transpose())
+    {
     }
 };
 
@@ -84,54 +139,59 @@ struct LinearGap {
 
 void add_inner_points(const Vector3d& normal, std::vector<PolygonPoint>& points)
 {
-    const std::size_t n = points.size();
-    const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
-    const Vector3d origin = points.front().position;
-    thread_local std::vector<Vector2d> polygon;  // kept, as what follows: this is done for each face in each step
-    thread_local std::vector<Place> corners, rim, inner;
-    polygon.clear();
-    for (const PolygonPoint& point : points)
-        polygon.emplace_back(u.dot(point.position - origin), v.dot(point.position - origin));
-    const PolygonMoments moments(polygon);
-    if (!(moments.area > 0)) return;
-
-    corners.clear();
-    for (std::size_t i = 0; i < n; ++i)
-        corners.push_back({polygon[i] - moments.centroid, points[i].area / moments.area});
+    Face face(normal, points);
+    if (!(face.area > 0)) return;
+    const std::size_t n = face.count;
+    thread_local std::vector<Place> rim, inner;
     rim.clear();
     inner.clear();
-    for (const Place& corner : corners) {
+    for (const Place& corner : face.corners) {
         rim.push_back({corner.at, of_corners * corner.weight});
         inner.push_back({corner.at, 0.5 * corner.weight});
     }
     for (std::size_t i = 0; i < n; ++i) {
-        const Vector2d &here = corners[i].at, &next = corners[(i + 1) % n].at;
-        const double share = 0.5 * std::abs(here.x() * next.y() - here.y() * next.x()) / moments.area;
+        const Vector2d &here = face.corners[i].at, &next = face.corners[(i + 1) % n].at;
+        const double share = 0.5 * std::abs(here.x() * next.y() - here.y() * next.x()) / face.area;
         rim.push_back({0.5 * (here + next), (1 - of_corners) * share});
         inner.push_back({0.5 * (here + next), 0.5 * share});
     }
 
-    const Spread at_corners(corners), on_rim(rim), inside(inner);
-    const Matrix2d second = moments.second / moments.area;
-    const double share = share_on_rim(second.trace() / at_corners.second.trace());
-    const Vector2d mean = -share / (1 - share) * on_rim.mean;
-    const Matrix2d wanted = (second - share * on_rim.second) / (1 - share) - mean * mean.transpose();
-    const Matrix2d map = map_between(inside.about_mean(), wanted);
+    const Spread on_rim(rim), inside(inner);
+    const double share = share_on_rim(face.second.trace() / Spread(face.corners).second.trace());
+    const Inside wanted(share, on_rim, face.second);
+    const Matrix2d map = map_between(inside.about_mean(), wanted.second);
     if (!map.allFinite()) return;
 
-    const LinearGap gap(corners, at_corners, points);
-    const Vector3d centroid = origin + moments.centroid.x() * u + moments.centroid.y() * v +
-                              (gap.at_centroid - points.front().gap) * normal;
-    const auto add = [&](const Vector2d& at, double weight, std::uint32_t label) {
-        const double rise = gap.slope.dot(at);
-        points.push_back({centroid + at.x() * u + at.y() * v + rise * normal, gap.at_centroid + rise,
-                          weight * moments.area, label});
-    };
-    for (std::size_t i = 0; i < n; ++i) points[i].area = share * rim[i].weight * moments.area;
-    for (std::size_t i = n; i < 2 * n; ++i) add(rim[i].at, share * rim[i].weight, points[i - n].feature | on_side);
+    for (std::size_t i = 0; i < n; ++i) face.set_corner(i, share * rim[i].weight);
+    for (std::size_t i = n; i < 2 * n; ++i) face.add(rim[i], share, points[i - n].feature | on_side);
     for (std::size_t i = 0; i < 2 * n; ++i)
-        add(mean + map * (inner[i].at - inside.mean), (1 - share) * inner[i].weight,
-            points[i % n].feature | (i < n ? towards_corner : towards_side));
+        face.add({wanted.mean + map * (inner[i].at - inside.mean), inner[i].weight}, 1 - share,
+                 points[i % n].feature | (i < n ? towards_corner : towards_side));
+}
+
+void add_whole_points(const Vector3d& normal, std::vector<PolygonPoint>& points)
+{
+    Face face(normal, points);
+    if (!(face.area > 0)) return;
+    const Spread at_corners(face.corners);
+    const double ratio = face.second.trace() / at_corners.second.trace();
+    // Of a parallelogram a third on the corners and the rest in its centroid; else a triangle of points inside.
+    const bool centroid_will_do = (face.second - ratio * at_corners.second).norm() < alike * face.second.norm() &&
+                                  at_corners.mean.squaredNorm() < alike * alike * face.second.trace();
+    const double share = centroid_will_do ? ratio : of_whole_corners;
+    const Inside inside(share, at_corners, face.second);
+    const Eigen::LLT<Matrix2d> root(inside.second);
+    if (!centroid_will_do && root.info() != Eigen::Success) return;
+    for (std::size_t i = 0; i < face.count; ++i) face.set_corner(i, share * face.corners[i].weight);
+    if (centroid_will_do) {
+        face.add({inside.mean, 1}, 1 - share, whole_feature);
+        return;
+    }
+    const double half = std::sqrt(0.5), high = std::sqrt(1.5);
+    const std::array<Vector2d, 3> triangle{Vector2d(std::sqrt(2), 0), Vector2d(-half, high),
+                                           Vector2d(-half, -high)};
+    for (std::uint32_t k = 0; k < 3; ++k)
+        face.add({inside.mean + root.matrixL() * triangle[k], 1.0 / 3}, 1 - share, whole_feature | (k + 1));
 }
 
 void add_inner_points(const Vector2d& /*normal*/, std::vector<PolygonPointIn<2>>& points)
@@ -146,6 +206,15 @@ void add_inner_points(const Vector2d& /*normal*/, std::vector<PolygonPointIn<2>>
     add(0.25, 32.0 / 90, first.feature);
     add(0.75, 32.0 / 90, second.feature);
     add(0.5, 12.0 / 90, first.feature << 8 | second.feature << 4);
+}
+
+void add_whole_points(const Vector2d& /*normal*/, std::vector<PolygonPointIn<2>>& points)
+{
+    const PolygonPointIn<2> first = points[0], second = points[1];
+    const double length = first.area + second.area;
+    points[0].area = points[1].area = length / 6;
+    points.push_back(
+        {0.5 * (first.position + second.position), 0.5 * (first.gap + second.gap), 2 * length / 3, whole_feature});
 }
 
 }  // namespace voussoir::contact

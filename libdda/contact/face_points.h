@@ -28,4 +28,10 @@ namespace voussoir::contact
 void add_inner_points(const Eigen::Vector3d& normal, std::vector<PolygonPointIn<3>>& points);
 void add_inner_points(const Eigen::Vector2d& normal, std::vector<PolygonPointIn<2>>& points);
 
+/// The same with no more than what has the same moments to second order: of a parallelogram the centroid, of a
+/// segment the middle (Simpson's rule), else three points. It is all that a face needs which presses and sticks
+/// as a whole.
+void add_whole_points(const Eigen::Vector3d& normal, std::vector<PolygonPointIn<3>>& points);
+void add_whole_points(const Eigen::Vector2d& normal, std::vector<PolygonPointIn<2>>& points);
+
 }  // namespace voussoir::contact

@@ -72,6 +72,21 @@ class OldContacts
     std::map<PairKey, std::vector<int>> of_stones_;   // only where stones need not fit
 };
 
+/// What a face rests on beside its corners in this step, by what it did in the last one. One that is apart has no
+/// need of anything, one that presses and sticks as a whole of little; should either change its ways within the
+/// step, it does so on the points that it has, and has all of them in the next.
+template <int D>
+void add_points_inside(const Model& model, const History<D>& history, ContactPolygonIn<D>& polygon)
+{
+    const bool apart = std::all_of(polygon.points.begin(), polygon.points.end(),
+                                   [](const PolygonPointIn<D>& corner) { return corner.gap > 0; });
+    if (apart && history.patch && !history.patch->intact) return;
+    if (acts_as_a_whole(model, history))
+        add_whole_points(polygon.normal, polygon.points);
+    else
+        add_inner_points(polygon.normal, polygon.points);
+}
+
 /// The contact of two parts, with the history that goes with it, if they are close enough; else no points.
 template <int D>
 void find_patch(const Model& model, const State& state, const SearchMemory<D>& memory,
@@ -89,7 +104,7 @@ void find_patch(const Model& model, const State& state, const SearchMemory<D>& m
     std::optional<ContactPolygonIn<D>> polygon = polygon_between(first, second, margin, last, model.fit_tolerance);
     if (!polygon) return;
     if (!polygon->edge_edge && model.joint_between(first.block, second.block).face == FaceLaw::points)
-        add_inner_points(polygon->normal, polygon->points);
+        add_points_inside(model, history, *polygon);
     attach_history(model, state, memory.fully_held, first, second, *polygon, history, overlap, found);
 }
 

@@ -12,7 +12,8 @@ typename K::Vector slip_at_end(const PatchStep<K>& patch, const PointStep<K::dim
 {
     using Vector = typename K::Vector;
     if (p.turns_round) return slip_after_turning(patch, p);
-    if (p.status == ContactStatus::locked) return p.slip_start + tangential(p.displacement, patch.normal);
+    if (p.status == ContactStatus::locked)
+        return p.slip_start + tangential(patch.displacement.at(p.lever), patch.normal);
     if (p.status == ContactStatus::open) return Vector::Zero();
     // Of a published step this is not p.shear, the load it was solved with, but the load of the pass to come.
     // Where friction is more than the spring gives the rest is rubbed away: the spring is stretched by the way
@@ -37,38 +38,40 @@ bool rubs_beyond_spring(const PointStep<D>& p)
 template <class K>
 ContactEnergies contact_energies(int threads, const ContactStep<K>& step)
 {
-    struct Share {
-        ContactEnergies own;
-        double beyond_spring = 0;  // J, rubbed away where friction is more than the spring gives, else lost
-        bool rubs = false;
-    };
-    const auto share_of = [](const PatchStep<K>& patch, const PointStep<K::dimension>& p) {
-        Share share;
+    const auto add_point = [](const PatchStep<K>& patch, const PointStep<K::dimension>& p, ContactEnergies& sum) {
+        using Vector = typename K::Vector;
         const double depth_0 = patch.intact ? p.gap_start : std::min(p.gap_start, 0.0);
         const double depth_1 = patch.intact ? p.gap : std::min(p.gap, 0.0);
         const double normal_start = 0.5 * p.normal_stiffness * depth_0 * depth_0;
         const double normal_end = 0.5 * p.normal_stiffness * depth_1 * depth_1;
         const double closing = p.gap_start - p.gap;
-        const typename K::Vector slip = slip_at_end(patch, p);
-        const typename K::Vector elastic = slip - p.slip_start;
+        const Vector slip = slip_at_end(patch, p);
+        const Vector elastic = slip - p.slip_start;
+        const Vector move = tangential(patch.displacement.at(p.lever), patch.normal);
         const double shear_start = 0.5 * p.shear_stiffness * p.slip_start.squaredNorm();
         const double shear_end = 0.5 * p.shear_stiffness * slip.squaredNorm();
-        share.own.stored = normal_end + shear_end;
-        share.own.dashpot = (p.normal - p.elastic_normal) * closing;
-        share.own.friction = p.shear.dot(tangential(p.displacement, patch.normal) - elastic);
-        share.own.loss = p.elastic_normal * closing - (normal_end - normal_start);
-        share.beyond_spring = p.shear.dot(elastic) - (shear_end - shear_start);
-        share.rubs = rubs_beyond_spring(p);
-        return share;
+        sum.stored += normal_end + shear_end;
+        sum.dashpot += (p.normal - p.elastic_normal) * closing;
+        sum.friction += p.shear.dot(move - elastic);
+        sum.loss += p.elastic_normal * closing - (normal_end - normal_start);
+        // Rubbed away where friction is more than the spring gives, else lost.
+        (rubs_beyond_spring(p) ? sum.friction : sum.loss) += p.shear.dot(elastic) - (shear_end - shear_start);
     };
     ContactEnergies sum;
-    add_points_in_order(step, threads, share_of, [&](const Share& share) {
-        sum.stored += share.own.stored;
-        sum.dashpot += share.own.dashpot;
-        sum.friction += share.own.friction;
-        sum.loss += share.own.loss;
-        (share.rubs ? sum.friction : sum.loss) += share.beyond_spring;
-    });
+    add_patches_in_order(
+        step, threads,
+        [&](std::size_t k) {
+            const PatchStep<K>& patch = step.patches[k];
+            ContactEnergies share;
+            for (int i = patch.first; i < patch.first + patch.count; ++i) add_point(patch, step.points[i], share);
+            return share;
+        },
+        [&](const ContactEnergies& share) {
+            sum.stored += share.stored;
+            sum.dashpot += share.dashpot;
+            sum.friction += share.friction;
+            sum.loss += share.loss;
+        });
     return sum;
 }
 

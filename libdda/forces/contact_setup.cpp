@@ -20,16 +20,18 @@ constexpr double spring_from = 1, spring_to = 4;
 constexpr double touching = 16 * std::numeric_limits<double>::epsilon();  // of the distances that make a gap
 
 /// Whether a point presses when the step begins. Faces that touch as drawn do so, or not, by rounding alone.
-template <int D>
-bool is_pressed(const ContactPointIn<D>& point, const PointStep<D>& p)
+template <class K>
+bool is_pressed(const ContactPointIn<K::dimension>& point, const PatchStep<K>& patch,
+                const PointStep<K::dimension>& p)
 {
-    return point.gap < -touching * (point.position.norm() + p.lever_a.norm() + p.lever_b.norm());
+    return point.gap < 0 &&
+           point.gap < -touching * (point.position.norm() + p.lever.norm() + patch.lever_b(p).norm());
 }
 
 /// How a point slides at the start of the step. One that hardly does sticks at once: of joints that tremble the
 /// reversals decide nothing, and would keep the iteration busy.
 template <class K>
-void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const BlockStep<K>& b, double braking,
+void set_heading(const PatchStep<K>& patch, const BlockStep<K>& a, const BlockStep<K>& b,
                  PointStep<K::dimension>& p)
 {
     const auto velocity = [](const BlockStep<K>& block, const typename K::Vector& lever) {
@@ -37,9 +39,9 @@ void set_heading(const typename K::Vector& normal, const BlockStep<K>& a, const 
         return block.rotation_held() ? of_centroid : typename K::Vector(of_centroid + block.spin_velocity(lever));
     };
     const typename K::Vector slip =
-        tangential(typename K::Vector(velocity(a, p.lever_a) - velocity(b, p.lever_b)), normal);
+        tangential(typename K::Vector(velocity(a, p.lever) - velocity(b, patch.lever_b(p))), patch.normal);
     p.speed = slip.norm();
-    if (p.speed < least_sliding * braking) p.speed = 0;
+    if (p.speed < least_sliding * patch.braking) p.speed = 0;
     if (p.speed > 0) p.heading = slip / p.speed;
     // A spring that unloads while the normal force falls moves against its own force: that is no sliding.
     if (p.speed > 0 && p.heading.dot(p.slip_start) <= 0) p.speed = 0;
@@ -68,23 +70,18 @@ double braking_of(const ContactSetIn<K::dimension>& contacts, const ContactPatch
 /// finite rotations and the angular momentum are those of the whole step to second order, and no moment is left
 /// over. Of block b that is the material point which lies there then, not the one of the start.
 /// Source: docs/method.md, "Rotation".
-/// @param position of the contact at the start of the step [m]
+/// @returns the matrix that takes a lever from block a at the start to that of the middle
 template <class K>
-void place_point(const typename K::Vector& position, const BlockStep<K>& a, const BlockStep<K>& b, double h,
-                 PointStep<K::dimension>& p)
+typename K::Matrix place_patch(const BlockStep<K>& a, const BlockStep<K>& b, PatchStep<K>& patch)
 {
     using Vector = typename K::Vector;
-    const Vector lever = position - a.start.centroid;
-    const Vector turned = a.turns ? Vector(a.flow * lever) : lever;
-    p.end_lever_a = turned;
-    const Vector middle = 0.5 * (position + a.predicted.centroid + turned);
-    p.lever_a = middle - 0.5 * (a.start.centroid + a.predicted.centroid);
-    p.lever_b = middle - 0.5 * (b.start.centroid + b.predicted.centroid);
-    const Vector chord_a = turned - lever, chord_b = b.chord * p.lever_b;
-    p.predicted =
-        a.predicted.centroid - a.start.centroid + chord_a - (b.predicted.centroid - b.start.centroid + chord_b);
-    p.ballistic_a = a.turns ? Vector(h * a.spin_velocity(p.lever_a) - chord_a + a.ballistic) : a.ballistic;
-    p.ballistic_b = b.turns ? Vector(h * b.spin_velocity(p.lever_b) - chord_b + b.ballistic) : b.ballistic;
+    using Matrix = typename K::Matrix;
+    const Vector way_a = a.predicted.centroid - a.start.centroid, way_b = b.predicted.centroid - b.start.centroid;
+    patch.between = a.start.centroid - b.start.centroid + 0.5 * (way_a - way_b);
+    patch.end_of_lever = Matrix::Identity() + 0.5 * a.chord;
+    patch.chord_b = b.chord;
+    patch.predicted = {way_a - way_b - b.chord * patch.between, a.chord - b.chord};
+    return a.turns ? Matrix(0.5 * (Matrix::Identity() + a.flow)) : Matrix(Matrix::Identity());
 }
 
 }  // namespace
@@ -115,24 +112,24 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
         patch.braking =
             looks_for_turning ? braking_of<K>(contacts, found, joint.shear_to_normal_stiffness, patch, a, b) : 0;
         patch.intact = found.intact;
-        patch.chord_b = b.chord;
         patch.follows_turning = stage.type == StageType::dynamic;
+        const typename K::Matrix to_middle = place_patch(a, b, patch);
         for (int i = found.first_point; i < found.first_point + found.point_count; ++i) {
             const ContactPointIn<K::dimension>& point = contacts.points[i];
             PointStep<K::dimension>& p = step.points[i];
-            place_point<K>(point.position, a, b, h, p);
+            p.lever = to_middle * (point.position - a.start.centroid);
             p.slip_start = b.turns ? Vector(b.half_rotation * point.elastic_slip) : point.elastic_slip;
             p.gap_start = point.gap;
             p.normal_stiffness = found.stiffness * point.area;
             p.shear_stiffness = joint.shear_to_normal_stiffness * p.normal_stiffness;
             // A contact that was open or sliding keeps the end-of-step force: impacts and slips dissipate.
-            const bool pressed = is_pressed(point, p);
+            const bool pressed = is_pressed(point, patch, p);
             p.normal_blend = pressed || found.intact ? blend : 1;
             p.shear_blend = found.intact || (pressed && point.status == ContactStatus::locked) ? blend : 1;
             p.turns_round = false;
             p.speed = 0;
             if (patch.braking > 0 && point.gap < 0 && point.status == ContactStatus::sliding)
-                set_heading(patch.normal, a, b, patch.braking, p);
+                set_heading(patch, a, b, p);
             p.status = point.gap > 0 && !found.intact
                            ? ContactStatus::open
                            : (point.status == ContactStatus::open ? ContactStatus::locked : point.status);

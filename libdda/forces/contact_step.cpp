@@ -1,6 +1,7 @@
 #include "libdda/forces/contact_step.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "libdda/forces/turning.h"
 #include "libdda/model/parallel.h"
@@ -68,10 +69,10 @@ void normal_force(bool intact, double dashpot_over_h, double gap, PointStep<D>& 
 /// Friction coefficient of a point. A speed-dependent one is taken at the mean tangential speed over the step, the
 /// elastic shear of the joint included, which makes it second-order in the step.
 template <class K>
-double friction_of(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
+double friction_of(const typename K::Vector& move, const PatchStep<K>& patch)
 {
     if (!patch.friction.joint) return patch.friction.at_rest;
-    return patch.friction.at(tangential(p.displacement, patch.normal).norm() / patch.h);
+    return patch.friction.at(move.norm() / patch.h);
 }
 
 template <int D>
@@ -83,11 +84,10 @@ void release(PointStep<D>& p)
     p.turns_round = false;
 }
 
+/// @param move tangential displacement of the step [m]
 template <class K>
-void shear_force(double friction, const PatchStep<K>& patch, PointStep<K::dimension>& p)
+void shear_force(const typename K::Vector& move, const PatchStep<K>& patch, PointStep<K::dimension>& p)
 {
-    using Vector = typename K::Vector;
-    const Vector move = tangential(p.displacement, patch.normal);
     p.trial = p.shear_stiffness * (p.slip_start + 0.5 * (1 + p.shear_blend) * move);
     p.turns_round = false;
     if (patch.intact) {
@@ -95,21 +95,21 @@ void shear_force(double friction, const PatchStep<K>& patch, PointStep<K::dimens
         p.shear = p.trial;
         return;
     }
-    p.bound = friction * p.normal;
+    p.bound = friction_of(move, patch) * p.normal;
     const bool slides = p.speed > 0;
     if (slides && p.heading.dot(move) < half_way(p, patch.h)) {
         turn_round(move, patch, p);
         return;
     }
-    const double length = p.trial.norm();
+    const double square = p.trial.squaredNorm();
     // A joint that slides all through the step has all its friction, even where its spring would not give as much
     // yet: what presses it may have grown.
-    if (length <= p.bound && !slides) {
+    if (square <= p.bound * p.bound && !slides) {
         p.status = p.normal > 0 ? ContactStatus::locked : ContactStatus::open;
         p.shear = p.trial;
     } else {
         p.status = p.normal > 0 ? ContactStatus::sliding : ContactStatus::open;
-        p.shear = p.bound / length * p.trial;
+        p.shear = p.bound / std::sqrt(square) * p.trial;
     }
 }
 
@@ -134,51 +134,68 @@ struct PatchMove {
             const typename K::Unknowns of_b = d.segment<n>(n * patch.row_b);
             u_b = of_b.template head<K::dimension>();
             l_b = K::gradient(of_b);
-            normal += 0.25 * (l_b - l_b.transpose()) * patch.normal;
+            if (patch.follows_turning) normal += 0.25 * (l_b - l_b.transpose()) * patch.normal;
         }
+    }
+    /// As the forces measure it.
+    LinearIn<K::dimension> first_order(const PatchStep<K>& patch) const
+    {
+        return {patch.predicted.at_centroid + u_a - u_b - l_b * patch.between, patch.predicted.slope + l_a - l_b};
+    }
+    /// To second order in the turning of both blocks: the terms that the forces' own measure leaves out are small
+    /// in the turning of a step, but not beside the yielding of a stiff joint, whose gap would otherwise jump
+    /// whenever contacts are found anew. In static steps they are left out: those are long, the terms large in
+    /// iterates on the way to the solution, and the potential not convex any more.
+    LinearIn<K::dimension> displacement(const PatchStep<K>& patch) const
+    {
+        if (!patch.follows_turning) return first_order(patch);
+        Matrix of_a = l_a * patch.end_of_lever;
+        if constexpr (!K::deformable) of_a += 0.5 * l_a * of_a;  // the rotation is done exactly
+        const Vector apart = u_a - u_b;
+        const Matrix kept = Matrix::Identity() - 0.5 * (l_b + patch.chord_b);
+        return {patch.predicted.at_centroid + kept * apart - l_b * patch.between,
+                patch.predicted.slope + kept * of_a - l_b};
     }
 };
 
-/// Displacement as the forces measure it.
+/// Moves a patch to the iterate. @returns how the gap of its points changes with their place [-]; the change at
+/// the centroid of block a in `opening` [m]
 template <class K>
-typename K::Vector linear_displacement(const PatchMove<K>& move, const PointStep<K::dimension>& p)
+typename K::Vector move_patch(const VectorXd& d, PatchStep<K>& patch, double& opening)
 {
-    return p.predicted + move.u_a - move.u_b + move.l_a * p.lever_a - move.l_b * p.lever_b;
+    const PatchMove<K> move(d, patch);
+    patch.displacement = move.displacement(patch);
+    opening = move.normal.dot(patch.displacement.at_centroid);
+    return patch.displacement.slope.transpose() * move.normal;
 }
 
-/// Displacement and gap of a point, second order in the turning of both blocks. The forces' own measure of the
-/// displacement leaves out terms that are small in the turning of a step, but not beside the yielding of a stiff
-/// joint, whose gap would otherwise jump whenever contacts are found anew. In static steps they are left out:
-/// those are long, the terms large in iterates on the way to the solution, and the potential not convex any more.
+/// Sums the forces of the points of a patch.
 template <class K>
-void move_point(const PatchMove<K>& move, const PatchStep<K>& patch, PointStep<K::dimension>& p)
+class ForceSum
 {
-    using Vector = typename K::Vector;
-    if (!patch.follows_turning) {
-        p.displacement = linear_displacement(move, p);
-        p.gap = p.gap_start + patch.normal.dot(p.displacement);
-        return;
+ public:
+    explicit ForceSum(const typename K::Vector& normal) : normal_(normal) {}
+    void add(const PointStep<K::dimension>& p)
+    {
+        K::add_force(force_, p.lever, typename K::Vector(p.normal * normal_ - p.shear));
+        pressing_ += std::abs(p.normal);
     }
-    Vector of_a = move.l_a * p.end_lever_a;
-    if constexpr (!K::deformable) of_a += 0.5 * move.l_a * of_a;  // the rotation is done exactly
-    const Vector apart = move.u_a + of_a - move.u_b;
-    p.displacement = p.predicted + apart - move.l_b * (p.lever_b + 0.5 * apart) - 0.5 * patch.chord_b * apart;
-    p.gap = p.gap_start + move.normal.dot(p.displacement);
-}
+    /// Block b feels the opposite, `between` away.
+    void give(PatchStep<K>& patch) const
+    {
+        patch.pressing = pressing_;
+        patch.force_a = force_;
+        typename K::Unknowns shift = K::Unknowns::Zero();
+        K::add_force(shift, patch.between, typename K::Vector(force_.template head<K::dimension>()));
+        shift.template head<K::dimension>().setZero();
+        patch.force_b = -force_ - shift;
+    }
 
-template <class K>
-void sum_forces(const std::vector<PointStep<K::dimension>>& points, PatchStep<K>& patch)
-{
-    patch.force_a.setZero();
-    patch.force_b.setZero();
-    for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const PointStep<K::dimension>& p = points[i];
-        if (p.normal == 0 && p.shear.isZero(0)) continue;
-        const typename K::Vector force = p.normal * patch.normal - p.shear;
-        K::add_force(patch.force_a, p.lever_a, force);
-        K::add_force(patch.force_b, p.lever_b, -force);
-    }
-}
+ private:
+    typename K::Vector normal_;
+    typename K::Unknowns force_ = K::Unknowns::Zero();
+    double pressing_ = 0;  // N
+};
 
 }  // namespace
 
@@ -202,19 +219,31 @@ void scale_stiffness(double factor, int threads, ContactStep<K>& step)
 template <class K>
 void evaluate_patch(const VectorXd& d, PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points)
 {
-    const PatchMove<K> move(d, patch);
+    using Vector = typename K::Vector;
+    double opening = 0;
+    const Vector tilt = move_patch(d, patch, opening);
+    ForceSum<K> sum(patch.normal);
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
         PointStep<K::dimension>& p = points[i];
-        move_point(move, patch, p);
-        normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
+        p.gap = p.gap_start + opening + tilt.dot(p.lever);
+        if (p.gap > 0 && p.gap_start > 0 && !patch.intact && patch.dashpot_over_h == 0)
+            p.normal = p.elastic_normal = p.normal_tangent = 0;  // as most that are apart, for less
+        else
+            normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
         if (p.normal == 0 && !patch.intact) {
             release(p);
             continue;
         }
-        p.linear = linear_displacement(move, p);
-        shear_force(friction_of(patch, p), patch, p);
+        shear_force(tangential(patch.displacement.at(p.lever), patch.normal), patch, p);
+        sum.add(p);
     }
-    sum_forces(points, patch);
+    sum.give(patch);
+}
+
+template <class K>
+LinearIn<K::dimension> linear_displacement(const VectorXd& d, const PatchStep<K>& patch)
+{
+    return PatchMove<K>(d, patch).first_order(patch);
 }
 
 template <class K>
@@ -233,21 +262,23 @@ template <class K>
 void keep_states(const VectorXd& d, PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points)
 {
     using Vector = typename K::Vector;
-    const PatchMove<K> move(d, patch);
+    double opening = 0;
+    const Vector tilt = move_patch(d, patch, opening);
+    ForceSum<K> sum(patch.normal);
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
         PointStep<K::dimension>& p = points[i];
-        move_point(move, patch, p);
-        p.linear = linear_displacement(move, p);
+        p.gap = p.gap_start + opening + tilt.dot(p.lever);
         const bool closed = p.status != ContactStatus::open;
         // Blends other than one belong to the first guess of a Newton iteration.
         const double gap = 0.5 * (1 - p.normal_blend) * p.gap_start + 0.5 * (1 + p.normal_blend) * p.gap;
         p.elastic_normal = p.normal = closed ? -p.normal_stiffness * gap : 0;
-        const Vector slip = 0.5 * (1 + p.shear_blend) * tangential(p.displacement, patch.normal);
-        p.trial = p.shear_stiffness * (p.slip_start + slip);
+        const Vector move = tangential(patch.displacement.at(p.lever), patch.normal);
+        p.trial = p.shear_stiffness * (p.slip_start + 0.5 * (1 + p.shear_blend) * move);
         if (p.status == ContactStatus::locked) p.shear = p.trial;
         if (p.status == ContactStatus::open) p.shear.setZero();
+        if (closed) sum.add(p);
     }
-    sum_forces(points, patch);
+    sum.give(patch);
 }
 
 }  // namespace
@@ -263,12 +294,14 @@ void evaluate_published(const VectorXd& d, int threads, ContactStep<K>& step)
 template <class K>
 bool switch_published(ContactStep<K>& step)
 {
+    using Vector = typename K::Vector;
     bool changed = false;
     for (PatchStep<K>& patch : step.patches)
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             PointStep<K::dimension>& p = step.points[i];
             const double length = p.trial.norm();
-            const double bound = friction_of(patch, p) * std::max(p.normal, 0.0);
+            const Vector move = tangential(patch.displacement.at(p.lever), patch.normal);
+            const double bound = friction_of(move, patch) * std::max(p.normal, 0.0);
             p.bound = bound;
             ContactStatus next = ContactStatus::open;
             if (p.gap < 0) next = length <= bound ? ContactStatus::locked : ContactStatus::sliding;
@@ -290,6 +323,7 @@ bool switch_published(ContactStep<K>& step)
     template void evaluate_contacts(const VectorXd&, int, ContactStep<K>&);                              \
     template void evaluate_patch(const VectorXd&, PatchStep<K>&, std::vector<PointStep<K::dimension>>&); \
     template void evaluate_published(const VectorXd&, int, ContactStep<K>&);                             \
+    template LinearIn<K::dimension> linear_displacement(const VectorXd&, const PatchStep<K>&);           \
     template bool switch_published(ContactStep<K>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE

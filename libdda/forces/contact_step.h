@@ -13,45 +13,59 @@
 namespace voussoir::step
 {
 
-/// A contact point within a step. Displacements are of a relative to b.
+/// A vector that is linear over a contact, at a lever from the centroid of its block a.
+template <int D>
+struct LinearIn {
+    VectorIn<D> at_centroid = VectorIn<D>::Zero();
+    MatrixIn<D> slope = MatrixIn<D>::Zero();
+
+    VectorIn<D> at(const VectorIn<D>& lever) const { return at_centroid + slope * lever; }
+};
+
+/// A contact point within a step. Displacements are of a relative to b. What is linear over the patch is there.
 template <int D>
 struct PointStep {
-    VectorIn<D> lever_a, lever_b;                      // m, of the contact in the middle of the predicted step
-    VectorIn<D> end_lever_a;                           // m, of the material point of a at the end, if D = 0
-    VectorIn<D> predicted;                             // m, relative displacement of the step if D = 0
-    VectorIn<D> ballistic_a, ballistic_b;              // m, h v^ minus the predicted displacement, of the rotation
+    VectorIn<D> lever;                                 // m, from a, of the contact in the middle of the step
     VectorIn<D> slip_start;                            // m, elastic slip, turned to the middle of the step
     double gap_start = 0;                              // m
     double normal_stiffness = 0, shear_stiffness = 0;  // N/m
     double normal_blend = 1, shear_blend = 1;          // theta of the integrator
-    VectorIn<D> heading;                               // unit, of the sliding at the start of the step
-    double speed = 0;                                  // m/s, of that; 0: it does not slide
+    double speed = 0;                                  // m/s, of the sliding at the start; 0: it does not slide
+    VectorIn<D> heading;                               // unit, of that
     // At the current iterate:
-    ContactStatus status = ContactStatus::open;
     double gap = 0, normal = 0, elastic_normal = 0, normal_tangent = 0;  // m, N, N, N/m
     double bound = 0;                                                    // N, friction bound
-    VectorIn<D> displacement;                                            // m, relative, of the step
-    VectorIn<D> linear;                            // m, the same as the forces measure it, if there are any
-    VectorIn<D> trial;                             // N, shear force if it all stuck
-    VectorIn<D> shear;                             // N, resisting
-    bool turns_round = false;                      // the sliding of the start ends within the step
-    double tangent_along = 0, tangent_across = 0;  // N/m, of the shear force then
+    VectorIn<D> trial;                                                   // N, shear force if it all stuck
+    VectorIn<D> shear;                                                   // N, resisting
+    double tangent_along = 0, tangent_across = 0;  // N/m, of the shear force if it turns round
+    ContactStatus status = ContactStatus::open;
+    bool turns_round = false;  // the sliding of the start ends within the step
 };
 
 template <class K>
 struct PatchStep {
+    using Vector = typename K::Vector;
+    using Linear = LinearIn<K::dimension>;
     int row_a = -1, row_b = -1;
     int first = 0, count = 0;
-    typename K::Vector normal;  // in the middle of the predicted step
+    Vector normal;  // in the middle of the predicted step
     FrictionLaw friction;
     double h = 0;               // s, the step
     double braking = 0;         // m/s, what friction takes from the stones' speed in the step
     double dashpot_over_h = 0;  // -
     bool intact = false;
-    typename K::Matrix chord_b = K::Matrix::Zero();  // of block b
-    bool follows_turning = true;                     // gaps and slips to second order in the turning of the step
-    typename K::Unknowns force_a, force_b;           // generalised forces on the two blocks
-    typename K::Square aa, ab, bb;                   // stiffness
+    bool follows_turning = true;      // gaps and slips to second order in the turning of the step
+    Vector between = Vector::Zero();  // m, from the centroid of b to that of a: lever from b less that from a
+    typename K::Matrix end_of_lever;  // to that of the material point of a at the end, if D = 0
+    typename K::Matrix chord_b;       // of block b
+    Linear predicted;                 // m, relative displacement of the step if D = 0
+    // At the current iterate:
+    Linear displacement;                    // m, relative, of the step
+    double pressing = 0;                    // N, of all points
+    typename K::Unknowns force_a, force_b;  // generalised forces on the two blocks
+    typename K::Square aa, ab, bb;          // stiffness
+
+    Vector lever_b(const PointStep<K::dimension>& p) const { return p.lever + between; }
 };
 
 /// All contacts of a step.
@@ -85,6 +99,10 @@ void evaluate_contacts(const Eigen::VectorXd& d, int threads, ContactStep<K>& st
 template <class K>
 void evaluate_patch(const Eigen::VectorXd& d, PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points);
 
+/// Displacement of the step at the iterate D as the forces measure it, which leaves out what is of second order.
+template <class K>
+LinearIn<K::dimension> linear_displacement(const Eigen::VectorXd& d, const PatchStep<K>& patch);
+
 /// The same by the published open-close rules: every point keeps its status; a sliding point carries the friction
 /// of the pass before as a load.
 template <class K>
@@ -101,24 +119,20 @@ struct ContactEnergies {
 template <class K>
 ContactEnergies contact_energies(int threads, const ContactStep<K>& step);
 
-/// Calls `add(part(patch, point))` for all points in their order; `part` is called on all threads.
+/// Calls `add(part(index of the patch))` for all patches in their order; `part` is called on all threads.
 template <class K, class PartOf, class Add>
-void add_points_in_order(const ContactStep<K>& step, int threads, const PartOf& part, const Add& add)
+void add_patches_in_order(const ContactStep<K>& step, int threads, const PartOf& part, const Add& add)
 {
-    const auto each_point = [&](const PatchStep<K>& patch, const auto& visit) {
-        for (int i = patch.first; i < patch.first + patch.count; ++i) visit(i, part(patch, step.points[i]));
-    };
+    const std::size_t count = step.patches.size();
     if (threads <= 1) {
-        for (const PatchStep<K>& patch : step.patches)
-            each_point(patch, [&](int, const auto& of_point) { add(of_point); });
+        for (std::size_t k = 0; k < count; ++k) add(part(k));
         return;
     }
-    std::vector<decltype(part(step.patches.front(), step.points.front()))> parts(step.points.size());
-    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t k = first; k < end; ++k)
-            each_point(step.patches[k], [&](int i, const auto& of_point) { parts[i] = of_point; });
+    std::vector<decltype(part(count))> parts(count);
+    in_parallel(count, threads, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) parts[k] = part(k);
     });
-    for (const auto& of_point : parts) add(of_point);
+    for (const auto& of_patch : parts) add(of_patch);
 }
 
 /// Elastic slip at the end of the step [m]: of a blend theta, t = (1-theta)/2 k s0 + (1+theta)/2 k s1.

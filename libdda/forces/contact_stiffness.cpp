@@ -1,5 +1,7 @@
 #include "libdda/forces/contact_stiffness.h"
 
+#include <array>
+
 #include "libdda/model/parallel.h"
 
 namespace voussoir::step
@@ -7,71 +9,40 @@ namespace voussoir::step
 namespace
 {
 
-/// C of one point: -dN/dg n n^T plus the shear tangent without the coupling to the normal force.
+/// C of one point, -dN/dg n n^T plus the shear tangent without the coupling to the normal force:
+/// across n n^T + along (1 - n n^T) + ahead h h^T, h a direction in the plane of the contact.
 template <int D>
-MatrixIn<D> point_stiffness(const PointStep<D>& p, const VectorIn<D>& n, bool published)
+struct PointTangent {
+    double across = 0, along = 0, ahead = 0;  // N/m
+    VectorIn<D> heading;                      // unit; of no meaning where `ahead` is zero
+};
+
+template <int D>
+PointTangent<D> tangent_of(const PointStep<D>& p, bool published)
 {
     const double k_t = 0.5 * (1 + p.shear_blend) * p.shear_stiffness;
-    const MatrixIn<D> across = n * n.transpose(), along = MatrixIn<D>::Identity() - across;
+    PointTangent<D> c;
     if (published) {
-        if (p.status == ContactStatus::open) return MatrixIn<D>::Zero();
-        MatrixIn<D> c = 0.5 * (1 + p.normal_blend) * p.normal_stiffness * across;
-        if (p.status == ContactStatus::locked) c += k_t * along;
+        if (p.status == ContactStatus::open) return c;
+        c.across = 0.5 * (1 + p.normal_blend) * p.normal_stiffness;
+        if (p.status == ContactStatus::locked) c.along = k_t;
         return c;
     }
-    MatrixIn<D> c = p.normal_tangent * across;
+    c.across = p.normal_tangent;
     if (p.turns_round) {
-        const MatrixIn<D> ahead = p.heading * p.heading.transpose();
-        return c + p.tangent_along * ahead + p.tangent_across * (along - ahead);
-    }
-    if (p.status == ContactStatus::locked) c += k_t * along;
-    if (p.status == ContactStatus::sliding) {
+        c.along = p.tangent_across;
+        c.ahead = p.tangent_along - p.tangent_across;
+        c.heading = p.heading;
+    } else if (p.status == ContactStatus::locked) {
+        c.along = k_t;
+    } else if (p.status == ContactStatus::sliding) {
         const double length = p.trial.norm();
-        const VectorIn<D> slipping = p.trial / length;
-        c += k_t * p.bound / length * (along - slipping * slipping.transpose());
+        c.along = k_t * p.bound / length;
+        c.ahead = -c.along;
+        c.heading = p.trial / length;
     }
     return c;
 }
-
-/// Adds the stiffness c of one point to the blocks of its patch.
-template <class K>
-void add_point(const PointStep<K::dimension>& p, const typename K::Matrix& c, PatchStep<K>& patch)
-{
-    if (patch.row_a >= 0) K::add_stiffness(patch.aa, p.lever_a, p.lever_a, c);
-    if (patch.row_b >= 0) K::add_stiffness(patch.bb, p.lever_b, p.lever_b, c);
-    if (patch.row_a >= 0 && patch.row_b >= 0) K::add_stiffness(patch.ab, p.lever_a, p.lever_b, -c);
-}
-
-/// Sums of k w w^T over the points of a patch, w = (1, y): points that share the matrix C then cost one expansion.
-template <int D>
-struct WeightSums {
-    using Weights = Eigen::Matrix<double, D + 1, 1>;
-    using Sums = Eigen::Matrix<double, D + 1, D + 1>;
-    Sums aa = Sums::Zero(), ab = Sums::Zero(), bb = Sums::Zero();
-
-    void add(double k, const PointStep<D>& p)
-    {
-        Weights a, b;
-        a << 1, p.lever_a;
-        b << 1, p.lever_b;
-        aa += k * a * a.transpose();
-        ab -= k * a * b.transpose();
-        bb += k * b * b.transpose();
-    }
-
-    static void expand(const Sums& sums, const MatrixIn<D>& c, typename DeformableIn<D>::Square& block)
-    {
-        for (int j = 0; j <= D; ++j)
-            for (int i = 0; i <= D; ++i) block.template block<D, D>(D * i, D * j) += sums(i, j) * c;
-    }
-
-    void expand(const MatrixIn<D>& c, PatchStep<DeformableIn<D>>& patch) const
-    {
-        if (patch.row_a >= 0) expand(aa, c, patch.aa);
-        if (patch.row_b >= 0) expand(bb, c, patch.bb);
-        if (patch.row_a >= 0 && patch.row_b >= 0) expand(ab, c, patch.ab);
-    }
-};
 
 template <int D>
 bool has_stiffness(const PointStep<D>& p, bool published)
@@ -79,62 +50,134 @@ bool has_stiffness(const PointStep<D>& p, bool published)
     return p.status != ContactStatus::open || (!published && p.normal_tangent != 0);
 }
 
-/// Locked points of a deformable patch share the directions n n^T and 1 - n n^T.
+/// Sums of k w w^T over the points of a patch, w = (1, y): points that share the matrix C cost one expansion.
+/// Number by number: vectors put together from single numbers would wait for memory.
 template <int D>
-void add_points(const std::vector<PointStep<D>>& points, bool published, PatchStep<DeformableIn<D>>& patch)
+class WeightSums
 {
-    WeightSums<D> normal, shear;
-    bool any = false;
-    for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const PointStep<D>& p = points[i];
-        if (!has_stiffness(p, published)) continue;
-        if (p.status != ContactStatus::locked || (p.turns_round && !published)) {
-            add_point(p, point_stiffness<D>(p, patch.normal, published), patch);
-            continue;
+ public:
+    void add(double k, const VectorIn<D>& y)
+    {
+        weight_ += k;
+        for (int i = 0; i < D; ++i) {
+            const double ky = k * y[i];
+            first_[i] += ky;
+            for (int j = 0; j <= i; ++j) second_[3 * i + j] += ky * y[j];
         }
-        normal.add(published ? 0.5 * (1 + p.normal_blend) * p.normal_stiffness : p.normal_tangent, p);
-        shear.add(0.5 * (1 + p.shear_blend) * p.shear_stiffness, p);
-        any = true;
     }
-    if (!any) return;
-    const MatrixIn<D> across = patch.normal * patch.normal.transpose();
-    normal.expand(across, patch);
-    shear.expand(MatrixIn<D>::Identity() - across, patch);
+    double weight() const { return weight_; }
+    VectorIn<D> first() const { return VectorIn<D>(first_.data()); }
+    MatrixIn<D> second() const
+    {
+        MatrixIn<D> result;
+        for (int i = 0; i < D; ++i)
+            for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = second_[3 * i + j];
+        return result;
+    }
+
+ private:
+    double weight_ = 0;
+    std::array<double, 3> first_{};
+    std::array<double, 9> second_{};
+};
+
+/// stiffness += sum of k T(y)^T C T(y), C symmetric
+template <int D>
+void expand(const WeightSums<D>& sums, const MatrixIn<D>& c, typename DeformableIn<D>::Square& stiffness)
+{
+    const VectorIn<D> first = sums.first();
+    const MatrixIn<D> second = sums.second();
+    const auto weight = [&](int i, int j) {
+        return i == 0 ? (j == 0 ? sums.weight() : first[j - 1]) : (j == 0 ? first[i - 1] : second(i - 1, j - 1));
+    };
+    for (int j = 0; j <= D; ++j)
+        for (int i = 0; i <= D; ++i) stiffness.template block<D, D>(D * i, D * j) += weight(i, j) * c;
+}
+void expand(const WeightSums<3>& sums, const Eigen::Matrix3d& c, SpatialRigid::Square& stiffness)
+{
+    const Eigen::Matrix3d off = c * skew(SpinIn<3>(sums.first()));
+    stiffness.topLeftCorner<3, 3>() += sums.weight() * c;
+    stiffness.topRightCorner<3, 3>() -= off;
+    stiffness.bottomLeftCorner<3, 3>() -= off.transpose();
+    // Sum of k skew(y) C skew(y)^T, by the product of two permutation symbols.
+    const Eigen::Matrix3d s = sums.second();
+    const double trace_s = s.trace(), trace_c = c.trace();
+    stiffness.bottomRightCorner<3, 3>() +=
+        (trace_s * trace_c - s.cwiseProduct(c).sum()) * Eigen::Matrix3d::Identity() - trace_c * s - trace_s * c +
+        s * c + c * s;
+}
+void expand(const WeightSums<2>& sums, const Eigen::Matrix2d& c, PlanarRigid::Square& stiffness)
+{
+    const Eigen::Vector2d turned(-sums.first().y(), sums.first().x());
+    const Eigen::Matrix2d s = sums.second();
+    Eigen::Matrix2d across;
+    across << s(1, 1), -s(0, 1), -s(1, 0), s(0, 0);
+    const Eigen::Vector2d off = c * turned;
+    stiffness.topLeftCorner<2, 2>() += sums.weight() * c;
+    stiffness.topRightCorner<2, 1>() += off;
+    stiffness.bottomLeftCorner<1, 2>() += off.transpose();
+    stiffness(2, 2) += across.cwiseProduct(c).sum();
 }
 
-/// The levers of all points of a patch from one block differ from those from the other by the same vector t: with
-/// T(y + t) = T(y) G the stiffness of one block gives the others, G = [1, -t x; 0, 1].
+/// The stiffness that the points of a patch give one of its blocks.
+/// @param shift [m] lever from that block less that from block a
+template <class K>
+void add_to_block(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points, bool published,
+                  const typename K::Vector& shift, typename K::Square& stiffness)
+{
+    using Vector = typename K::Vector;
+    using Matrix = typename K::Matrix;
+    WeightSums<K::dimension> normal, shear;
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const PointStep<K::dimension>& p = points[i];
+        if (!has_stiffness(p, published)) continue;
+        const PointTangent<K::dimension> c = tangent_of(p, published);
+        const Vector lever = p.lever + shift;
+        normal.add(c.across, lever);
+        shear.add(c.along, lever);
+        if (c.ahead == 0) continue;
+        typename K::Unknowns ahead = K::Unknowns::Zero();
+        K::add_force(ahead, lever, c.heading);
+        stiffness.noalias() += c.ahead * ahead * ahead.transpose();
+    }
+    if (normal.weight() == 0 && shear.weight() == 0) return;
+    const Matrix across = patch.normal * patch.normal.transpose();
+    expand(normal, across, stiffness);
+    expand(shear, Matrix(Matrix::Identity() - across), stiffness);
+}
+
+/// With T(y + t) = T(y) G the stiffness of one block gives the others, G what moves levers by t: ab = -aa G,
+/// bb = G^T aa G.
+template <int D>
+void spread_from_a(const VectorIn<D>& t, PatchStep<DeformableIn<D>>& patch)
+{
+    // Columns of the gradient gain those of the translation, times t.
+    patch.ab = patch.aa;
+    for (int j = 0; j < D; ++j)
+        patch.ab.template middleCols<D>(D + D * j) += t[j] * patch.aa.template leftCols<D>();
+    patch.bb = patch.ab;
+    for (int j = 0; j < D; ++j)
+        patch.bb.template middleRows<D>(D + D * j) += t[j] * patch.ab.template topRows<D>();
+    patch.ab = -patch.ab;
+}
 void spread_from_a(const Eigen::Vector3d& t, PatchStep<SpatialRigid>& patch)
 {
-    using Matrix = Eigen::Matrix3d;
-    const Matrix turn = skew(t);
-    SpatialRigid::Square across = patch.aa;  // aa G
+    const Eigen::Matrix3d turn = skew(t);
+    SpatialRigid::Square across = patch.aa;
     across.topRightCorner<3, 3>() -= patch.aa.topLeftCorner<3, 3>() * turn;
     across.bottomRightCorner<3, 3>() -= patch.aa.bottomLeftCorner<3, 3>() * turn;
     patch.ab = -across;
-    patch.bb = across;  // G^T aa G
+    patch.bb = across;
     patch.bb.bottomRows<3>() += turn * across.topRows<3>();
 }
-
-void add_points(const std::vector<PointStep<3>>& points, bool published, PatchStep<SpatialRigid>& patch)
+void spread_from_a(const Eigen::Vector2d& t, PatchStep<PlanarRigid>& patch)
 {
-    const PointStep<3>* any = nullptr;
-    for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const PointStep<3>& p = points[i];
-        if (!has_stiffness(p, published)) continue;
-        any = &p;
-        const Eigen::Vector3d& lever = patch.row_a >= 0 ? p.lever_a : p.lever_b;
-        SpatialRigid::add_stiffness(patch.row_a >= 0 ? patch.aa : patch.bb, lever, lever,
-                                    point_stiffness<3>(p, patch.normal, published));
-    }
-    if (any && patch.row_a >= 0 && patch.row_b >= 0) spread_from_a(any->lever_b - any->lever_a, patch);
-}
-
-void add_points(const std::vector<PointStep<2>>& points, bool published, PatchStep<PlanarRigid>& patch)
-{
-    for (int i = patch.first; i < patch.first + patch.count; ++i)
-        if (has_stiffness(points[i], published))
-            add_point(points[i], point_stiffness<2>(points[i], patch.normal, published), patch);
+    const Eigen::Vector2d turned(-t.y(), t.x());
+    PlanarRigid::Square across = patch.aa;
+    across.col(2) += patch.aa.leftCols<2>() * turned;
+    patch.ab = -across;
+    patch.bb = across;
+    patch.bb.row(2) += turned.transpose() * across.topRows<2>();
 }
 
 }  // namespace
@@ -142,10 +185,16 @@ void add_points(const std::vector<PointStep<2>>& points, bool published, PatchSt
 template <class K>
 void patch_stiffness(bool published, const std::vector<PointStep<K::dimension>>& points, PatchStep<K>& patch)
 {
+    using Vector = typename K::Vector;
     patch.aa.setZero();
     patch.ab.setZero();
     patch.bb.setZero();
-    add_points(points, published, patch);
+    if (patch.row_a < 0) {
+        add_to_block(patch, points, published, patch.between, patch.bb);
+        return;
+    }
+    add_to_block(patch, points, published, Vector(Vector::Zero()), patch.aa);
+    if (patch.row_b >= 0) spread_from_a(patch.between, patch);
 }
 
 template <class K>
@@ -160,12 +209,8 @@ template <class K>
 void add_block_stiffness(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points, bool of_a,
                          typename K::Square& stiffness)
 {
-    for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        const PointStep<K::dimension>& p = points[i];
-        if (!has_stiffness(p, false)) continue;
-        const typename K::Vector& lever = of_a ? p.lever_a : p.lever_b;
-        K::add_stiffness(stiffness, lever, lever, point_stiffness<K::dimension>(p, patch.normal, false));
-    }
+    using Vector = typename K::Vector;
+    add_to_block(patch, points, false, of_a ? Vector(Vector::Zero()) : patch.between, stiffness);
 }
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                               \

@@ -28,7 +28,7 @@ FrictionTangent<K> friction_tangent(const PatchStep<K>& patch, const PointStep<K
 {
     using Matrix = typename K::Matrix;
     const typename K::Vector& n = patch.normal;
-    FrictionTangent<K> result{patch.row_a, patch.row_b, p.lever_a, p.lever_b, Matrix()};
+    FrictionTangent<K> result{patch.row_a, patch.row_b, p.lever, patch.lever_b(p), Matrix()};
     // mu N falls by mu (-dN/dg) as the gap opens.
     const double bound_by_gap = -p.bound / p.normal * p.normal_tangent;
     if (!p.turns_round) {
@@ -75,8 +75,7 @@ template <class K>
 PatchTangent<K> patch_tangent(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points)
 {
     static_assert(!K::deformable);
-    const typename K::Vector between = points[patch.first].lever_b - points[patch.first].lever_a;
-    PatchTangent<K> result{patch.row_a, patch.row_b, between, K::Square::Zero()};
+    PatchTangent<K> result{patch.row_a, patch.row_b, patch.between, K::Square::Zero()};
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
         if (!follows_its_bound(points[i])) continue;
         const FrictionTangent<K> p = friction_tangent(patch, points[i]);

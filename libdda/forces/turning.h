@@ -95,7 +95,7 @@ struct TurningChange {
     /// @pre p.bound > 0
     TurningChange(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
     {
-        const Turning<K> t(tangential(p.displacement, patch.normal), patch, p);
+        const Turning<K> t(tangential(patch.displacement.at(p.lever), patch.normal), patch, p);
         const Vector& h = p.heading;
         const double share_by_along = t.sticks ? p.shear_stiffness / p.bound : t.back.slope * 2 / patch.h;
         const double share_by_bound = t.sticks ? (1 - t.share) / p.bound : 0;

@@ -20,8 +20,9 @@ enum class ContactStatus : std::uint8_t {
     sliding,  // at the friction bound
 };
 
-/// In the feature of points inside a face or on its sides.
-constexpr std::uint32_t inner_feature = 0x80000000;
+/// In the feature of points inside a face or on its sides, and in that of the few which do while the face presses
+/// and sticks as a whole.
+constexpr std::uint32_t inner_feature = 0x80000000, whole_feature = 0xc0008000;
 
 /// One corner of a contact polygon, one end of a contact segment (planar), the one point of an edge-edge contact,
 /// or a point inside a face. Forces act on block a of the patch.

@@ -113,15 +113,6 @@ double load_of(const BlockStep<K>& block, const InternalForce<K>& internal, doub
     return load;
 }
 
-/// What the points of a patch press [N].
-template <class K>
-double pressing_of(const PatchStep<K>& patch, const ContactStep<K>& contacts)
-{
-    double pressing = 0;
-    for (int i = patch.first; i < patch.first + patch.count; ++i) pressing += std::abs(contacts.points[i].normal);
-    return pressing;
-}
-
 template <class K>
 void add_contact_force(int row, const typename K::Unknowns& force, double pressing, StepProblem<K>& problem)
 {
@@ -138,10 +129,9 @@ void gather_contact_forces(StepProblem<K>& problem)
     problem.load.assign(problem.load.size(), 0.0);
     if (problem.threads <= 1) {
         for (const PatchStep<K>& patch : contacts.patches) {
-            const double pressing = pressing_of(patch, contacts);
-            if (pressing == 0 && patch.force_a.isZero(0)) continue;
-            if (patch.row_a >= 0) add_contact_force<K>(patch.row_a, patch.force_a, pressing, problem);
-            if (patch.row_b >= 0) add_contact_force<K>(patch.row_b, patch.force_b, pressing, problem);
+            if (patch.pressing == 0 && patch.force_a.isZero(0)) continue;
+            if (patch.row_a >= 0) add_contact_force<K>(patch.row_a, patch.force_a, patch.pressing, problem);
+            if (patch.row_b >= 0) add_contact_force<K>(patch.row_b, patch.force_b, patch.pressing, problem);
         }
         return;
     }
@@ -151,10 +141,9 @@ void gather_contact_forces(StepProblem<K>& problem)
         for (int row = static_cast<int>(first); row < static_cast<int>(end); ++row)
             for (const int k : problem.patches_of_rows.of(row)) {
                 const PatchStep<K>& patch = contacts.patches[k];
-                const double pressing = pressing_of(patch, contacts);
-                if (pressing == 0 && patch.force_a.isZero(0)) continue;
+                if (patch.pressing == 0 && patch.force_a.isZero(0)) continue;
                 const auto& force = patch.row_a == row ? patch.force_a : patch.force_b;
-                add_contact_force<K>(row, force, pressing, problem);
+                add_contact_force<K>(row, force, patch.pressing, problem);
             }
     });
 }

@@ -129,13 +129,48 @@ RowShare share_of_row(const State& state, const StepProblem<K>& problem, int row
     return share;
 }
 
+struct PatchShare {
+    double gain = 0;  // J
+    bool jumps = false;
+};
+
+/// The rotation of a block that nothing turns, as its velocity has it less as it is done: relative to a lever [-].
+template <class K>
+typename K::Matrix ballistic_turn(const BlockStep<K>& block, double h)
+{
+    if (!block.turns) return K::Matrix::Zero();
+    return h * K::gradient(block.velocity) - block.chord;
+}
+
+/// Work of the forces of a patch on the displacements that the momentum knows, beyond that on the finite ones.
+template <class K>
+PatchShare gain_of_patch(const StepProblem<K>& problem, std::size_t k, const ContactPatchIn<K::dimension>& found)
+{
+    using Vector = typename K::Vector;
+    const PatchStep<K>& patch = problem.contacts.patches[k];
+    const BlockStep<K>&a = problem.blocks[found.block_a], &b = problem.blocks[found.block_b];
+    PatchShare share{0, a.jumps || b.jumps};
+    if (patch.pressing == 0 && patch.force_a.isZero(0)) return share;
+    const typename K::Matrix turn_b = ballistic_turn(b, problem.h);
+    LinearIn<K::dimension> known = linear_displacement(problem.d, patch);
+    known.at_centroid += a.ballistic - b.ballistic - turn_b * patch.between;
+    known.slope += ballistic_turn(a, problem.h) - turn_b;
+    for (int i = patch.first; i < patch.first + patch.count; ++i) {
+        const PointStep<K::dimension>& p = problem.contacts.points[i];
+        if (p.normal == 0 && p.shear.isZero(0)) continue;
+        const Vector force = p.normal * patch.normal - p.shear;
+        share.gain += force.dot(known.at(p.lever)) - p.normal * (p.gap - p.gap_start) +
+                      p.shear.dot(patch.displacement.at(p.lever));
+    }
+    return share;
+}
+
 }  // namespace
 
 template <class K>
 void book_step(const State& state, const StepProblem<K>& problem, const ContactSetIn<K::dimension>& contacts,
                EnergyLedger& energy)
 {
-    using Vector = typename K::Vector;
     const ContactEnergies contact = contact_energies(problem.threads, problem.contacts);
     energy.contact = contact.stored;
     energy.friction += contact.friction;
@@ -158,20 +193,12 @@ void book_step(const State& state, const StepProblem<K>& problem, const ContactS
             energy.strain += share.strain;
             energy.kinetic += share.kinetic;
         });
-    struct PointShare {
-        double gain = 0;
-        bool jumps = false;
-    };
-    const auto share_of_point = [&](const PatchStep<K>& patch, const PointStep<K::dimension>& p) {
-        const auto& found = contacts.patches[&patch - problem.contacts.patches.data()];
-        const Vector force = p.normal * patch.normal - p.shear;
-        const double work = p.normal * (p.gap - p.gap_start) - p.shear.dot(p.displacement);
-        return PointShare{force.dot(p.linear + p.ballistic_a - p.ballistic_b) - work,
-                          problem.blocks[found.block_a].jumps || problem.blocks[found.block_b].jumps};
-    };
-    add_points_in_order(problem.contacts, problem.threads, share_of_point, [&](const PointShare& share) {
-        (share.jumps ? energy.impact : energy.algorithmic_rotation) -= share.gain;
-    });
+    add_patches_in_order(
+        problem.contacts, problem.threads,
+        [&](std::size_t k) { return gain_of_patch(problem, k, contacts.patches[k]); },
+        [&](const PatchShare& share) {
+            (share.jumps ? energy.impact : energy.algorithmic_rotation) -= share.gain;
+        });
     problem.others.each(
         [&](const auto& group) { book_forces(state, problem.blocks, problem.d, problem.h, group, energy); });
     energy.note_peaks();

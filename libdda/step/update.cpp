@@ -66,8 +66,8 @@ void update_contacts(const Model& model, const Stage& stage, const StepProblem<K
             ContactPointIn<dimension>& point = stored.points[i];
             point = contacts.points[i];
             const Vector slip = slip_at_end(patch, p);
-            const Vector sliding =
-                p.displacement - patch.normal.dot(p.displacement) * patch.normal - (slip - p.slip_start);
+            const Vector move = patch.displacement.at(p.lever);
+            const Vector sliding = tangential(move, patch.normal) - (slip - p.slip_start);
             point.plastic_slip = turn * point.plastic_slip;
             if (p.status != ContactStatus::open) point.plastic_slip += rest * sliding;
             point.elastic_slip = rest * slip;
@@ -80,8 +80,8 @@ void update_contacts(const Model& model, const Stage& stage, const StepProblem<K
             point.gap = p.gap;
             point.normal_force = p.normal;
             point.shear_force = p.shear;
-            point.position = problem.blocks[kept.block_a].predicted.centroid + p.end_lever_a +
-                             K::displacement(d_a, p.end_lever_a);
+            const Vector lever = patch.end_of_lever * p.lever;
+            point.position = problem.blocks[kept.block_a].predicted.centroid + lever + K::displacement(d_a, lever);
             found.penetration = std::max(found.penetration, contact::depth_beyond_fit(model, point));
             found.closed += p.status != ContactStatus::open;
         }

@@ -102,8 +102,8 @@ struct ContactScene {
     static VectorXd spread(const Vector3d& force, const step::PointStep<3>& p, const step::PatchStep<K>& patch)
     {
         typename K::Unknowns a = K::Unknowns::Zero(), b = K::Unknowns::Zero();
-        K::add_force(a, p.lever_a, force);
-        K::add_force(b, p.lever_b, -force);
+        K::add_force(a, p.lever, force);
+        K::add_force(b, patch.lever_b(p), -force);
         VectorXd row = VectorXd::Zero(2 * n);
         row.segment<n>(n * patch.row_a) = a;
         row.segment<n>(n * patch.row_b) = b;

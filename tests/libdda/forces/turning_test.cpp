@@ -30,13 +30,14 @@ struct Joint {
         point.speed = speed;
         point.slip_start = stretched;
         point.shear_stiffness = stiffness;
+        point.lever.setZero();
         point.bound = bound;
     }
     /// As the step evaluates it: a joint that does not turn round slides on.
     Vector3d force(const Vector3d& move, double bound)
     {
         point.bound = bound;
-        point.displacement = move;
+        patch.displacement = {move, Eigen::Matrix3d::Zero()};
         if (point.heading.dot(move) < step::half_way(point, h)) {
             step::turn_round(move, patch, point);
         } else {
