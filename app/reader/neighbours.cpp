@@ -28,6 +28,7 @@ Model plain(const Model& model)
 {
     JointMaterial joint;
     joint.stiffness = {ContactStiffness::Kind::per_area, 1, 1};
+    joint.face = FaceLaw::corners;  // outlines are asked for
     Model stones = make_model(is_planar(model.kinematics) ? Kinematics::planar_rigid : Kinematics::spatial_rigid,
                               {"stone", 1, 1, 0}, joint);
     stones.thickness = model.thickness;

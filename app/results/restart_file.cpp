@@ -15,7 +15,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 21\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 22\n";  // its number rises when the layout changes
 constexpr const char* what = "a restart file";
 constexpr std::size_t head_bytes = 1 + 8 + 8;  // whether it ended, its time, the bytes of what follows
 
@@ -53,8 +53,8 @@ void report_fields(Archive& archive, Report& report)
     archive.fields(outcome, steps, step_cuts, unconverged_steps, divided_steps, refused_steps,
                    open_close_iterations, factorisations, linear_iterations, factor_entries, simulated_time,
                    max_penetration, static_unbalanced, seconds);
-    auto& [relaxed, whole_tangents, shortened, softened] = acted;
-    archive.fields(relaxed, whole_tangents, shortened, softened);
+    auto& [relaxed, whole_tangents, shortened] = acted;
+    archive.fields(relaxed, whole_tangents, shortened);
     ledger_fields(archive, energy);
     auto& [share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn] = deepest;
     archive.fields(share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn);

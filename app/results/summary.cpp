@@ -180,8 +180,7 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
     json["open_close_iterations"] = report.open_close_iterations;
     json["iteration_acted"] = {{"stones_relaxed", report.acted.relaxed},
                                {"whole_tangents", report.acted.whole_tangents},
-                               {"shortened_directions", report.acted.shortened},
-                               {"softened_joints", report.acted.softened}};
+                               {"shortened_directions", report.acted.shortened}};
     json["factorisations"] = report.factorisations;
     json["linear_iterations"] = report.linear_iterations;
     json["simulated_time_s"] = report.simulated_time;

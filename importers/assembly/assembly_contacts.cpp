@@ -28,6 +28,7 @@ Model model_of(const std::vector<AssemblyStone>& stones)
 {
     JointMaterial joint;
     joint.stiffness = {ContactStiffness::Kind::per_area, 1, 1};
+    joint.face = FaceLaw::corners;  // outlines are asked for
     Model model = make_model(Kinematics::spatial_rigid, {"stone", 1, 1, 0}, joint);
     for (const AssemblyStone& stone : stones) model.blocks.push_back(make_block(stone.name, 0, 0, stone.parts));
     return model;

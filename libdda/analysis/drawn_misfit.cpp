@@ -107,11 +107,12 @@ struct Support {
     int below = 0;
     double stiffness = 0;  // N/m, against a settlement of the upper stone
     double slope = 0;      // -, of the settlement that the joint closes by
+    double softest = 0;    // -, share of the width that it may close by
 };
 
 /// What every block stands on.
 template <int D>
-void add_supports(const ContactSetIn<D>& contacts, const Eigen::Vector3d& up,
+void add_supports(const Model& model, const ContactSetIn<D>& contacts, const Eigen::Vector3d& up,
                   std::vector<std::vector<Support>>& supports)
 {
     for (const ContactPatchIn<D>& patch : contacts.patches) {
@@ -122,7 +123,8 @@ void add_supports(const ContactSetIn<D>& contacts, const Eigen::Vector3d& up,
         const int above = slope > 0 ? patch.block_a : patch.block_b;
         const int below = slope > 0 ? patch.block_b : patch.block_a;
         if (std::abs(slope) > least_slope)
-            supports[above].push_back({below, stiffness * slope * slope, std::abs(slope)});
+            supports[above].push_back({below, stiffness * slope * slope, std::abs(slope),
+                                       softest_share(model.joint_between(patch.block_a, patch.block_b).face)});
     }
 }
 
@@ -149,8 +151,8 @@ std::vector<SoftStone> too_soft_stones(const Model& model, const Eigen::Vector3d
     find_initial_contacts(model, state);
     const int count = static_cast<int>(model.blocks.size());
     std::vector<std::vector<Support>> supports(count);
-    add_supports(state.contacts, up, supports);
-    add_supports(state.planar_contacts, up, supports);
+    add_supports(model, state.contacts, up, supports);
+    add_supports(model, state.planar_contacts, up, supports);
     for (const Foundation& foundation : model.foundations) supports[foundation.block].clear();
 
     std::vector<int> downwards(count);
@@ -168,12 +170,13 @@ std::vector<SoftStone> too_soft_stones(const Model& model, const Eigen::Vector3d
         SoftStone stone{b, 0, 0, 0};
         for (const Support& support : supports[b]) {
             load[support.below] += load[b] * support.stiffness / stiffness;
-            stone.depth = std::max(stone.depth, load[b] / stiffness * support.slope);
-            stone.share = std::max(
-                stone.share, load[b] / stiffness * support.slope / std::min(widths[b], widths[support.below]));
+            const double depth = load[b] / stiffness * support.slope;
+            const double share = depth / std::min(widths[b], widths[support.below]);
+            stone.depth = std::max(stone.depth, depth);
+            stone.share = std::max(stone.share, share);
+            stone.factor = std::max(stone.factor, share / support.softest);
         }
-        stone.factor = stone.share / softest_share;
-        if (stone.share > softest_share) soft.push_back(stone);
+        if (stone.factor > 1) soft.push_back(stone);
     }
     return soft;
 }

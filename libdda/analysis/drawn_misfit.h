@@ -38,8 +38,12 @@ struct SoftStone {
 };
 
 /// A mean settlement of more than this share of a stone's width is refused: a stone that lies askew sinks deeper
-/// at its edge, where a run stops at deepest_share.
-constexpr double softest_share = deepest_share / 4;
+/// at its edge, where a run stops at deepest_share. On its corners a bed turns a third as much as on all of its
+/// face.
+constexpr double softest_share(FaceLaw face)
+{
+    return face == FaceLaw::corners ? deepest_share / 4 : deepest_share / 12;
+}
 
 /// Stones whose joints are too soft for self-weight under a gravity [m/s2], the highest first. Every stone is set
 /// on those below it as a rigid plate on springs, from the top down: its weight and its load go to its supports as

@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr double to_spare = 0.1;              // of the deepest depth, and of the friction bound
+constexpr double thinnest = 1e-9;             // second moment of a face across its length, of that along it
 constexpr double same_plane = 0.9;            // cosine: the faces of a rough or warped joint, not its edge
 constexpr double nearest_point_reach = 0.05;  // of the patch's extent
 
@@ -60,7 +61,8 @@ class LinearMemory
             moment += point.area * values_of(point) * lever.transpose();
         }
         // Across the plane of the patch there is nothing to tell.
-        slope_ = moment * (spread + spread.trace() * normal * normal.transpose()).inverse();
+        spread += spread.trace() * (normal * normal.transpose() + thinnest * MatrixIn<D>::Identity());
+        slope_ = moment * spread.inverse();
     }
     Values at(const VectorIn<D>& place) const { return mean_ + slope_ * (place - centre_); }
 
@@ -246,11 +248,18 @@ double new_rest_gap(const Model& model, const State& state, const ContactPatchIn
 
 /// What a face rests on, by the points that it has beside its corners.
 enum class Inside : std::uint8_t { none, few, all };
-template <int D>
 Inside inside_of(std::uint32_t last_feature)
 {
     if ((last_feature & inner_feature) == 0) return Inside::none;
     return (last_feature & whole_feature) == whole_feature ? Inside::few : Inside::all;
+}
+
+/// Whether a face goes from few points to all of them, or back.
+template <int D>
+bool changes_its_points(std::span<const ContactPointIn<D>> before, std::span<const PolygonPointIn<D>> now)
+{
+    const Inside was = inside_of(before.back().feature), is = inside_of(now.back().feature);
+    return was != is && was != Inside::none && is != Inside::none;
 }
 
 /// Whether a point presses and sticks with some to spare. @param deepest depth of the patch [m]; @param most
@@ -277,7 +286,7 @@ bool acts_as_a_whole(const Model& model, const History<D>& history)
     for (const ContactPointIn<D>& point : history.points)
         if (point.status != ContactStatus::locked || !holds(point, point.elastic_slip, deepest, most))
             return false;
-    if (inside_of<D>(history.points.back().feature) != Inside::all) return true;
+    if (inside_of(history.points.back().feature) != Inside::all) return true;
     // As a whole it keeps of its slip what is linear.
     const LinearMemory<D> linear(history.points, patch.normal);
     const auto corners = corners_of(history.points);
@@ -312,9 +321,7 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
     const bool turns_away =
         model.fit_tolerance > 0 && history.patch && !patch.intact && !looks_alike(patch, *history.patch);
     std::optional<LinearMemory<D>> linear;
-    const Inside now = inside_of<D>(polygon.points.back().feature);
-    if (history.patch && now != Inside::none && now != inside_of<D>(history.points.back().feature) &&
-        !history.patch->edge_edge)
+    if (same_features && changes_its_points<D>(history.points, polygon.points))
         linear.emplace(history.points, history.patch->normal);
     found.points.reserve(polygon.points.size());
     for (const PolygonPointIn<D>& corner : polygon.points) {

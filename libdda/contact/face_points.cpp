@@ -26,7 +26,8 @@ constexpr std::uint32_t on_side = inner_feature, towards_corner = inner_feature 
 constexpr double of_corners = 1.0 / 3;  // of the rim: then the mean distance from the middle of a side is its own
 
 constexpr double of_whole_corners = 0.1;  // of a face that is no parallelogram and acts as a whole
-constexpr double alike = 1e-9;            // of its second moment
+constexpr double alike = 1e-9;            // of its second moment, of its area
+constexpr double thinnest = 1e-6;         // of needles, second moment across by that along
 
 /// Share of the area on the rim, by the polygon's second moment over that of its corners: 1/4 of a triangle, 1/3
 /// of a parallelogram, 5/12 of a hexagon, 1/2 of a disc. Fitted, so that the mean distance from the centroid is
@@ -71,11 +72,12 @@ Matrix2d map_between(const Matrix2d& a, const Matrix2d& b)
 /// A face in its plane: places from its centroid, shares of its area, and the gap, linear over it.
 struct Face {
     Vector3d u, v, normal, centroid;
-    double area = 0;    // m2
-    Matrix2d second;    // m2, about the centroid, over the area
-    double gap = 0;     // m, at the centroid
-    Vector2d slope;     // -, of the gap
-    std::size_t count;  // of its corners
+    double area = 0;        // m2
+    bool is_sound = false;  // no needle, and convex: else it rests on its corners
+    Matrix2d second;        // m2, about the centroid, over the area
+    double gap = 0;         // m, at the centroid
+    Vector2d slope;         // -, of the gap
+    std::size_t count;      // of its corners
     std::span<Place> corners;
     std::vector<PolygonPoint>& points;
 
@@ -95,9 +97,15 @@ struct Face {
         area = moments.area;
         if (!(area > 0)) return;
         second = moments.second / area;
-        for (std::size_t i = 0; i < count; ++i)
+        double share = 0;
+        for (std::size_t i = 0; i < count; ++i) {
             places.push_back({polygon[i] - moments.centroid, points[i].area / area});
+            share += places.back().weight;
+        }
         corners = places;
+        is_sound =
+            second.determinant() > thinnest * second.trace() * second.trace() && std::abs(share - 1) < alike;
+        if (!is_sound) return;
         find_gap();
         centroid =
             origin + moments.centroid.x() * u + moments.centroid.y() * v + (gap - points.front().gap) * normal;
@@ -140,7 +148,7 @@ struct Inside {
 void add_inner_points(const Vector3d& normal, std::vector<PolygonPoint>& points)
 {
     Face face(normal, points);
-    if (!(face.area > 0)) return;
+    if (!face.is_sound) return;
     const std::size_t n = face.count;
     thread_local std::vector<Place> rim, inner;
     rim.clear();
@@ -172,7 +180,7 @@ void add_inner_points(const Vector3d& normal, std::vector<PolygonPoint>& points)
 void add_whole_points(const Vector3d& normal, std::vector<PolygonPoint>& points)
 {
     Face face(normal, points);
-    if (!(face.area > 0)) return;
+    if (!face.is_sound) return;
     const Spread at_corners(face.corners);
     const double ratio = face.second.trace() / at_corners.second.trace();
     // Of a parallelogram a third on the corners and the rest in its centroid; else a triangle of points inside.

@@ -21,7 +21,8 @@
 namespace voussoir::contact
 {
 
-/// Adds the inner points behind the corners, and gives all of them their areas. What has no area stays as it is.
+/// Adds the inner points behind the corners, and gives all of them their areas. A needle, narrower than a
+/// thousandth of its length, stays as it is.
 /// @param normal unit, of the reference face
 /// @param points the corners of a convex polygon in their order, or the ends of a segment: their positions lie in
 /// one plane, their gaps are linear over it, their areas tributary

@@ -72,15 +72,12 @@ class OldContacts
     std::map<PairKey, std::vector<int>> of_stones_;   // only where stones need not fit
 };
 
-/// What a face rests on beside its corners in this step, by what it did in the last one. One that is apart has no
-/// need of anything, one that presses and sticks as a whole of little; should either change its ways within the
-/// step, it does so on the points that it has, and has all of them in the next.
+/// What a face rests on beside its corners in this step, by what it did in the last one. One that presses and
+/// sticks as a whole has need of little; should it change its ways within the step, it does so on the points that
+/// it has, and has all of them in the next.
 template <int D>
 void add_points_inside(const Model& model, const History<D>& history, ContactPolygonIn<D>& polygon)
 {
-    const bool apart = std::all_of(polygon.points.begin(), polygon.points.end(),
-                                   [](const PolygonPointIn<D>& corner) { return corner.gap > 0; });
-    if (apart && history.patch && !history.patch->intact) return;
     if (acts_as_a_whole(model, history))
         add_whole_points(polygon.normal, polygon.points);
     else

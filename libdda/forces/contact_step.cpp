@@ -200,23 +200,6 @@ class ForceSum
 }  // namespace
 
 template <class K>
-void scale_stiffness(double factor, int threads, ContactStep<K>& step)
-{
-    in_parallel(step.patches.size(), threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t k = first; k < end; ++k) {
-            const PatchStep<K>& patch = step.patches[k];
-            for (int i = patch.first; i < patch.first + patch.count; ++i) {
-                PointStep<K::dimension>& p = step.points[i];
-                p.normal_stiffness *= factor;
-                p.shear_stiffness *= factor;
-                p.slip_start /= factor;
-                if (p.gap_start < 0 || patch.intact) p.gap_start /= factor;
-            }
-        }
-    });
-}
-
-template <class K>
 void evaluate_patch(const VectorXd& d, PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points)
 {
     using Vector = typename K::Vector;
@@ -319,7 +302,6 @@ bool switch_published(ContactStep<K>& step)
 }
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                          \
-    template void scale_stiffness(double, int, ContactStep<K>&);                                         \
     template void evaluate_contacts(const VectorXd&, int, ContactStep<K>&);                              \
     template void evaluate_patch(const VectorXd&, PatchStep<K>&, std::vector<PointStep<K::dimension>>&); \
     template void evaluate_published(const VectorXd&, int, ContactStep<K>&);                             \

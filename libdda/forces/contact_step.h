@@ -87,10 +87,6 @@ template <class K>
 void begin_contacts(const Model& model, const Stage& stage, double h, const ContactSetIn<K::dimension>& contacts,
                     const std::vector<BlockStep<K>>& blocks, ContactStep<K>& step);
 
-/// Multiplies the stiffness of all contacts. The forces at the start of the step stay.
-template <class K>
-void scale_stiffness(double factor, int threads, ContactStep<K>& step);
-
 /// Forces at the iterate D (rows x unknowns), point by point and summed per patch.
 template <class K>
 void evaluate_contacts(const Eigen::VectorXd& d, int threads, ContactStep<K>& step);

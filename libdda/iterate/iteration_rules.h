@@ -36,12 +36,6 @@ struct IterationRules {
     // Few rows are due in most sweeps, near one another: domains are small, so that they lie in several.
     int rows_in_domain = 32;  // some; fewer rows that are due stay on one thread
     int most_domains = 1024;  // some
-
-    // Elastic stones on the way to rest: joints softened at their forces.
-    double softest = 1.0 / 65536;  // of the stiffness
-    double hardening = 4;          // each time by this
-    double soft_tolerance = 1e-2;  // of the load: only the states of the contacts are wanted
-    double many_changes = 0.05;    // of the points
 };
 
 }  // namespace voussoir::step

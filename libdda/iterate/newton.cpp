@@ -87,15 +87,12 @@ class Newton
     }
 
     bool guess();
-    bool soften();
     bool descend(double tolerance);
     void evaluate_again() { is_at_hand_ = false; }
 
  private:
     bool solve_with_states();
     bool find_direction(std::size_t changed, double worst);
-    bool relaxes() const { return !K::deformable || is_motion(stage_); }
-    bool are_many(std::size_t changes) const;
 
     const Stage& stage_;
     const StepControl& control_;
@@ -104,7 +101,6 @@ class Newton
     const IterationRules& rules_;
     StepReport& report_;
     bool is_at_hand_ = false;  // contacts and residual are known at d
-    bool is_loose_ = false;    // many contacts leave the states that they had
 };
 
 /// The solution of the linear problem in which every contact keeps its present state.
@@ -118,53 +114,19 @@ bool Newton<K>::solve_with_states()
     return true;
 }
 
-/// Kept only if it leaves less unbalanced force than the free flight D = 0.
+/// States of the step before are forgotten: they are no part of the run's state, and before the first direction
+/// stones are relaxed, however few have changed. The guess is kept only if it leaves less unbalanced force than
+/// the free flight D = 0.
 template <class K>
 bool Newton<K>::guess()
 {
-    with_.states.clear();  // those of the step before are no part of the run's state: a resumed run has none
-    note_changes(problem_, with_.states);
+    with_.states.clear();
     if (!solve_with_states()) return false;
     if (!evaluate(problem_.d, problem_)) return fail_inverted(problem_, report_);
     const double flight = unbalance(problem_, control_.force_tolerance).worst;
     is_at_hand_ = evaluate(with_.directions.direction, problem_) &&
                   unbalance(problem_, control_.force_tolerance).worst < flight;
     if (is_at_hand_) problem_.d = with_.directions.direction;
-    is_loose_ = are_many(note_changes(problem_, with_.states));
-    with_.states.clear();  // before the first direction stones are relaxed, however few have changed
-    return true;
-}
-
-template <class K>
-bool Newton<K>::are_many(std::size_t changes) const
-{
-    return changes > rules_.few_changes &&
-           static_cast<double>(changes) > rules_.many_changes * static_cast<double>(with_.states.size());
-}
-
-/// Of elastic stones each corner that opens shifts the load to others, and the iteration would try them one after
-/// the other. Joints softened at the same forces let stones yield enough to find nearly all of them at once; from
-/// very soft ones to the true ones, each guess made by the one before. That a soft problem is not solved is no
-/// failure. Where stones are relaxed one by one the states are found for less.
-template <class K>
-bool Newton<K>::soften()
-{
-    if (!is_loose_ || relaxes()) return true;
-    for (double share = rules_.softest; share < 1;) {
-        ++report_.acted.softened;
-        scale_stiffness(share, problem_.patch_threads, problem_.contacts);
-        is_at_hand_ = false;
-        descend(rules_.soft_tolerance);
-        scale_stiffness(rules_.hardening, problem_.patch_threads, problem_.contacts);
-        report_.trouble = Trouble::none;
-        if (!problem_.residual.allFinite()) problem_.d.setZero();
-        const bool solved = solve_with_states();
-        scale_stiffness(1 / (share * rules_.hardening), problem_.patch_threads, problem_.contacts);
-        if (!solved) return false;
-        problem_.d += with_.directions.direction;
-        share *= rules_.hardening;
-    }
-    is_at_hand_ = false;
     return true;
 }
 
@@ -201,7 +163,7 @@ bool Newton<K>::descend(double tolerance)
         if (worst <= 1) return true;
         if (iteration >= control_.max_open_close) return fail(Trouble::chatter, report_);
         const std::size_t changed = note_changes(problem_, with_.states);
-        if (changed > rules_.few_changes && relaxes()) {
+        if (changed > rules_.few_changes) {
             with_.relaxation.sweep(tolerance, worst, rules_, problem_);
             ++report_.acted.relaxed;
         }
@@ -230,7 +192,6 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
     report.trouble = Trouble::none;
     Newton<K> newton(stage, problem, iteration, report);
     if (!problem.contacts.patches.empty() && !newton.guess()) return false;
-    if (!newton.soften()) return false;
     while (newton.descend(stage.control.force_tolerance)) {
         const std::optional<double> lost = break_weakest_joint(model, contacts, problem.contacts);
         if (!lost) return true;

@@ -29,7 +29,6 @@ IterationCounts& IterationCounts::operator+=(const IterationCounts& other)
     relaxed += other.relaxed;
     whole_tangents += other.whole_tangents;
     shortened += other.shortened;
-    softened += other.softened;
     return *this;
 }
 

@@ -101,7 +101,6 @@ struct IterationCounts {
     std::int64_t relaxed = 0;         // stones were relaxed one by one
     std::int64_t whole_tangents = 0;  // a direction was that of the whole tangent
     std::int64_t shortened = 0;       // less than the whole of a direction was gone
-    std::int64_t softened = 0;        // joints were softened on the way to rest
 
     IterationCounts& operator+=(const IterationCounts& other);
 };

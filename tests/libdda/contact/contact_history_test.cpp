@@ -57,6 +57,7 @@ TEST(ContactHistory, LastFaceKeepsItsContactAgainstASlightlyBetterOne)
 TEST(ContactHistory, FeaturesAndSlipsSurviveSliding)
 {
     BoxOnFloor scene;
+    scene.model.joints[0].face = FaceLaw::corners;
     for (const double start : {0.3, 1.8}) {  // wholly on the floor, and over its edge
         scene.put({start, 0.1, 1 - 1e-4});
         scene.remember({});
@@ -92,6 +93,7 @@ TEST(ContactHistory, SlipIsLaidIntoTheNewTangentPlane)
 TEST(ContactHistory, NewPointsTakeTheMeanSlipOfThePatch)
 {
     BoxOnFloor scene;
+    scene.model.joints[0].face = FaceLaw::corners;
     scene.put({1.4, 0, 1 - 1e-4});
     scene.remember(scene.find());
     give_slip(scene.state);

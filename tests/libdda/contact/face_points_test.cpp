@@ -60,6 +60,22 @@ struct Face {
 
     std::vector<PolygonPoint> of(const Outline& outline) const
     {
+        std::vector<PolygonPoint> points = corners_of(outline);
+        contact::add_inner_points(Vector3d(frame.col(2)), points);
+        return points;
+    }
+    /// As it rests while it holds.
+    std::vector<PolygonPoint> as_whole(const Outline& outline) const
+    {
+        std::vector<PolygonPoint> points = corners_of(outline);
+        contact::add_whole_points(Vector3d(frame.col(2)), points);
+        return points;
+    }
+    Vector2d flat(const PolygonPoint& point) const { return (frame.transpose() * point.position).head<2>(); }
+
+ private:
+    std::vector<PolygonPoint> corners_of(const Outline& outline) const
+    {
         std::vector<PolygonPoint> points;
         // The incident face is seen from below: its loop runs clockwise about the normal.
         for (auto corner = outline.rbegin(); corner != outline.rend(); ++corner) {
@@ -68,10 +84,8 @@ struct Face {
                               static_cast<std::uint32_t>(points.size())});
         }
         contact::assign_tributary_areas(points, frame.col(2));
-        contact::add_inner_points(Vector3d(frame.col(2)), points);
         return points;
     }
-    Vector2d flat(const PolygonPoint& point) const { return (frame.transpose() * point.position).head<2>(); }
 };
 
 /// Mean distance of a polygon from its centroid [m], by triangles in polar coordinates.
@@ -100,13 +114,13 @@ double mean_distance(const Face& face, const Outline& outline)
     return sum / moments.area;
 }
 
-void expect_moments_of(const Outline& outline, const Face& face)
+void expect_moments_of(const Outline& outline, const Face& face, const std::vector<PolygonPoint>& points)
 {
     const PolygonMoments exact(outline);
     double area = 0;
     Vector2d first = Vector2d::Zero();
     Matrix2d second = Matrix2d::Zero();
-    for (const PolygonPoint& point : face.of(outline)) {
+    for (const PolygonPoint& point : points) {
         const Vector2d at = face.flat(point) - exact.centroid;
         EXPECT_GT(point.area, 0);
         EXPECT_NEAR(point.gap, -1e-3 + face.slope.dot(face.flat(point)), 1e-12);
@@ -210,8 +224,43 @@ TEST(FacePoints, HaveTheMomentsOfTheFace)
     Face face;
     face.frame = Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     face.slope = {1e-4, -2e-4};
-    for (int i = 0; i < 300; ++i) expect_moments_of(irregular(engine), face);
-    for (int corners = 3; corners < 9; ++corners) expect_moments_of(regular(corners), face);
+    std::vector<Outline> outlines;
+    for (int i = 0; i < 300; ++i) outlines.push_back(irregular(engine));
+    for (int corners = 3; corners < 9; ++corners) outlines.push_back(regular(corners));
+    for (const Outline& outline : outlines) {
+        expect_moments_of(outline, face, face.of(outline));
+        expect_moments_of(outline, face, face.as_whole(outline));
+    }
+}
+
+// One point inside triangles and parallelograms, three inside other polygons, all in the face.
+TEST(FacePoints, AreFewWhereTheFaceHolds)
+{
+    std::mt19937 engine(9);
+    const Face face;
+    Outline parallelogram = rectangle(0.7, 0.2);
+    for (Vector2d& corner : parallelogram) corner.x() += 0.4 * corner.y();
+    EXPECT_EQ(face.as_whole(parallelogram).size(), 5U);
+    for (int i = 0; i < 300; ++i) {
+        const Outline outline = irregular(engine);
+        const std::vector<PolygonPoint> points = face.as_whole(outline);
+        ASSERT_EQ(points.size(), outline.size() + (outline.size() == 3 ? 1 : 3));
+        for (std::size_t k = outline.size(); k < points.size(); ++k) {
+            EXPECT_TRUE(is_inner(ContactPoint{points[k].feature}));
+            EXPECT_TRUE(contains(outline, face.flat(points[k])));
+        }
+    }
+}
+
+// Across a needle nothing can be told of a linear gap.
+TEST(FacePoints, OfANeedleAreItsCorners)
+{
+    const Face face;
+    for (const double width : {1e-12, 1e-8, 1e-4}) {
+        EXPECT_EQ(face.of(rectangle(1, width)).size(), 4U) << width;
+        EXPECT_EQ(face.as_whole(rectangle(1, width)).size(), 4U) << width;
+    }
+    EXPECT_EQ(face.of(rectangle(1, 1e-2)).size(), 16U);
 }
 
 TEST(FacePoints, LieInTheFace)

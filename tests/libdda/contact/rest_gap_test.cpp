@@ -41,6 +41,7 @@ double pressed_energy(const ContactSet& contacts)
 TEST(RestGap, RestGapsStayWithTheirCorners)
 {
     BoxOnFloor scene;
+    scene.model.joints[0].face = FaceLaw::corners;
     scene.put({0.3, 0, 1 + 5e-5});
     scene.remember(scene.find());
     give_rest_gap(scene.state, {0.3, 0, 0});
@@ -64,6 +65,7 @@ TEST(RestGap, RestGapsStayWithTheirCorners)
 TEST(RestGap, RestGapsOfNewCornersLieBetweenThoseOfTheOld)
 {
     BoxOnFloor scene;
+    scene.model.joints[0].face = FaceLaw::corners;
     scene.put({1.4, 0, 1 - 1e-4});
     scene.remember(scene.find());
     give_rest_gap(scene.state, {1.4, 0, 0});
@@ -82,6 +84,7 @@ TEST(RestGap, RestGapsOfNewCornersLieBetweenThoseOfTheOld)
 TEST(RestGap, AJointIsBondedIfItIsClosedAtEveryCorner)
 {
     BoxOnFloor scene;
+    scene.model.joints[0].face = FaceLaw::corners;
     scene.model.joints[0].cohesion = scene.model.joints[0].tensile_strength = 1e6;
     const double limit = 1e-4 * size_of(scene.model, 1);
     for (const double share : {0.9, 1.1, 10.0, -10.0}) {  // of the limit, at the two corners on one side

@@ -52,10 +52,8 @@ struct FallingPile {
         EXPECT_TRUE(found.empty());
         std::vector<step::ClosingPoint> closing;
         for (std::size_t k = 0; k < contacts.patches.size(); ++k)
-            for (int i = 0; i < contacts.patches[k].point_count; ++i) {
-                const int point = contacts.patches[k].first_point + i;
-                if (contacts.points[point].gap > 0) closing.push_back({point, static_cast<int>(k)});
-            }
+            for (int i = contacts.patches[k].first_point; i < end_of_corners(contacts, contacts.patches[k]); ++i)
+                if (contacts.points[i].gap > 0) closing.push_back({i, static_cast<int>(k)});
         return landings.find_also(closing);
     }
 };

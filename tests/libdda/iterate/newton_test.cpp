@@ -79,7 +79,6 @@ TEST(Newton, TheReportCountsWhatActed)
     EXPECT_GT(of_motion.relaxed, 0);
     EXPECT_GT(of_motion.whole_tangents, 0);
     EXPECT_GT(of_motion.shortened, 0);
-    EXPECT_EQ(of_rest.softened + of_motion.softened, 0) << "of rigid stones";
     for (const RunReport& report : {wall.rested, wall.shaken})
         for (const std::int64_t times :
              {report.acted.relaxed, report.acted.whole_tangents, report.acted.shortened})
@@ -95,7 +94,7 @@ TEST(Newton, NothingButTheGuessActsOnABlockThatLies)
     EXPECT_EQ(report.outcome, Outcome::completed);
     EXPECT_GT(report.open_close_iterations, 0);
     const IterationCounts& acted = report.acted;
-    EXPECT_EQ(acted.relaxed + acted.whole_tangents + acted.shortened + acted.softened, 0);
+    EXPECT_EQ(acted.relaxed + acted.whole_tangents + acted.shortened, 0);
 }
 
 }  // namespace voussoir::testing
