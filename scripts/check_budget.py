@@ -16,11 +16,11 @@ from pathlib import Path
 # Room of libdda: lines, constants.
 BUDGET = {
     "block": (920, 7),
-    "forces": (2100, 19),
-    "problem": (420, 1),
-    "iterate": (860, 21),
+    "forces": (2140, 18),
+    "problem": (410, 1),
+    "iterate": (815, 17),
     "impact": (580, 8),
-    "step": (730, 1),
+    "step": (750, 1),
 }
 LITERAL = re.compile(r"(?<![\w.])(?:0x[0-9a-fA-F]+|\d[\d']*\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)[uUlLfFzZ]*(?![\w.])")
 FREE = (0, 1, 2, 0.5)

@@ -62,7 +62,7 @@ class WeightSums
         for (int i = 0; i < D; ++i) {
             const double ky = k * y[i];
             first_[i] += ky;
-            for (int j = 0; j <= i; ++j) second_[3 * i + j] += ky * y[j];
+            for (int j = 0; j <= i; ++j) second_[D * i + j] += ky * y[j];
         }
     }
     double weight() const { return weight_; }
@@ -71,14 +71,14 @@ class WeightSums
     {
         MatrixIn<D> result;
         for (int i = 0; i < D; ++i)
-            for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = second_[3 * i + j];
+            for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = second_[D * i + j];
         return result;
     }
 
  private:
     double weight_ = 0;
-    std::array<double, 3> first_{};
-    std::array<double, 9> second_{};
+    std::array<double, D> first_{};
+    std::array<double, D * D> second_{};
 };
 
 /// stiffness += sum of k T(y)^T C T(y), C symmetric
