@@ -250,7 +250,7 @@ std::vector<Benchmark> face_benchmarks()
     std::vector<Benchmark> rows = with_planar({bending, eccentric});
 
     Benchmark torsion = bending;
-    torsion.setting.time_step = 1e-3;
+    torsion.setting.time_step = 2.5e-4;
     torsion.name = "face-torsion";
     torsion.title = "Plates that spin flat on a floor, face: points";
     torsion.source = "docs/faces.md: mu N times the mean distance from the centroid; not from a paper";
