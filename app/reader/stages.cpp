@@ -172,16 +172,22 @@ void settle_duration(StageEntry& entry)
         entry.written.require("duration", "a time such as 20 s; there is no motion to take it from");
 }
 
-/// The published iteration knows neither bonds nor dashpots: it would silently leave them out.
-void refuse_published_iteration_of(const std::vector<JointMaterial>& joints, StageEntry& entry)
+/// The published iteration knows neither bonds nor dashpots, and no stones that bend: it would silently leave them
+/// out.
+void refuse_published_iteration_of(const Model& model, StageEntry& entry)
 {
     if (entry.stage.control.open_close != OpenClose::published) return;
-    for (const JointMaterial& joint : joints)
+    for (const JointMaterial& joint : model.joints) {
+        if (is_deformable(model.kinematics) && joint.face == FaceLaw::points)
+            entry.written.fault("open_close: published does not bend stones as face: points does, which joint " +
+                                    joint.name + " has",
+                                "write face: corners in the joint, or use newton");
         if (joint.has_strength() || joint.relaxation_time > 0)
             entry.written.fault(
                 "open_close: published has no cohesion, tensile strength or relaxation time, which joint " +
                     joint.name + " has",
                 "use newton, or joints with friction only");
+    }
 }
 
 /// Newmark's integrator leaves impacts to the springs: a rebound asked for would silently be left out.
@@ -233,7 +239,7 @@ std::vector<Stage> read_stages(YamlCursor& top, const Model& model, std::vector<
     for (StageEntry& entry : entries) {
         has_rested = has_rested || !is_dynamic(entry.stage);
         refuse_unsupported(entry.written, model, entry.stage, has_rested);
-        refuse_published_iteration_of(model.joints, entry);
+        refuse_published_iteration_of(model, entry);
         refuse_bars(entry.written, model, entry.stage);
         refuse_rebound_by_newmark(model.joints, entry);
         if (entry.motion)

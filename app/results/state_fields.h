@@ -19,6 +19,7 @@ void patch_fields(Archive& archive, Patch& patch)
     archive.field(patch.edge_edge);
     archive.field(patch.intact);
     archive.field(patch.stiffness);
+    archive.field(patch.bending_energy);
     archive.field(patch.normal);
     archive.field(patch.first_point);
     archive.field(patch.point_count);

@@ -93,9 +93,9 @@ std::string in_words(const TrustFinding& finding, const Trust& trust, const std:
                 finding.frequency, percent(finding.value), limit, stiffer_by(finding, trust.start.modes.rigid));
         case Kind::stiff_stones:
             return fmt::format(
-                "stones of uniform strain do not bend: if these did, the vibration of {:.3g} Hz would have some "
+                "on face: corners stones do not bend: if these did, the vibration of {:.3g} Hz would have some "
                 "{:.2g} "
-                "Hz; divide them over their thickness, or take no frequency from this run",
+                "Hz; give the joints face: points, or take no frequency from this run",
                 finding.frequency, finding.frequency / (1 + finding.value));
         case Kind::integrator_energy:
             break;
@@ -143,14 +143,16 @@ std::string damping_in_words(const Trust& trust)
                        trust.of_modes || trust.steps_follow ? "at most " : "", percent(worst->algorithmic));
 }
 
-/// What springs at the corners do to the first mode, where it is worth a word.
+/// What springs at the corners do to the first mode, where it is worth a word. Stones beside them do not bend.
 std::string corners_in_words(const std::vector<NaturalMode>& modes)
 {
     if (modes.empty() || modes.front().raised_by_corners < worth_saying_of_corners) return "";
     const NaturalMode& first = modes.front();
+    const double times = (1 + first.raised_by_corners) * (1 + first.raised_by_stones);
     return fmt::format(
-        "; faces on springs at their corners raise the first by {}, with face: points it is some {:.3g} Hz",
-        percent(first.raised_by_corners), first.frequency / (1 + first.raised_by_corners));
+        "; faces on springs at their corners{} raise the first by {}, with face: points it is some {:.3g} Hz",
+        first.raised_by_stones > worth_saying_of_corners ? ", beside which stones do not bend," : "",
+        percent(times - 1), first.frequency / times);
 }
 
 }  // namespace

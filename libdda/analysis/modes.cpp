@@ -36,12 +36,32 @@ typename K::Vector displacement_at(const Eigen::VectorXd& shape, int row, const 
     return K::displacement(shape.segment<K::unknowns>(K::unknowns * row), lever);
 }
 
-/// Adds one point. @returns its opening [m]
+/// Of block a relative to block b [m].
 template <class K>
-double add_point(const VibratingPoint<K>& p, const Eigen::VectorXd& shape, ModeEnergies& sum)
+typename K::Vector moved_apart(const VibratingPoint<K>& p, const Eigen::VectorXd& shape)
 {
-    const typename K::Vector moved =
-        displacement_at<K>(shape, p.row_a, p.lever_a) - displacement_at<K>(shape, p.row_b, p.lever_b);
+    return displacement_at<K>(shape, p.row_a, p.lever_a) - displacement_at<K>(shape, p.row_b, p.lever_b);
+}
+
+/// By how much the stones beside a face are bent and twisted.
+template <class K>
+typename BentFace<K>::Turns turns_of(const BentFace<K>& face, const Eigen::VectorXd& shape,
+                                     const Vibration<K>& vibration)
+{
+    typename BentFace<K>::Turns moment = BentFace<K>::Turns::Zero();
+    for (int i = face.first; i < face.end; ++i) {
+        const VibratingPoint<K>& p = vibration.points[i];
+        const typename K::Vector moved = moved_apart(p, shape);
+        moment.template head<K::dimension>() += p.normal_stiffness * p.normal.dot(moved) * face.place(p);
+        moment[K::dimension] += p.shear_stiffness * face.around(p).dot(moved);
+    }
+    return -face.give * moment;
+}
+
+/// Adds one point. @param moved of its block a relative to b, as its spring feels it [m] @returns its opening [m]
+template <class K>
+double add_point(const VibratingPoint<K>& p, const typename K::Vector& moved, ModeEnergies& sum)
+{
     const double opening = p.normal.dot(moved);
     const double normal = p.normal_stiffness * opening * opening;
     const double shear = p.shear_stiffness * (moved - opening * p.normal).squaredNorm();
@@ -56,10 +76,19 @@ ModeEnergies energies_of(const Eigen::VectorXd& shape, const Vibration<K>& vibra
 {
     ModeEnergies sum;
     const std::vector<VibratingPoint<K>>& points = vibration.points;
+    auto bent = vibration.bent.begin();
     for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
         double stiffness = 0, force = 0, twice = 0;
+        const bool bends = bent != vibration.bent.end() && bent->first == static_cast<int>(first);
+        const BentFace<K> face = bends ? *bent++ : BentFace<K>{};
+        const typename BentFace<K>::Turns turns = turns_of(face, shape, vibration);
         for (end = first; end < points.size() && points[end].patch == points[first].patch; ++end) {
-            const double opening = add_point(points[end], shape, sum);
+            const VibratingPoint<K>& p = points[end];
+            typename K::Vector moved = moved_apart(p, shape);
+            if (bends)
+                moved += turns.template head<K::dimension>().dot(face.place(p)) * p.normal +
+                         turns[K::dimension] * face.around(p);
+            const double opening = add_point(p, moved, sum);
             stiffness += points[end].normal_stiffness;
             force += points[end].normal_stiffness * opening;
             twice += points[end].normal_stiffness * opening * opening;

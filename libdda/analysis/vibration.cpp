@@ -8,6 +8,7 @@
 #include "libdda/contact/contact_history.h"
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/contact/placed_part.h"
+#include "libdda/contact/stone_bending.h"
 #include "libdda/forces/other_forces.h"
 
 namespace voussoir
@@ -82,11 +83,13 @@ class ClosedJoints
         for (const ContactPatchIn<D>& patch : contacts.patches) {
             for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
                 if (is_closed(patch, contacts.points[i])) add(patch, contacts.points[i]);
+            if constexpr (K::deformable) bend(contacts, patch);
             ++patch_;
         }
     }
 
     std::vector<VibratingPoint<K>> points;
+    std::vector<BentFace<K>> bent;
     std::vector<std::pair<int, int>> blocks_of_points;
 
  private:
@@ -114,6 +117,38 @@ class ClosedJoints
         for (const int b : {patch.block_a, patch.block_b}) add_half_stone(b, patch, joint, point);
         points.push_back(point);
         blocks_of_points.emplace_back(patch.block_a, patch.block_b);
+    }
+
+    /// @param patch of which the closed points are the last ones
+    void bend(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
+    {
+        if (patch.edge_edge || points.empty() || points.back().patch != patch_) return;
+        const step::BlockStep<K>&a = blocks_[patch.block_a], &b = blocks_[patch.block_b];
+        BentFace<K> face;
+        face.end = static_cast<int>(points.size());
+        for (face.first = face.end; face.first > 0 && points[face.first - 1].patch == patch_;) --face.first;
+        double area = 0;
+        typename K::Vector centre = K::Vector::Zero();
+        for (const ContactPointIn<D>& point : points_of(contacts, patch)) {
+            area += point.area;
+            centre += point.area * point.position;
+        }
+        centre /= area;
+        face.centre = centre - a.start.centroid;
+        const contact::HalfStone<D> of_a{patch.block_a, a.start.map, all_held(a)},
+            of_b{patch.block_b, b.start.map, all_held(b)};
+        const typename K::Matrix bends = contact::bending_flexibility(model_, of_a, of_b, patch.normal, area);
+        if (bends.isZero(0)) return;
+        const double twists = contact::twist_flexibility(model_, of_a, of_b, patch.normal, area);
+        contact::MomentOf<D> tilted;
+        double turned = 0;
+        for (int i = face.first; i < face.end; ++i) {
+            tilted.add(0, points[i].normal_stiffness, face.place(points[i]));
+            turned += points[i].shear_stiffness * face.around(points[i]).squaredNorm();
+        }
+        face.give.template topLeftCorner<D, D>() = contact::give_of(bends, 1, tilted.second);
+        face.give(D, D) = twists / (1 + turned * twists);
+        bent.push_back(face);
     }
 
     void add_half_stone(int block, const ContactPatchIn<D>& patch, const JointMaterial& joint,
@@ -207,6 +242,42 @@ void add_joint(const VibratingPoint<K>& p, solve::BlockMatrix& stiffness)
         add(p.row_b, p.row_a, p.lever_b, p.lever_a, Matrix(-c));
 }
 
+/// Takes off what the stones beside a face give as they bend.
+template <class K>
+void add_bending(const BentFace<K>& face, const std::vector<VibratingPoint<K>>& points,
+                 solve::BlockMatrix& stiffness)
+{
+    using Moments = Eigen::Matrix<double, K::unknowns, BentFace<K>::turns>;  // by the unknowns of a block
+    constexpr int D = K::dimension;
+    Moments of_a = Moments::Zero(), of_b = Moments::Zero();
+    const auto add = [](const typename K::Vector& lever, const typename K::Vector& direction) {
+        typename K::Unknowns moved = K::Unknowns::Zero();
+        K::add_force(moved, lever, direction);
+        return moved;
+    };
+    for (int i = face.first; i < face.end; ++i) {
+        const VibratingPoint<K>& p = points[i];
+        const typename K::Vector place = p.normal_stiffness * face.place(p),
+                                 around = p.shear_stiffness * face.around(p);
+        of_a.template leftCols<D>() += add(p.lever_a, p.normal) * place.transpose();
+        of_b.template leftCols<D>() -= add(p.lever_b, p.normal) * place.transpose();
+        of_a.col(D) += add(p.lever_a, around);
+        of_b.col(D) -= add(p.lever_b, around);
+    }
+    const auto take = [&](int row, int column, const Moments& of_row, const Moments& of_column) {
+        const int at = row == column ? stiffness.diagonal(row) : stiffness.position(row, column);
+        BlockView<K>(stiffness.block(at)) -= of_row * face.give * of_column.transpose();
+    };
+    const int a = points[face.first].row_a, b = points[face.first].row_b;
+    if (a >= 0) take(a, a, of_a, of_a);
+    if (b >= 0) take(b, b, of_b, of_b);
+    if (a < 0 || b < 0) return;
+    if (a > b)
+        take(a, b, of_a, of_b);
+    else
+        take(b, a, of_b, of_a);
+}
+
 /// Held components: their rows and columns become those of the identity.
 template <class K>
 void hold(const std::vector<step::BlockStep<K>>& blocks, solve::BlockMatrix& stiffness)
@@ -242,12 +313,14 @@ Vibration<K> vibration_about(const Model& model, const State& state)
     const int rows = static_cast<int>(vibration.block_of_row.size());
     find_stiffness_at_rest(rows, blocks, others);
     vibration.points = std::move(joints.points);
+    vibration.bent = std::move(joints.bent);
     vibration.mass.assign(static_cast<std::size_t>(rows) * n * n, 0.0);
     vibration.translating_mass.assign(static_cast<std::size_t>(rows) * K::dimension, 0.0);
     set_pattern(rows, others, blocks, vibration);
     for (const step::BlockStep<K>& block : blocks)
         if (block.row >= 0) add_block(block, vibration);
     for (const VibratingPoint<K>& point : vibration.points) add_joint(point, vibration.stiffness);
+    for (const BentFace<K>& face : vibration.bent) add_bending(face, vibration.points, vibration.stiffness);
     others.each([&](const auto& group) { step::add_stiffness(blocks, group, vibration.stiffness); });
     hold(blocks, vibration.stiffness);
     return vibration;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "libdda/block/kinematics_traits.h"
+#include "libdda/contact/stone_bending.h"
 #include "libdda/model/model.h"
 #include "libdda/model/state.h"
 #include "libdda/solve/block_matrix.h"
@@ -26,6 +27,28 @@ struct VibratingPoint {
     bool at_corners = true;                    // its face rests on its corners alone
 };
 
+/// A face beside which stones bend and twist.
+template <class K>
+struct BentFace {
+    static constexpr int turns = K::dimension + 1;  // slope of the gap, and the twist about the normal
+    using Turns = Eigen::Matrix<double, turns, 1>;
+
+    int first = 0, end = 0;     // the closed points of its patch
+    typename K::Vector centre;  // m, of its area, from block a
+    /// 1/(Nm), what the stones turn by the moments that the face would have if they did not.
+    Eigen::Matrix<double, turns, turns> give = Eigen::Matrix<double, turns, turns>::Zero();
+
+    typename K::Vector place(const VibratingPoint<K>& p) const { return p.lever_a - centre; }  // m
+    /// Way of a point about the normal [m].
+    typename K::Vector around(const VibratingPoint<K>& p) const
+    {
+        if constexpr (contact::twists<K::dimension>)
+            return p.normal.cross(place(p));
+        else
+            return K::Vector::Zero();
+    }
+};
+
 /// What vibrates: the blocks with unknowns that a closed joint holds.
 template <class K>
 struct Vibration {
@@ -34,6 +57,7 @@ struct Vibration {
     std::vector<double> translating_mass;   // (rows x dimension) kg; 0 where it is held
     std::vector<int> block_of_row;          // the blocks with unknowns
     std::vector<VibratingPoint<K>> points;  // of closed joints
+    std::vector<BentFace<K>> bent;          // ascending; without those beside which no stone bends
 };
 
 /// @param state at rest; its velocities do not count

@@ -1,12 +1,10 @@
 #include "libdda/contact/contact_history.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "libdda/contact/normal_stiffness.h"
-#include "libdda/model/friction_law.h"
+#include "libdda/contact/stone_bending.h"
 
 namespace voussoir::contact
 {
@@ -14,8 +12,6 @@ namespace voussoir::contact
 namespace
 {
 
-constexpr double to_spare = 0.1;              // of the deepest depth, and of the friction bound
-constexpr double thinnest = 1e-9;             // second moment of a face across its length, of that along it
 constexpr double same_plane = 0.9;            // cosine: the faces of a rough or warped joint, not its edge
 constexpr double nearest_point_reach = 0.05;  // of the patch's extent
 
@@ -34,60 +30,15 @@ double rest_gap_between(std::span<const ContactPointIn<D>> old, const VectorIn<D
     return weights > 0 ? sum / weights : 0;
 }
 
-/// Slips and rest gaps of the points of a patch as linear functions of the place: springs have the same resultant
-/// and moments by them, whatever their points.
-template <int D>
-class LinearMemory
-{
- public:
-    using Values = Eigen::Matrix<double, 2 * D + 1, 1>;  // m, elastic slip, plastic slip, rest gap
-
-    /// @param normal unit, of the patch
-    LinearMemory(std::span<const ContactPointIn<D>> points, const VectorIn<D>& normal)
-    {
-        double area = 0;
-        for (const ContactPointIn<D>& point : points) {
-            area += point.area;
-            centre_ += point.area * point.position;
-            mean_ += point.area * values_of(point);
-        }
-        centre_ /= area;
-        mean_ /= area;
-        MatrixIn<D> spread = MatrixIn<D>::Zero();
-        Eigen::Matrix<double, 2 * D + 1, D> moment = Eigen::Matrix<double, 2 * D + 1, D>::Zero();
-        for (const ContactPointIn<D>& point : points) {
-            const VectorIn<D> lever = point.position - centre_;
-            spread += point.area * lever * lever.transpose();
-            moment += point.area * values_of(point) * lever.transpose();
-        }
-        // Across the plane of the patch there is nothing to tell.
-        spread += spread.trace() * (normal * normal.transpose() + thinnest * MatrixIn<D>::Identity());
-        slope_ = moment * spread.inverse();
-    }
-    Values at(const VectorIn<D>& place) const { return mean_ + slope_ * (place - centre_); }
-
- private:
-    static Values values_of(const ContactPointIn<D>& point)
-    {
-        Values values;
-        values << point.elastic_slip, point.plastic_slip, point.rest_gap;
-        return values;
-    }
-    VectorIn<D> centre_ = VectorIn<D>::Zero();
-    Values mean_ = Values::Zero();
-    Eigen::Matrix<double, 2 * D + 1, D> slope_;
-};
-
 /// Takes over slip and rest gap from the old patch; `sign` is -1 when reference and incident body have changed
 /// places.
 /// @param sheared share of the patch that the old one was: what has only now come into touch has no elastic slip,
 /// and the mean is taken, so that the shear force does not jump
 /// @param extent of the patch: the root of its area, or its length [m]
-/// @param linear what replaces the memory of single points, or null
 /// @param index of the point in its patch: most often that of the old one too
 template <int D>
-void inherit(const History<D>& history, const LinearMemory<D>* linear, bool same_features, double sign,
-             double sheared, double extent, std::size_t index, ContactPointIn<D>& point)
+void inherit(const History<D>& history, bool same_features, double sign, double sheared, double extent,
+             std::size_t index, ContactPointIn<D>& point)
 {
     const ContactPointIn<D>* source = nullptr;
     if (same_features && index < history.points.size() && history.points[index].feature == point.feature)
@@ -123,11 +74,6 @@ void inherit(const History<D>& history, const LinearMemory<D>* linear, bool same
         }
         point.rest_gap = rest_gap_between(history.points, point.position);
     }
-    if (!linear) return;
-    const typename LinearMemory<D>::Values values = linear->at(point.position);
-    point.elastic_slip = sign * sheared * values.template head<D>();
-    point.plastic_slip = sign * values.template segment<D>(D);
-    point.rest_gap = values[2 * D];
 }
 
 /// Of a patch with the normal stiffness `stiffness` in all [N/m], how much the old patch had: at most 1.
@@ -140,6 +86,68 @@ double sheared_share(const History<D>& history, double stiffness)
     const double before = history.patch->stiffness * area;
     return before < stiffness ? before / stiffness : 1;
 }
+
+/// Gaps of a face as the stones beside it bend; of those that do not, as the stones are drawn.
+template <int D>
+class BentGaps
+{
+ public:
+    BentGaps(const Model& model, const std::vector<bool>& fully_held, const PlacedPartIn<D>& incident,
+             const PlacedPartIn<D>& reference, const ContactPatchIn<D>& patch,
+             const std::vector<ContactPointIn<D>>& points)
+    {
+        if (patch.edge_edge || !is_deformable(model.kinematics)) return;
+        double area = 0;
+        for (const ContactPointIn<D>& p : points) {
+            area += p.area;
+            centre_ += p.area * p.position;
+        }
+        if (!(area > 0)) return;
+        centre_ /= area;
+        const HalfStone<D> a{incident.block, incident.pose.map, fully_held[incident.block]},
+            b{reference.block, reference.pose.map, fully_held[reference.block]};
+        flexibility_ = bending_flexibility(model, a, b, patch.normal, area);
+        twist_ = twist_flexibility(model, a, b, patch.normal, area);
+        shear_ = model.joint_between(a.block, b.block).shear_to_normal_stiffness;
+    }
+    /// Bends the stones: gaps become those that the springs feel. @returns what is stored in the stones [J]
+    double bend(const ContactPatchIn<D>& patch, std::vector<ContactPointIn<D>>& points)
+    {
+        if (flexibility_.isZero(0)) return 0;
+        const auto pressure = [&](const VectorIn<D>& slope) {
+            MomentOf<D> sum;
+            for (const ContactPointIn<D>& p : points) {
+                const VectorIn<D> place = p.position - centre_;
+                const double gap = p.gap + (slope - slope_).dot(place), stiffness = patch.stiffness * p.area;
+                if (gap < 0 || patch.intact) sum.add(-stiffness * gap, stiffness, place);
+            }
+            return sum;
+        };
+        balance_moment(flexibility_, VectorIn<D>(VectorIn<D>::Zero()), 1, pressure, moment_);
+        const VectorIn<D> change = flexibility_ * moment_ - slope_;
+        for (ContactPointIn<D>& p : points) p.gap += change.dot(p.position - centre_);
+        slope_ += change;
+        return 0.5 * moment_.dot(slope_) + twist_energy(patch, points);
+    }
+    /// Gap of a point as the stones are drawn [m].
+    double drawn(const ContactPointIn<D>& p) const { return p.gap - slope_.dot(p.position - centre_); }
+
+ private:
+    /// [J]
+    double twist_energy(const ContactPatchIn<D>& patch, const std::vector<ContactPointIn<D>>& points) const
+    {
+        double couple = 0;
+        if constexpr (twists<D>)
+            for (const ContactPointIn<D>& p : points)
+                couple += shear_ * patch.stiffness * p.area *
+                          patch.normal.cross(p.position - centre_).dot(p.elastic_slip);
+        return 0.5 * twist_ * couple * couple;
+    }
+
+    MatrixIn<D> flexibility_ = MatrixIn<D>::Zero();
+    double twist_ = 0, shear_ = 0;
+    VectorIn<D> centre_ = VectorIn<D>::Zero(), moment_ = VectorIn<D>::Zero(), slope_ = VectorIn<D>::Zero();
+};
 
 /// In the normal springs that press [J].
 template <int D>
@@ -156,16 +164,19 @@ double pressed_energy(double stiffness, std::span<const ContactPointIn<D>> point
 /// throw the blocks apart. The overlap that no work has been done for is forgiven: the springs store what they
 /// stored.
 template <int D>
-void forgive_overlap(double stiffness, double stored, std::vector<ContactPointIn<D>>& points)
+void forgive_overlap(double stored, BentGaps<D>& gaps, ContactPatchIn<D>& patch,
+                     std::vector<ContactPointIn<D>>& points)
 {
-    const double found = pressed_energy<D>(stiffness, points);
+    const double found = pressed_energy<D>(patch.stiffness, points) + patch.bending_energy;
     if (found <= stored) return;
     const double share = std::sqrt(stored / found);
     for (ContactPointIn<D>& p : points) {
         if (p.gap >= 0) continue;
-        p.rest_gap += (1 - share) * p.gap;
-        p.gap *= share;
+        const double forgiven = (1 - share) * gaps.drawn(p);
+        p.rest_gap += forgiven;
+        p.gap -= forgiven;
     }
+    patch.bending_energy = gaps.bend(patch, points);
 }
 
 /// What the point of a dry joint keeps of an overlap that was forgiven: as the stones part it shrinks, and where
@@ -246,54 +257,7 @@ double new_rest_gap(const Model& model, const State& state, const ContactPatchIn
     return std::clamp(rest_gap_between<D>(beside, corner.position), -fit, fit);
 }
 
-/// What a face rests on, by the points that it has beside its corners.
-enum class Inside : std::uint8_t { none, few, all };
-Inside inside_of(std::uint32_t last_feature)
-{
-    if ((last_feature & inner_feature) == 0) return Inside::none;
-    return (last_feature & whole_feature) == whole_feature ? Inside::few : Inside::all;
-}
-
-/// Whether a face goes from few points to all of them, or back.
-template <int D>
-bool changes_its_points(std::span<const ContactPointIn<D>> before, std::span<const PolygonPointIn<D>> now)
-{
-    const Inside was = inside_of(before.back().feature), is = inside_of(now.back().feature);
-    return was != is && was != Inside::none && is != Inside::none;
-}
-
-/// Whether a point presses and sticks with some to spare. @param deepest depth of the patch [m]; @param most
-/// elastic slip at the friction bound, over the depth [-]
-template <int D>
-bool holds(const ContactPointIn<D>& point, const VectorIn<D>& elastic_slip, double deepest, double most)
-{
-    return point.gap < -to_spare * deepest && elastic_slip.norm() < (1 - to_spare) * most * -point.gap;
-}
-
 }  // namespace
-
-template <int D>
-bool acts_as_a_whole(const Model& model, const History<D>& history)
-{
-    if (!history.patch || history.patch->edge_edge || model.fit_tolerance > 0) return false;
-    const ContactPatchIn<D>& patch = *history.patch;
-    if (patch.intact) return true;
-    double deepest = 0;
-    for (const ContactPointIn<D>& point : history.points) deepest = std::max(deepest, -point.gap);
-    const JointMaterial& joint = model.joint_between(patch.block_a, patch.block_b);
-    const double most =
-        friction_between(model, patch.block_a, patch.block_b, true).at_rest / joint.shear_to_normal_stiffness;
-    for (const ContactPointIn<D>& point : history.points)
-        if (point.status != ContactStatus::locked || !holds(point, point.elastic_slip, deepest, most))
-            return false;
-    if (inside_of(history.points.back().feature) != Inside::all) return true;
-    // As a whole it keeps of its slip what is linear.
-    const LinearMemory<D> linear(history.points, patch.normal);
-    const auto corners = corners_of(history.points);
-    return std::all_of(corners.begin(), corners.end(), [&](const ContactPointIn<D>& corner) {
-        return holds<D>(corner, linear.at(corner.position).template head<D>(), deepest, most);
-    });
-}
 
 template <int D>
 void attach_history(const Model& model, const State& state, const std::vector<bool>& fully_held,
@@ -320,9 +284,6 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
     const bool forgives = overlap == NewOverlap::forgiven && !patch.intact && !same_features;
     const bool turns_away =
         model.fit_tolerance > 0 && history.patch && !patch.intact && !looks_alike(patch, *history.patch);
-    std::optional<LinearMemory<D>> linear;
-    if (same_features && changes_its_points<D>(history.points, polygon.points))
-        linear.emplace(history.points, history.patch->normal);
     found.points.reserve(polygon.points.size());
     for (const PolygonPointIn<D>& corner : polygon.points) {
         ContactPointIn<D> point;
@@ -330,8 +291,7 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
         point.position = corner.position;
         point.area = corner.area * depth_of<D>(model);
         if (history.patch)
-            inherit(history, linear ? &*linear : nullptr, same_features, sign, sheared, extent,
-                    found.points.size(), point);
+            inherit(history, same_features, sign, sheared, extent, found.points.size(), point);
         else
             point.rest_gap = new_rest_gap(model, state, patch, corner, size, history);
         if (turns_away) point.rest_gap = std::min(point.rest_gap, 0.0);
@@ -341,14 +301,17 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
         point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
         found.points.push_back(point);
     }
-    if (forgives)
-        forgive_overlap(patch.stiffness,
-                        history.patch ? pressed_energy(history.patch->stiffness, history.points) : 0,
-                        found.points);
+    BentGaps<D> gaps(model, fully_held, incident, reference, patch, found.points);
+    if (overlap != NewOverlap::drawn) patch.bending_energy = gaps.bend(patch, found.points);
+    if (forgives) {
+        const double stored = history.patch ? pressed_energy(history.patch->stiffness, history.points) +
+                                                  history.patch->bending_energy
+                                            : 0;
+        forgive_overlap(stored, gaps, patch, found.points);
+    }
 }
 
 #define VOUSSOIR_INSTANTIATE(D)                                                                                \
-    template bool acts_as_a_whole(const Model&, const History<D>&);                                            \
     template void attach_history(const Model&, const State&, const std::vector<bool>&, const PlacedPartIn<D>&, \
                                  const PlacedPartIn<D>&, const ContactPolygonIn<D>&, const History<D>&,        \
                                  NewOverlap, FoundPatch<D>&)

@@ -20,6 +20,7 @@ enum class NewOverlap {
     presses,   // the contact springs push the stones apart
     forgiven,  // they store no more than before; what is too much is kept as the points' rest_gap until the stones
                // part
+    drawn,     // nothing has moved yet: gaps are those of the drawing, and no stone bends by them
 };
 
 /// The old patch of a pair of parts and its points; none if they did not touch.
@@ -59,10 +60,5 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
                     const PlacedPartIn<D>& first, const PlacedPartIn<D>& second,
                     const ContactPolygonIn<D>& polygon, const History<D>& history, NewOverlap overlap,
                     FoundPatch<D>& found);
-
-/// Whether a face pressed and stuck all over when the last step ended, with some to spare, or is bonded: all that
-/// it does in the next is linear over it.
-template <int D>
-bool acts_as_a_whole(const Model& model, const History<D>& history);
 
 }  // namespace voussoir::contact

@@ -1,9 +1,7 @@
 #include "libdda/contact/face_points.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -21,20 +19,18 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // Labels of what is added, each with that of the corner before it.
-constexpr std::uint32_t on_side = inner_feature, towards_corner = inner_feature | 0x8000,
-                        towards_side = inner_feature | 0x40000000;
-constexpr double of_corners = 1.0 / 3;  // of the rim: then the mean distance from the middle of a side is its own
+constexpr std::uint32_t towards_corner = inner_feature | 0x8000, towards_side = inner_feature | 0x40000000;
 
-constexpr double of_whole_corners = 0.1;  // of a face that is no parallelogram and acts as a whole
-constexpr double alike = 1e-9;            // of its second moment, of its area
-constexpr double thinnest = 1e-6;         // of needles, second moment across by that along
+constexpr double alike =
+    1e-3;  // area of the corners' parts, of that of the polygon: it is convex but for rounding
+constexpr double thinnest = 1e-6;  // of needles, second moment across by that along
 
-/// Share of the area on the rim, by the polygon's second moment over that of its corners: 1/4 of a triangle, 1/3
-/// of a parallelogram, 5/12 of a hexagon, 1/2 of a disc. Fitted, so that the mean distance from the centroid is
-/// right within 1 % of regular polygons and of rectangles to 1 x 3, and within 2 % of one of 1 x 5.
-double share_on_rim(double ratio)
+/// Share of the area at the corners, by the polygon's second moment over that of its corners: 1/4 of a triangle,
+/// 1/3 of a parallelogram, 5/12 of a hexagon, 1/2 of a disc. Fitted, so that the mean distance from the centroid
+/// is right.
+double share_of_corners(double ratio)
 {
-    return 1.0 / 3 - 2 * (0.5 - ratio) * (0.5 - ratio);
+    return ratio - 3.0 / 16;
 }
 
 /// A place on the face and the area that it stands for.
@@ -71,13 +67,13 @@ Matrix2d map_between(const Matrix2d& a, const Matrix2d& b)
 
 /// A face in its plane: places from its centroid, shares of its area, and the gap, linear over it.
 struct Face {
-    Vector3d u, v, normal, centroid;
-    double area = 0;        // m2
-    bool is_sound = false;  // no needle, and convex: else it rests on its corners
-    Matrix2d second;        // m2, about the centroid, over the area
-    double gap = 0;         // m, at the centroid
-    Vector2d slope;         // -, of the gap
-    std::size_t count;      // of its corners
+    Vector3d u, v, normal, centroid = Vector3d::Zero();
+    double area = 0;                     // m2
+    bool is_sound = false;               // no needle, and convex: else it rests on its corners
+    Matrix2d second = Matrix2d::Zero();  // m2, about the centroid, over the area
+    double gap = 0;                      // m, at the centroid
+    Vector2d slope = Vector2d::Zero();   // -, of the gap
+    std::size_t count;                   // of its corners
     std::span<Place> corners;
     std::vector<PolygonPoint>& points;
 
@@ -102,6 +98,7 @@ struct Face {
             places.push_back({polygon[i] - moments.centroid, points[i].area / area});
             share += places.back().weight;
         }
+        for (Place& place : places) place.weight /= share;
         corners = places;
         is_sound =
             second.determinant() > thinnest * second.trace() * second.trace() && std::abs(share - 1) < alike;
@@ -130,19 +127,6 @@ struct Face {
     }
 };
 
-/// Where the places of what lies inside a face go, so that with what is on its corners or on its rim, whose share
-/// is `share`, first and second moments are its own.
-struct Inside {
-    Vector2d mean;    // m
-    Matrix2d second;  // m2, about it
-
-    Inside(double share, const Spread& outside, const Matrix2d& second_of_face)
-        : mean(-share / (1 - share) * outside.mean),
-          second((second_of_face - share * outside.second) / (1 - share) - mean * mean.transpose())
-    {
-    }
-};
-
 }  // namespace
 
 void add_inner_points(const Vector3d& normal, std::vector<PolygonPoint>& points)
@@ -150,79 +134,45 @@ void add_inner_points(const Vector3d& normal, std::vector<PolygonPoint>& points)
     Face face(normal, points);
     if (!face.is_sound) return;
     const std::size_t n = face.count;
-    thread_local std::vector<Place> rim, inner;
-    rim.clear();
+    thread_local std::vector<Place> inner;
     inner.clear();
-    for (const Place& corner : face.corners) {
-        rim.push_back({corner.at, of_corners * corner.weight});
-        inner.push_back({corner.at, 0.5 * corner.weight});
-    }
+    for (const Place& corner : face.corners) inner.push_back({corner.at, 0.5 * corner.weight});
+    double sides = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const Vector2d &here = face.corners[i].at, &next = face.corners[(i + 1) % n].at;
-        const double share = 0.5 * std::abs(here.x() * next.y() - here.y() * next.x()) / face.area;
-        rim.push_back({0.5 * (here + next), (1 - of_corners) * share});
-        inner.push_back({0.5 * (here + next), 0.5 * share});
+        inner.push_back({0.5 * (here + next), std::abs(here.x() * next.y() - here.y() * next.x())});
+        sides += inner.back().weight;
     }
+    for (std::size_t i = n; i < 2 * n; ++i) inner[i].weight *= 0.5 / sides;
 
-    const Spread on_rim(rim), inside(inner);
-    const double share = share_on_rim(face.second.trace() / Spread(face.corners).second.trace());
-    const Inside wanted(share, on_rim, face.second);
-    const Matrix2d map = map_between(inside.about_mean(), wanted.second);
+    // What lies inside has the first and second moments that the corners leave it.
+    const Spread at_corners(face.corners), inside(inner);
+    const double share = share_of_corners(face.second.trace() / at_corners.second.trace());
+    const Vector2d mean = -share / (1 - share) * at_corners.mean;
+    const Matrix2d second = (face.second - share * at_corners.second) / (1 - share) - mean * mean.transpose();
+    const Matrix2d map = map_between(inside.about_mean(), second);
     if (!map.allFinite()) return;
 
-    for (std::size_t i = 0; i < n; ++i) face.set_corner(i, share * rim[i].weight);
-    for (std::size_t i = n; i < 2 * n; ++i) face.add(rim[i], share, points[i - n].feature | on_side);
+    for (std::size_t i = 0; i < n; ++i) face.set_corner(i, share * face.corners[i].weight);
     for (std::size_t i = 0; i < 2 * n; ++i)
-        face.add({wanted.mean + map * (inner[i].at - inside.mean), inner[i].weight}, 1 - share,
+        face.add({mean + map * (inner[i].at - inside.mean), inner[i].weight}, 1 - share,
                  points[i % n].feature | (i < n ? towards_corner : towards_side));
-}
-
-void add_whole_points(const Vector3d& normal, std::vector<PolygonPoint>& points)
-{
-    Face face(normal, points);
-    if (!face.is_sound) return;
-    const Spread at_corners(face.corners);
-    const double ratio = face.second.trace() / at_corners.second.trace();
-    // Of a parallelogram a third on the corners and the rest in its centroid; else a triangle of points inside.
-    const bool centroid_will_do = (face.second - ratio * at_corners.second).norm() < alike * face.second.norm() &&
-                                  at_corners.mean.squaredNorm() < alike * alike * face.second.trace();
-    const double share = centroid_will_do ? ratio : of_whole_corners;
-    const Inside inside(share, at_corners, face.second);
-    const Eigen::LLT<Matrix2d> root(inside.second);
-    if (!centroid_will_do && root.info() != Eigen::Success) return;
-    for (std::size_t i = 0; i < face.count; ++i) face.set_corner(i, share * face.corners[i].weight);
-    if (centroid_will_do) {
-        face.add({inside.mean, 1}, 1 - share, whole_feature);
-        return;
-    }
-    const double half = std::sqrt(0.5), high = std::sqrt(1.5);
-    const std::array<Vector2d, 3> triangle{Vector2d(std::sqrt(2), 0), Vector2d(-half, high),
-                                           Vector2d(-half, -high)};
-    for (std::uint32_t k = 0; k < 3; ++k)
-        face.add({inside.mean + root.matrixL() * triangle[k], 1.0 / 3}, 1 - share, whole_feature | (k + 1));
 }
 
 void add_inner_points(const Vector2d& /*normal*/, std::vector<PolygonPointIn<2>>& points)
 {
     const PolygonPointIn<2> first = points[0], second = points[1];
     const double length = first.area + second.area;
-    points[0].area = points[1].area = 7.0 / 90 * length;
+    const double share = share_of_corners(1.0 / 3), half_way = std::sqrt((1 - 3 * share) / (1 - share)) / 3;
+    points[0].area = points[1].area = 0.5 * share * length;
     const auto add = [&](double part, double weight, std::uint32_t label) {
         points.push_back({(1 - part) * first.position + part * second.position,
-                          (1 - part) * first.gap + part * second.gap, weight * length, inner_feature | label});
+                          (1 - part) * first.gap + part * second.gap, weight * (1 - share) * length,
+                          inner_feature | label});
     };
-    add(0.25, 32.0 / 90, first.feature);
-    add(0.75, 32.0 / 90, second.feature);
-    add(0.5, 12.0 / 90, first.feature << 8 | second.feature << 4);
-}
-
-void add_whole_points(const Vector2d& /*normal*/, std::vector<PolygonPointIn<2>>& points)
-{
-    const PolygonPointIn<2> first = points[0], second = points[1];
-    const double length = first.area + second.area;
-    points[0].area = points[1].area = length / 6;
-    points.push_back(
-        {0.5 * (first.position + second.position), 0.5 * (first.gap + second.gap), 2 * length / 3, whole_feature});
+    add(0.5 - half_way, 0.375, first.feature);
+    add(0.5 + half_way, 0.375, second.feature);
+    add(0.5, 0.25, first.feature << 8 | second.feature << 4);
 }
 
 }  // namespace voussoir::contact

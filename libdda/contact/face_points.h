@@ -2,15 +2,13 @@
 //
 // Springs at the corners alone, each with its share of the area, have the right area and turn over about the right
 // edge; against bending they are three times too stiff (b^4/4 of a square for b^4/12), against turning on the face
-// 1.85 times too strong (their mean distance from the centroid is 0.707 a for 0.383 a). Here the rim of the face,
-// its corners and the middles of its sides, keeps a share of the area, and twice as many points inside as it has
-// corners carry the rest: one towards each corner, one towards the middle of each side. An affine map of these
-// about the centroid makes first and second moments those of the polygon, exactly; with the share on the rim the
-// mean distance is right as well, and with the share of the corners in it that of a side which alone presses. All
-// that a face does which presses and sticks as a whole is then exact, and the edge that it turns over about is its
-// own.
+// 1.85 times too strong (their mean distance from the centroid is 0.707 a for 0.383 a). Here the corners keep a
+// share of the area, and twice as many points inside carry the rest: one towards each corner, one towards the
+// middle of each side. An affine map of these about the centroid makes first and second moments those of the
+// polygon, exactly; with the share of the corners the mean distance is right as well. All that a face does which
+// presses and sticks all over is then exact, and the edge that it turns over about is its own.
 //
-// Of a segment the points are those of Boole's rule, ends 7/90, quarters 32/90, middle 12/90.
+// A segment has the points of a rectangle as they are seen from its side.
 // Source: docs/method.md, "Faces".
 #pragma once
 
@@ -28,11 +26,5 @@ namespace voussoir::contact
 /// one plane, their gaps are linear over it, their areas tributary
 void add_inner_points(const Eigen::Vector3d& normal, std::vector<PolygonPointIn<3>>& points);
 void add_inner_points(const Eigen::Vector2d& normal, std::vector<PolygonPointIn<2>>& points);
-
-/// The same with no more than what has the same moments to second order: of a parallelogram the centroid, of a
-/// segment the middle (Simpson's rule), else three points. It is all that a face needs which presses and sticks
-/// as a whole.
-void add_whole_points(const Eigen::Vector3d& normal, std::vector<PolygonPointIn<3>>& points);
-void add_whole_points(const Eigen::Vector2d& normal, std::vector<PolygonPointIn<2>>& points);
 
 }  // namespace voussoir::contact

@@ -72,18 +72,6 @@ class OldContacts
     std::map<PairKey, std::vector<int>> of_stones_;   // only where stones need not fit
 };
 
-/// What a face rests on beside its corners in this step, by what it did in the last one. One that presses and
-/// sticks as a whole has need of little; should it change its ways within the step, it does so on the points that
-/// it has, and has all of them in the next.
-template <int D>
-void add_points_inside(const Model& model, const History<D>& history, ContactPolygonIn<D>& polygon)
-{
-    if (acts_as_a_whole(model, history))
-        add_whole_points(polygon.normal, polygon.points);
-    else
-        add_inner_points(polygon.normal, polygon.points);
-}
-
 /// The contact of two parts, with the history that goes with it, if they are close enough; else no points.
 template <int D>
 void find_patch(const Model& model, const State& state, const SearchMemory<D>& memory,
@@ -101,7 +89,7 @@ void find_patch(const Model& model, const State& state, const SearchMemory<D>& m
     std::optional<ContactPolygonIn<D>> polygon = polygon_between(first, second, margin, last, model.fit_tolerance);
     if (!polygon) return;
     if (!polygon->edge_edge && model.joint_between(first.block, second.block).face == FaceLaw::points)
-        add_points_inside(model, history, *polygon);
+        add_inner_points(polygon->normal, polygon->points);
     attach_history(model, state, memory.fully_held, first, second, *polygon, history, overlap, found);
 }
 
@@ -166,6 +154,7 @@ double spring_energy(const Model& model, const ContactSetIn<D>& contacts)
     double energy = 0;
     for (const ContactPatchIn<D>& patch : contacts.patches) {
         const double shear = model.joint_between(patch.block_a, patch.block_b).shear_to_normal_stiffness;
+        energy += patch.bending_energy;
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
             const ContactPointIn<D>& point = contacts.points[i];
             const double depth = patch.intact ? point.gap : std::min(point.gap, 0.0);

@@ -18,7 +18,7 @@ void find_contacts_at_rest(const Model& model, State& state)
         reach[b] = contact::contact_distance * size_of(model, static_cast<int>(b)) + model.fit_tolerance / 2;
     contact::SearchMemory<D> search;
     ContactSetIn<D> contacts;
-    contact::find_contacts(model, state, reach, 1, search, contacts);
+    contact::find_contacts(model, state, reach, 1, search, contacts, contact::NewOverlap::drawn);
     contacts_in<D>(state) = std::move(contacts);
 }
 

@@ -64,6 +64,10 @@ ContactEnergies contact_energies(int threads, const ContactStep<K>& step)
             const PatchStep<K>& patch = step.patches[k];
             ContactEnergies share;
             for (int i = patch.first; i < patch.first + patch.count; ++i) add_point(patch, step.points[i], share);
+            if constexpr (K::deformable) {
+                share.stored += patch.stones.energy();
+                share.loss += patch.stones.loss();
+            }
             return share;
         },
         [&](const ContactEnergies& share) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "libdda/forces/contact_step.h"
 #include "libdda/model/parallel.h"
@@ -84,6 +85,45 @@ typename K::Matrix place_patch(const BlockStep<K>& a, const BlockStep<K>& b, Pat
     return a.turns ? Matrix(0.5 * (Matrix::Identity() + a.flow)) : Matrix(Matrix::Identity());
 }
 
+/// How the stones beside a face are bent when the step begins.
+template <class K>
+void begin_stones(const Model& model, const ContactPatchIn<K::dimension>& found, const BlockStep<K>& a,
+                  const BlockStep<K>& b, double blend, std::span<const PointStep<K::dimension>> points,
+                  PatchStep<K>& patch)
+{
+    constexpr int D = K::dimension;
+    BentStones<D>& stones = patch.stones;
+    stones = {};
+    if (found.edge_edge) return;
+    double stiffness = 0;
+    for (const PointStep<D>& p : points) {
+        stiffness += p.normal_stiffness;
+        stones.centre += p.normal_stiffness * p.lever;
+    }
+    if (!(stiffness > 0)) return;
+    stones.centre /= stiffness;
+    const double area = stiffness / found.stiffness;
+    const contact::HalfStone<D> of_a{found.block_a, a.half_rotation * a.start.map, a.row < 0},
+        of_b{found.block_b, b.half_rotation * b.start.map, b.row < 0};
+    stones.bending.flexibility = contact::bending_flexibility(model, of_a, of_b, patch.normal, area);
+    stones.twist.flexibility(0, 0) = contact::twist_flexibility(model, of_a, of_b, patch.normal, area);
+    stones.acts = stones.bending.flexibility.trace() > 0;
+    if (!stones.acts) return;
+    bool presses = found.intact, sticks = true;
+    for (const PointStep<D>& p : points) {
+        const VectorIn<D> place = p.lever - stones.centre;
+        sticks = sticks && p.shear_blend == blend;
+        if constexpr (contact::twists<D>)
+            stones.twist.moment_start[0] += p.shear_stiffness * patch.normal.cross(place).dot(p.slip_start);
+        if (p.gap_start >= 0 && !found.intact) continue;
+        presses = true;
+        stones.bending.moment_start -= p.normal_stiffness * p.gap_start * place;
+    }
+    stones.bending.begin(presses ? blend : 1);
+    stones.twist.begin(sticks ? blend : 1);
+    stones.energy_start = found.bending_energy;
+}
+
 }  // namespace
 
 template <class K>
@@ -137,6 +177,9 @@ void begin_contacts(const Model& model, const Stage& stage, double h, const Cont
             p.trial = p.shear_stiffness * p.slip_start;
             p.shear = p.status == ContactStatus::sliding ? p.trial : Vector(Vector::Zero());
         }
+        if constexpr (K::deformable)
+            begin_stones(model, found, a, b, blend, std::span(step.points).subspan(patch.first, patch.count),
+                         patch);
     };
     in_parallel(contacts.patches.size(), stage.control.threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t k = first; k < end; ++k) begin_patch(k);

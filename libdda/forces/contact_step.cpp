@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdda/forces/point_tangent.h"
 #include "libdda/forces/turning.h"
 #include "libdda/model/parallel.h"
 
@@ -169,6 +170,78 @@ typename K::Vector move_patch(const VectorXd& d, PatchStep<K>& patch, double& op
     return patch.displacement.slope.transpose() * move.normal;
 }
 
+/// Normal force of a point at its gap.
+template <class K>
+void press(const PatchStep<K>& patch, PointStep<K::dimension>& p)
+{
+    if (p.gap > 0 && p.gap_start > 0 && !patch.intact && patch.dashpot_over_h == 0)
+        p.normal = p.elastic_normal = p.normal_tangent = 0;  // as most that are apart, for less
+    else
+        normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
+}
+
+/// Finds what the stones beside a face bend by as the face moves, and adds that to how its gap changes.
+/// @param tilt [-], @param opening [m] of the stones as they are drawn
+template <class K>
+void bend_stones(PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points, typename K::Vector& tilt,
+                 double& opening)
+{
+    using Vector = typename K::Vector;
+    const Vector centre = patch.stones.centre;
+    auto& bending = patch.stones.bending;
+    const auto pressure = [&](const Vector& slope) {
+        const Vector bent = slope - bending.turn_start, all = tilt + bent;
+        const double at_centroid = opening - bent.dot(centre);
+        contact::MomentOf<K::dimension> sum;
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            PointStep<K::dimension>& p = points[i];
+            p.gap = p.gap_start + at_centroid + all.dot(p.lever);
+            press(patch, p);
+            if (p.normal_tangent != 0) sum.add(p.normal, p.normal_tangent, p.lever - centre);
+        }
+        return sum;
+    };
+    contact::balance_moment(bending.flexibility, bending.steady(), bending.end_weight(), pressure, bending.moment);
+    tilt += bending.turn();
+    opening -= bending.turn().dot(centre);
+}
+
+/// The same of twisting, for points that are pressed as they are.
+template <class K>
+void twist_stones(PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points)
+{
+    using Vector = typename K::Vector;
+    auto& twist = patch.stones.twist;
+    const auto friction = [&](const VectorIn<1>& turn) {
+        const double back = turn[0] - twist.turn_start[0];
+        contact::MomentOf<1> sum;
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            PointStep<K::dimension>& p = points[i];
+            if (p.normal == 0 && !patch.intact) continue;
+            const Vector around = patch.normal.cross(p.lever - patch.stones.centre);
+            shear_force(Vector(tangential(patch.displacement.at(p.lever), patch.normal) - back * around), patch,
+                        p);
+            const PointTangent<K::dimension> c = tangent_of(p, false);
+            const double ahead = c.ahead == 0 ? 0 : c.heading.dot(around);
+            sum.add(p.shear.dot(around), c.along * around.squaredNorm() + c.ahead * ahead * ahead);
+        }
+        return sum;
+    };
+    contact::balance_moment(twist.flexibility, twist.steady(), twist.end_weight(), friction, twist.moment);
+    const typename K::Matrix back = twist.turn()[0] * skew(patch.normal);
+    patch.displacement.slope -= back;
+    patch.displacement.at_centroid += back * patch.stones.centre;
+}
+
+/// Bends and twists the stones beside a face. @param tilt, @param opening of bend_stones()
+template <class K>
+void yield(PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points, typename K::Vector& tilt,
+           double& opening)
+{
+    bend_stones(patch, points, tilt, opening);
+    if constexpr (contact::twists<K::dimension>) twist_stones(patch, points);
+}
+
 /// Sums the forces of the points of a patch.
 template <class K>
 class ForceSum
@@ -204,15 +277,14 @@ void evaluate_patch(const VectorXd& d, PatchStep<K>& patch, std::vector<PointSte
 {
     using Vector = typename K::Vector;
     double opening = 0;
-    const Vector tilt = move_patch(d, patch, opening);
+    Vector tilt = move_patch(d, patch, opening);
+    if constexpr (K::deformable)
+        if (patch.stones.acts) yield(patch, points, tilt, opening);
     ForceSum<K> sum(patch.normal);
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
         PointStep<K::dimension>& p = points[i];
         p.gap = p.gap_start + opening + tilt.dot(p.lever);
-        if (p.gap > 0 && p.gap_start > 0 && !patch.intact && patch.dashpot_over_h == 0)
-            p.normal = p.elastic_normal = p.normal_tangent = 0;  // as most that are apart, for less
-        else
-            normal_force(patch.intact, patch.dashpot_over_h, p.gap, p);
+        press(patch, p);
         if (p.normal == 0 && !patch.intact) {
             release(p);
             continue;

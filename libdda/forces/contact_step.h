@@ -3,10 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <type_traits>
 #include <vector>
 
 #include "libdda/block/block_step.h"
 #include "libdda/contact/find_contacts.h"
+#include "libdda/contact/stone_bending.h"
 #include "libdda/model/friction_law.h"
 #include "libdda/model/parallel.h"
 
@@ -42,6 +44,44 @@ struct PointStep {
     bool turns_round = false;  // the sliding of the start ends within the step
 };
 
+/// A turn of the half stones beside a face under a moment of its forces, in a step.
+template <int N>
+struct YieldIn {
+    MatrixIn<N> flexibility = MatrixIn<N>::Zero();   // 1/(Nm)
+    VectorIn<N> moment_start = VectorIn<N>::Zero();  // Nm
+    VectorIn<N> turn_start = VectorIn<N>::Zero();    // rad
+    double blend = 1;                                // theta of the integrator
+    VectorIn<N> moment = VectorIn<N>::Zero();        // Nm, at the end of the step, at the current iterate
+
+    double end_weight() const { return 0.5 * (1 + blend); }  // of the moment at the end, in that of the step
+    VectorIn<N> steady() const { return 0.5 * (1 - blend) * moment_start; }
+    VectorIn<N> turn() const { return flexibility * moment - turn_start; }          // rad, of the step
+    double energy() const { return 0.5 * moment.dot(flexibility * moment); }        // J, at the end of the step
+    double work() const { return (steady() + end_weight() * moment).dot(turn()); }  // J, done on the stones
+    void begin(double theta)
+    {
+        blend = theta;
+        moment = moment_start;
+        turn_start = flexibility * moment_start;
+    }
+};
+
+/// How the stones beside a face bend and twist. Source: docs/faces.md.
+template <int D>
+struct BentStones {
+    bool acts = false;                         // else all of it is zero
+    VectorIn<D> centre = VectorIn<D>::Zero();  // m, of the area, from a, in the middle of the step
+    YieldIn<D> bending;                        // slope of the gap
+    YieldIn<1> twist;                          // about the normal
+    double energy_start = 0;                   // J
+
+    double energy() const { return bending.energy() + twist.energy(); }  // J, at the end of the step
+    double loss() const { return work() - (energy() - energy_start); }   // J, by the integrator
+    double work() const { return bending.work() + twist.work(); }        // J, done on them
+};
+struct StiffStones {
+};
+
 template <class K>
 struct PatchStep {
     using Vector = typename K::Vector;
@@ -60,10 +100,11 @@ struct PatchStep {
     typename K::Matrix chord_b;       // of block b
     Linear predicted;                 // m, relative displacement of the step if D = 0
     // At the current iterate:
-    Linear displacement;                    // m, relative, of the step
+    Linear displacement;                    // m, relative, of the step; as the stones twist
     double pressing = 0;                    // N, of all points
     typename K::Unknowns force_a, force_b;  // generalised forces on the two blocks
     typename K::Square aa, ab, bb;          // stiffness
+    [[no_unique_address]] std::conditional_t<K::deformable, BentStones<K::dimension>, StiffStones> stones;
 
     Vector lever_b(const PointStep<K::dimension>& p) const { return p.lever + between; }
 };

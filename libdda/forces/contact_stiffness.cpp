@@ -2,47 +2,13 @@
 
 #include <array>
 
+#include "libdda/forces/point_tangent.h"
 #include "libdda/model/parallel.h"
 
 namespace voussoir::step
 {
 namespace
 {
-
-/// C of one point, -dN/dg n n^T plus the shear tangent without the coupling to the normal force:
-/// across n n^T + along (1 - n n^T) + ahead h h^T, h a direction in the plane of the contact.
-template <int D>
-struct PointTangent {
-    double across = 0, along = 0, ahead = 0;  // N/m
-    VectorIn<D> heading;                      // unit; of no meaning where `ahead` is zero
-};
-
-template <int D>
-PointTangent<D> tangent_of(const PointStep<D>& p, bool published)
-{
-    const double k_t = 0.5 * (1 + p.shear_blend) * p.shear_stiffness;
-    PointTangent<D> c;
-    if (published) {
-        if (p.status == ContactStatus::open) return c;
-        c.across = 0.5 * (1 + p.normal_blend) * p.normal_stiffness;
-        if (p.status == ContactStatus::locked) c.along = k_t;
-        return c;
-    }
-    c.across = p.normal_tangent;
-    if (p.turns_round) {
-        c.along = p.tangent_across;
-        c.ahead = p.tangent_along - p.tangent_across;
-        c.heading = p.heading;
-    } else if (p.status == ContactStatus::locked) {
-        c.along = k_t;
-    } else if (p.status == ContactStatus::sliding) {
-        const double length = p.trial.norm();
-        c.along = k_t * p.bound / length;
-        c.ahead = -c.along;
-        c.heading = p.trial / length;
-    }
-    return c;
-}
 
 template <int D>
 bool has_stiffness(const PointStep<D>& p, bool published)
@@ -119,6 +85,54 @@ void expand(const WeightSums<2>& sums, const Eigen::Matrix2d& c, PlanarRigid::Sq
     stiffness(2, 2) += across.cwiseProduct(c).sum();
 }
 
+/// What the stones beside a face take off its stiffness as they bend.
+/// @param normal of the points, by levers from the block; @param shift [m] lever from it less that from block a
+template <int D>
+void take_bending(const BentStones<D>& stones, const WeightSums<D>& normal, const VectorIn<D>& shift,
+                  const VectorIn<D>& direction, typename DeformableIn<D>::Square& stiffness)
+{
+    // Openings are those of the unknowns' w = (1, y) along the normal, places y - c.
+    const VectorIn<D> c = stones.centre + shift, first = normal.first();
+    Eigen::Matrix<double, D, D + 1> moments;
+    moments.col(0) = first - normal.weight() * c;
+    moments.template rightCols<D>() = normal.second() - c * first.transpose();
+    const MatrixIn<D> second = moments.template rightCols<D>() - moments.col(0) * c.transpose();
+    const MatrixIn<D> give = contact::give_of(stones.bending.flexibility, stones.bending.end_weight(), second);
+    const Eigen::Matrix<double, D + 1, D + 1> weights = moments.transpose() * give * moments;
+    const MatrixIn<D> across = direction * direction.transpose();
+    for (int j = 0; j <= D; ++j)
+        for (int i = 0; i <= D; ++i)
+            stiffness.template block<D, D>(D * i, D * j) -= 0.5 * (weights(i, j) + weights(j, i)) * across;
+}
+
+/// The same as they twist.
+template <int D>
+class TwistSum
+{
+    using K = DeformableIn<D>;
+
+ public:
+    void add(const PatchStep<K>& patch, const PointStep<D>& p, const VectorIn<D>& lever, const PointTangent<D>& c)
+    {
+        if constexpr (contact::twists<D>) {
+            const VectorIn<D> around = patch.normal.cross(p.lever - patch.stones.centre);
+            VectorIn<D> force = c.along * around;
+            if (c.ahead != 0) force += c.ahead * c.heading.dot(around) * c.heading;
+            K::add_force(couple_, lever, force);
+            stiffness_ += around.dot(force);
+        }
+    }
+    void take(const YieldIn<1>& twist, typename K::Square& stiffness) const
+    {
+        const double c = twist.flexibility(0, 0);
+        if (c > 0) stiffness -= c / (twist.end_weight() + c * stiffness_) * couple_ * couple_.transpose();
+    }
+
+ private:
+    typename K::Unknowns couple_ = K::Unknowns::Zero();
+    double stiffness_ = 0;  // Nm
+};
+
 /// The stiffness that the points of a patch give one of its blocks.
 /// @param shift [m] lever from that block less that from block a
 template <class K>
@@ -128,6 +142,9 @@ void add_to_block(const PatchStep<K>& patch, const std::vector<PointStep<K::dime
     using Vector = typename K::Vector;
     using Matrix = typename K::Matrix;
     WeightSums<K::dimension> normal, shear;
+    bool yields = false;
+    if constexpr (K::deformable) yields = patch.stones.acts && !published;
+    [[maybe_unused]] TwistSum<K::dimension> twist;
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
         const PointStep<K::dimension>& p = points[i];
         if (!has_stiffness(p, published)) continue;
@@ -135,6 +152,8 @@ void add_to_block(const PatchStep<K>& patch, const std::vector<PointStep<K::dime
         const Vector lever = p.lever + shift;
         normal.add(c.across, lever);
         shear.add(c.along, lever);
+        if constexpr (K::deformable)
+            if (yields) twist.add(patch, p, lever, c);
         if (c.ahead == 0) continue;
         typename K::Unknowns ahead = K::Unknowns::Zero();
         K::add_force(ahead, lever, c.heading);
@@ -144,6 +163,11 @@ void add_to_block(const PatchStep<K>& patch, const std::vector<PointStep<K::dime
     const Matrix across = patch.normal * patch.normal.transpose();
     expand(normal, across, stiffness);
     expand(shear, Matrix(Matrix::Identity() - across), stiffness);
+    if constexpr (K::deformable) {
+        if (!yields) return;
+        take_bending(patch.stones, normal, shift, patch.normal, stiffness);
+        twist.take(patch.stones.twist, stiffness);
+    }
 }
 
 /// With T(y + t) = T(y) G the stiffness of one block gives the others, G what moves levers by t: ab = -aa G,

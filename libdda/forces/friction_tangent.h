@@ -8,11 +8,10 @@ namespace voussoir::step
 {
 
 /// Tangent of the shear force of a point, less what the stiffness with the bound held has of it.
-template <class K>
+template <int D>
 struct FrictionTangent {
-    int row_a, row_b;                     // -1: no unknowns
-    typename K::Vector lever_a, lever_b;  // m
-    typename K::Matrix tangent;           // N/m, not symmetric
+    VectorIn<D> by_gap;   // N/m, as its bound follows the gap
+    MatrixIn<D> by_move;  // N/m, beside that; not symmetric
 };
 
 /// Whether the stiffness with the bound held leaves anything out.
@@ -24,45 +23,22 @@ bool follows_its_bound(const PointStep<D>& p)
 
 /// @param p as last evaluated, with the exact bound
 template <class K>
-FrictionTangent<K> friction_tangent(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
+FrictionTangent<K::dimension> friction_tangent(const PatchStep<K>& patch, const PointStep<K::dimension>& p)
 {
     using Matrix = typename K::Matrix;
     const typename K::Vector& n = patch.normal;
-    FrictionTangent<K> result{patch.row_a, patch.row_b, p.lever, patch.lever_b(p), Matrix()};
     // mu N falls by mu (-dN/dg) as the gap opens.
     const double bound_by_gap = -p.bound / p.normal * p.normal_tangent;
-    if (!p.turns_round) {
-        result.tangent = bound_by_gap / p.bound * p.shear * n.transpose();
-        return result;
-    }
+    if (!p.turns_round) return {bound_by_gap / p.bound * p.shear, Matrix::Zero()};
     const TurningChange<K> change(patch, p);
     const Matrix ahead = p.heading * p.heading.transpose();
     const Matrix along = Matrix::Identity() - n * n.transpose();
-    result.tangent = bound_by_gap * change.by_bound * n.transpose() + change.by_move - p.tangent_along * ahead -
-                     p.tangent_across * (along - ahead);
-    return result;
+    return {bound_by_gap * change.by_bound,
+            change.by_move - p.tangent_along * ahead - p.tangent_across * (along - ahead)};
 }
 
-/// Displacement of a point of a block by its unknowns [m].
-template <class K>
-typename K::Vector displacement_of(const typename K::Unknowns& d, const typename K::Vector& lever)
-{
-    return d.template head<K::dimension>() + K::gradient(d) * lever;
-}
-
-/// Force that such a tangent gives for the unknowns of the two blocks; without unknowns a block moves nothing [N].
-template <class K>
-typename K::Vector shear_of(const FrictionTangent<K>& p, const Eigen::VectorXd& x)
-{
-    constexpr int n = K::unknowns;
-    typename K::Vector apart = K::Vector::Zero();
-    if (p.row_a >= 0) apart += displacement_of<K>(x.segment<n>(n * p.row_a), p.lever_a);
-    if (p.row_b >= 0) apart -= displacement_of<K>(x.segment<n>(n * p.row_b), p.lever_b);
-    return p.tangent * apart;
-}
-
-/// The same of all points of a patch of rigid blocks. Their levers from one block and from the other differ by one
-/// vector, so that the motion of a relative to b, at a's centroid, moves them all.
+/// The same of all points of a patch. Their levers from one block and from the other differ by one vector, so that
+/// the motion of a relative to b, at a's centroid, moves them all.
 template <class K>
 struct PatchTangent {
     int row_a, row_b;            // -1: no unknowns
@@ -70,16 +46,59 @@ struct PatchTangent {
     typename K::Square tangent;  // N/m, N, Nm; not symmetric
 };
 
+/// How far the gaps of a patch open as its stones bend, by the unknowns of a relative to b.
+template <class K>
+class BendingOfGaps
+{
+ public:
+    BendingOfGaps(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points)
+        : centre_(patch.stones.centre)
+    {
+        contact::MomentOf<K::dimension> sum;
+        for (int i = patch.first; i < patch.first + patch.count; ++i) {
+            const PointStep<K::dimension>& p = points[i];
+            const typename K::Vector place = p.lever - centre_;
+            typename K::Unknowns opening = K::Unknowns::Zero();
+            K::add_force(opening, p.lever, patch.normal);
+            moment_ += p.normal_tangent * place * opening.transpose();
+            sum.add(0, p.normal_tangent, place);
+        }
+        const auto& bending = patch.stones.bending;
+        turn_ = -contact::give_of(bending.flexibility, bending.end_weight(), sum.second) * moment_;
+    }
+    /// By the unknowns, of a point [m].
+    typename K::Unknowns at(const PointStep<K::dimension>& p) const
+    {
+        return turn_.transpose() * (p.lever - centre_);
+    }
+
+ private:
+    using Moments = Eigen::Matrix<double, K::dimension, K::unknowns>;
+    typename K::Vector centre_;
+    Moments moment_ = Moments::Zero(), turn_;
+};
+
 /// @param patch of which some point follows its bound
 template <class K>
 PatchTangent<K> patch_tangent(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points)
 {
-    static_assert(!K::deformable);
     PatchTangent<K> result{patch.row_a, patch.row_b, patch.between, K::Square::Zero()};
-    for (int i = patch.first; i < patch.first + patch.count; ++i) {
-        if (!follows_its_bound(points[i])) continue;
-        const FrictionTangent<K> p = friction_tangent(patch, points[i]);
-        K::add_stiffness(result.tangent, p.lever_a, p.lever_a, p.tangent);
+    const auto each = [&](const auto& add) {
+        for (int i = patch.first; i < patch.first + patch.count; ++i)
+            if (follows_its_bound(points[i])) add(points[i], friction_tangent(patch, points[i]));
+    };
+    each([&](const auto& p, const auto& tangent) {
+        K::add_stiffness(result.tangent, p.lever, p.lever,
+                         typename K::Matrix(tangent.by_gap * patch.normal.transpose() + tangent.by_move));
+    });
+    if constexpr (K::deformable) {
+        if (!patch.stones.acts) return result;
+        const BendingOfGaps<K> bent(patch, points);
+        each([&](const auto& p, const auto& tangent) {
+            typename K::Unknowns force = K::Unknowns::Zero();
+            K::add_force(force, p.lever, tangent.by_gap);
+            result.tangent += force * bent.at(p).transpose();
+        });
     }
     return result;
 }
@@ -99,21 +118,7 @@ typename K::Unknowns shear_of(const PatchTangent<K>& p, const Eigen::VectorXd& x
     return p.tangent * apart;
 }
 
-/// Generalised forces that a part of the tangent gives on its two blocks.
-template <class K>
-typename K::Unknowns on_a(const FrictionTangent<K>& p, const typename K::Vector& shear)
-{
-    typename K::Unknowns force = K::Unknowns::Zero();
-    K::add_force(force, p.lever_a, shear);
-    return force;
-}
-template <class K>
-typename K::Unknowns on_b(const FrictionTangent<K>& p, const typename K::Vector& shear)
-{
-    typename K::Unknowns force = K::Unknowns::Zero();
-    K::add_force(force, p.lever_b, -shear);
-    return force;
-}
+/// Generalised forces that it gives on its two blocks.
 template <class K>
 typename K::Unknowns on_a(const PatchTangent<K>& /*p*/, const typename K::Unknowns& shear)
 {

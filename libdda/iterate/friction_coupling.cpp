@@ -10,14 +10,13 @@ namespace voussoir::step
 namespace
 {
 
-/// How many parts the points of a patch make.
+/// Whether the points of a patch make a part.
 template <class K>
-int parts_of(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points)
+bool makes_a_part(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points)
 {
-    if (patch.row_a < 0 && patch.row_b < 0) return 0;
+    if (patch.row_a < 0 && patch.row_b < 0) return false;
     const auto first = points.begin() + patch.first;
-    const int count = static_cast<int>(std::count_if(first, first + patch.count, follows_its_bound<K::dimension>));
-    return K::deformable ? count : std::min(count, 1);
+    return std::any_of(first, first + patch.count, follows_its_bound<K::dimension>);
 }
 
 }  // namespace
@@ -36,21 +35,15 @@ bool FrictionCoupling<K>::gather(const StepProblem<K>& problem)
     const std::vector<PatchStep<K>>& patches = problem.contacts.patches;
     first_of_patch_.assign(patches.size() + 1, 0);
     in_parallel(patches.size(), problem.threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t k = first; k < end; ++k) first_of_patch_[k + 1] = parts_of(patches[k], points);
+        for (std::size_t k = first; k < end; ++k)
+            first_of_patch_[k + 1] = makes_a_part(patches[k], points) ? 1 : 0;
     });
     for (std::size_t k = 0; k < patches.size(); ++k) first_of_patch_[k + 1] += first_of_patch_[k];
     parts_.resize(first_of_patch_.back());
     in_parallel(patches.size(), problem.threads, [&](std::size_t first, std::size_t end) {
-        for (std::size_t k = first; k < end; ++k) {
-            if (first_of_patch_[k] == first_of_patch_[k + 1]) continue;
-            Part* part = parts_.data() + first_of_patch_[k];
-            if constexpr (K::deformable) {
-                for (int i = patches[k].first; i < patches[k].first + patches[k].count; ++i)
-                    if (follows_its_bound(points[i])) *part++ = friction_tangent(patches[k], points[i]);
-            } else {
-                *part = patch_tangent(patches[k], points);
-            }
-        }
+        for (std::size_t k = first; k < end; ++k)
+            if (first_of_patch_[k] < first_of_patch_[k + 1])
+                parts_[first_of_patch_[k]] = patch_tangent(patches[k], points);
     });
     return !parts_.empty();
 }

@@ -27,13 +27,11 @@ class FrictionCoupling
     void add_to_free(const StepProblem<K>& problem, int row, const typename K::Unknowns& force,
                      Eigen::VectorXd& y) const;
 
-    // All points of a patch of rigid blocks are one part; of deformable ones each is.
-    using Part = std::conditional_t<K::deformable, FrictionTangent<K>, PatchTangent<K>>;
-    using Shear = std::conditional_t<K::deformable, typename K::Vector, typename K::Unknowns>;
+    using Part = PatchTangent<K>;  // all points of a patch
     std::vector<Part> parts_;
-    std::vector<Shear> shears_;        // N, Nm, scratch
-    std::vector<int> first_of_patch_;  // (patches + 1) index into parts_
-    std::vector<char> has_held_;       // (rows) whether unknowns are held
+    std::vector<typename K::Unknowns> shears_;  // N, Nm, scratch
+    std::vector<int> first_of_patch_;           // (patches + 1) index into parts_
+    std::vector<char> has_held_;                // (rows) whether unknowns are held
 };
 
 }  // namespace voussoir::step

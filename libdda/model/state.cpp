@@ -56,6 +56,7 @@ void add_contacts(const ContactSetIn<D>& contacts, Fnv1a& fnv)
         fnv.add(patch.feature_a);
         fnv.add(patch.feature_b);
         fnv.add(patch.stiffness);
+        fnv.add(patch.bending_energy);
         fnv.add(patch.normal);
     }
     for (const ContactPointIn<D>& point : contacts.points) {

@@ -20,9 +20,8 @@ enum class ContactStatus : std::uint8_t {
     sliding,  // at the friction bound
 };
 
-/// In the feature of points inside a face or on its sides, and in that of the few which do while the face presses
-/// and sticks as a whole.
-constexpr std::uint32_t inner_feature = 0x80000000, whole_feature = 0xc0008000;
+/// In the feature of points inside a face.
+constexpr std::uint32_t inner_feature = 0x80000000;
 
 /// One corner of a contact polygon, one end of a contact segment (planar), the one point of an edge-edge contact,
 /// or a point inside a face. Forces act on block a of the patch.
@@ -49,6 +48,7 @@ struct ContactPatchIn {
     bool edge_edge = false;                      // else a face is clipped
     bool intact = false;                         // still has cohesion and tensile strength
     double stiffness = 0;                        // Pa/m, normal
+    double bending_energy = 0;                   // J, in the stones beside it, which bend
     VectorIn<D> normal = VectorIn<D>::Zero();    // unit, outward from b, at the start of the step
     int first_point = 0, point_count = 0;        // in the points of its set
 };
@@ -61,7 +61,7 @@ struct ContactSetIn {
         points;  // patch by patch, the corners of each in their order before what is inside
 };
 
-/// Whether a point lies inside its face or on a side of it: it is no corner.
+/// Whether a point lies inside its face: it is no corner.
 template <int D>
 bool is_inner(const ContactPointIn<D>& point)
 {

@@ -162,6 +162,7 @@ PatchShare gain_of_patch(const StepProblem<K>& problem, std::size_t k, const Con
         share.gain += force.dot(known.at(p.lever)) - p.normal * (p.gap - p.gap_start) +
                       p.shear.dot(patch.displacement.at(p.lever));
     }
+    if constexpr (K::deformable) share.gain += patch.stones.work();  // gaps and slips are those of bent stones
     return share;
 }
 

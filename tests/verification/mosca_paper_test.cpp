@@ -66,6 +66,7 @@ Answer shake(const Reading& reading)
     Model model = bridge_model(bridge);
     // "Normal contact stiffness 4.5 GPa" of a planar code: N/m per contact point and metre of width, two points to
     // a joint; here four points carry the whole width.
+    model.joints[0].face = FaceLaw::corners;
     model.joints[0].stiffness = {ContactStiffness::Kind::per_point, 4.5e9 * bridge.width / 2};
     const bool free = reading.abutments == Abutments::free_to_slide;
     for (Foundation& foundation : model.foundations) foundation.translation_held[0] = !free;

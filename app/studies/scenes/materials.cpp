@@ -55,6 +55,7 @@ double default_stiffness(const SceneSetting& setting, double compliance, const J
 
 JointMaterial joint_in(const SceneSetting& setting, JointMaterial joint)
 {
+    if (setting.papers_joints || setting.open_close == OpenClose::published) joint.face = FaceLaw::corners;
     if (!setting.papers_joints) return joint;
     joint.restitution.reset();
     if (joint.stiffness.kind == ContactStiffness::Kind::from_modulus && joint.stiffness.value == 0)

@@ -38,6 +38,7 @@ scenes::StagedScene bridge_scene(const scenes::SceneSetting& setting, double vel
     importers::patterns::ArchBridge bridge;
     bridge.rise = printed_rise;
     JointMaterial joint;
+    joint.face = FaceLaw::corners;  // as in the paper
     joint.name = "dry";
     joint.friction_angle = 30 * std::numbers::pi / 180;
     // Two points to a planar joint, four to a spatial one: the sum over a joint is the same.

@@ -43,6 +43,9 @@ std::vector<Benchmark> vibration_benchmarks();
 /// Joints that rest on points inside their faces: bending and torsion.
 std::vector<Benchmark> face_benchmarks();
 
+/// Columns of stones that bend.
+std::vector<Benchmark> column_benchmarks();
+
 /// Waves through viscous boundaries, layers on rock, and Rayleigh's damping.
 std::vector<Benchmark> ground_benchmarks();
 

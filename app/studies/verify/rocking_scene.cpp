@@ -18,6 +18,7 @@ scenes::StagedScene rocking_scene(const scenes::SceneSetting& setting, const Roc
     joint.stiffness = rocking.stiffness;
     if (setting.stiffness_factor) joint.stiffness = scenes::stiffness_by_rule(setting, height / rocking.young);
     joint.relaxation_time = rocking.relaxation_time;
+    joint.face = FaceLaw::corners;  // the references have springs at the corners, or none that yield
     scenes::StagedScene scene;
     scene.model = scenes::make_scene_model(setting, {"stone", rocking.density, rocking.young, 0.2}, joint, 1);
     const double reach = 15 * width;

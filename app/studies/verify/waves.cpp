@@ -23,6 +23,7 @@ namespace
 JointMaterial bond()
 {
     JointMaterial joint;
+    joint.face = FaceLaw::corners;  // a column of ground that shears and does not bend
     joint.name = "bond";
     joint.friction_angle = 0.5;
     joint.cohesion = joint.tensile_strength = unbreakable;

@@ -298,7 +298,7 @@ TEST(Program, CheckListsBlocksAndContactsAndWritesNothing)
     const TemporaryFolder folder;
     const Ended ended = voussoir(folder, {"check", folder.write("case.yaml", two_boxes).string()});
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
-    EXPECT_NE(ended.output.find("1 pair of blocks, 4 points, 1 m2"), std::string::npos) << ended.output;
+    EXPECT_NE(ended.output.find("1 pair of blocks, 12 points, 1 m2"), std::string::npos) << ended.output;
     EXPECT_NE(ended.output.find("left out: "), std::string::npos);
 }
 

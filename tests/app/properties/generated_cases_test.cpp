@@ -212,7 +212,7 @@ TEST(GeneratedCases, AnswersDoNotDependOnTheOrderOfStacks)
 
 TEST(GeneratedCases, AnswersTurnWithTheScene)
 {
-    expect_same({1e-5, 5e-3}, always, [](std::uint64_t seed) {
+    expect_same({1e-5, 1e-2}, always, [](std::uint64_t seed) {
         Telling telling;
         telling.quarter_turns = 1 + static_cast<int>(seed % 3);
         return telling;
@@ -221,7 +221,7 @@ TEST(GeneratedCases, AnswersTurnWithTheScene)
 
 TEST(GeneratedCases, AnswersAreMirroredWithTheScene)
 {
-    expect_same({1e-5, 5e-3}, always, [](std::uint64_t) {
+    expect_same({1e-5, 1e-2}, always, [](std::uint64_t) {
         Telling telling;
         telling.mirrored = true;
         return telling;
@@ -274,7 +274,7 @@ void expect_planar_as_spatial(const std::string& kind, const Allowed& allowed, b
     Telling space;
     space.kinematics = "spatial_" + kind;
     space.young = 1e10;  // the masses of softer stones are seen to bulge across the plane
-    space.joint = ", contact_stiffness: 1 GPa/m";
+    space.joint = ", contact_stiffness: 1 GPa/m, face: corners";  // where a needle begins, the others differ
     expect_same(
         allowed, [&](const GeneratedScene& scene) { return scene.flat && scene.wall.has_value() == walls; },
         [&](std::uint64_t) {

@@ -280,10 +280,14 @@ TEST(CaseFile, NewmarkRefusesARestitutionThatItWouldLeaveOut)
 // It would leave them out without a word.
 TEST(CaseFile, ThePublishedIterationRefusesWhatItDoesNotKnow)
 {
-    const std::string published = with(two_boxes, "time_step: 2 ms}", "time_step: 2 ms, open_close: published}");
+    const std::string bends = with(two_boxes, "time_step: 2 ms}", "time_step: 2 ms, open_close: published}");
+    EXPECT_NE(faults_of(bends).find("case.yaml:12: stages[1]: open_close: published does not bend stones"),
+              std::string::npos)
+        << faults_of(bends);
+    const std::string published = with(bends, "friction: 30 deg}", "friction: 30 deg, face: corners}");
     ASSERT_EQ(faults_of(published), "no fault");
     for (const std::string key : {"cohesion: 1 MPa", "tensile_strength: 1 kPa", "relaxation_time: 1 ms"}) {
-        const std::string joint = with(published, "friction: 30 deg}", "friction: 30 deg, " + key + "}");
+        const std::string joint = with(published, "face: corners}", "face: corners, " + key + "}");
         EXPECT_NE(faults_of(joint).find("case.yaml:12: stages[1]: open_close: published has no cohesion"),
                   std::string::npos)
             << faults_of(joint);

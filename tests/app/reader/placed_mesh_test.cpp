@@ -314,7 +314,7 @@ TEST(DomeCase, SinksAlikeAllAround)
     };
     for (int course = 1; course < 7; ++course)
         for (int slice = 1; slice < 24; ++slice)
-            EXPECT_NEAR(sinking(course + 7 * slice), sinking(course), 1e-3 * sinking(6));
+            EXPECT_NEAR(sinking(course + 7 * slice), sinking(course), 5e-3 * sinking(6));
     EXPECT_GT(sinking(6), 1e-6);
     EXPECT_LT(sinking(6), 1e-3);
 }

@@ -98,9 +98,8 @@ TEST(TrustWords, NameTheLimitAndTheRemedy)
               "contact_stiffness_factor 2 times as large");
     trust.start.modes.rigid = false;
     EXPECT_EQ(said({Kind::stiff_stones, 10.6, 2.4, 0.5, 4.8}),
-              "stones of uniform strain do not bend: if these did, the vibration of 10.6 Hz would have some 3.1 "
-              "Hz; divide "
-              "them over their thickness, or take no frequency from this run");
+              "on face: corners stones do not bend: if these did, the vibration of 10.6 Hz would have some 3.1 "
+              "Hz; give the joints face: points, or take no frequency from this run");
     EXPECT_EQ(
         said({Kind::integrator_energy, 0, 0.64, 0.05, 12.8}),
         "the integrator took 64 % of the energy put in (limit 5 %): what vibrates or impacts loses too much; give "

@@ -264,7 +264,7 @@ TEST_P(JointOpenings, ForcesAreThoseOfTheWholeJoint)
     EXPECT_NEAR(now.shear_force, weight * std::sin(slope), 1e-4 * weight);
     EXPECT_NEAR(now.eccentricity, 0.2 * std::tan(slope), 1e-4);
     EXPECT_NEAR(now.area_in_use, width(), 1e-6);
-    EXPECT_EQ(now.motion.opening, 0) << "within the kern";
+    EXPECT_LT(now.motion.opening, 1e-7) << "within the kern: by the bending of the stone, which is drawn straight";
     EXPECT_FALSE(now.broken);
 }
 

@@ -123,10 +123,10 @@ TEST(ContactStiffness, ShearFollowsItsShare)
     const Eigen::Vector3d slope = inclined_gravity(10);
     const double low = floor.model.blocks[1].moments.centroid.z();
     ASSERT_EQ(run_quietly(floor.model, {static_stage(0.1, slope)}, floor.state).outcome, Outcome::completed);
-    // Moments tilt the box on its springs: 4 k (0.5 m)^2 theta = mg sin a x low, seen at the height of the
+    // Moments tilt the box on its springs: 4 k (1 m)^2 / 12 theta = mg sin a x low, seen at the height of the
     // centroid.
     const double pull = floor.model.mass(1) * slope.x();
-    const double sheared = pull / (0.25 * 4e7), tilt = pull * low / (4e7 * 0.25);
+    const double sheared = pull / (0.25 * 4e7), tilt = pull * low / (4e7 / 12);
     const double moved = centroid(floor.model, floor.state, 1).x() - 0.1;
     EXPECT_NEAR(moved, sheared + tilt * low, 2e-3 * moved);
 }

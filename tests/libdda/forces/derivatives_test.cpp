@@ -36,13 +36,14 @@ struct ContactScene {
     step::ContactStep<K> contacts;
 
     /// @param motion times the velocities of the step
-    ContactScene(double friction, double dashpot, Integrator integrator, double motion = 1)
+    ContactScene(double friction, double dashpot, Integrator integrator, double motion = 1,
+                 FaceLaw face = FaceLaw::points)
     {
         JointMaterial joint = dry(0);
         joint.friction_angle = std::atan(friction);
         joint.relaxation_time = dashpot;
         joint.stiffness = {ContactStiffness::Kind::per_area, 1e9};
-        joint.face = FaceLaw::points;
+        joint.face = face;
         model = make_model(K::kinematics, stone(young), joint);
         add_box(model, "below", {-1, -1, -1}, {1, 1, 0});
         add_box(model, "above", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
@@ -203,18 +204,19 @@ void expect_left_out(const double (&errors)[3])
 
 TYPED_TEST(Derivatives, StickingContactHasTheStiffnessOfItsForce)
 {
-    for (const Variant& variant : variants) {
-        double errors[3];
-        for (int i = 0; i < 3; ++i) {
-            ContactScene<TypeParam> scene(100, variant.dashpot, variant.integrator, motions[i]);
-            const VectorXd d = motions[i] * small_unknowns(2 * TypeParam::unknowns, 3);
-            const MatrixXd k = scene.stiffness(d);
-            ASSERT_EQ(scene.count(ContactStatus::locked), 16);
-            errors[i] = relative(scene.differences(d), k);
-            EXPECT_LT(relative(k, k.transpose()), 1e-14);
+    for (const FaceLaw face : {FaceLaw::points, FaceLaw::corners})
+        for (const Variant& variant : variants) {
+            double errors[3];
+            for (int i = 0; i < 3; ++i) {
+                ContactScene<TypeParam> scene(100, variant.dashpot, variant.integrator, motions[i], face);
+                const VectorXd d = motions[i] * small_unknowns(2 * TypeParam::unknowns, 3);
+                const MatrixXd k = scene.stiffness(d);
+                ASSERT_EQ(scene.count(ContactStatus::locked), face == FaceLaw::points ? 12 : 4);
+                errors[i] = relative(scene.differences(d), k);
+                EXPECT_LT(relative(k, k.transpose()), 1e-14);
+            }
+            expect_left_out(errors);
         }
-        expect_left_out(errors);
-    }
 }
 
 TYPED_TEST(Derivatives, SlidingContactHasItUpToTheNormalCoupling)
@@ -222,10 +224,14 @@ TYPED_TEST(Derivatives, SlidingContactHasItUpToTheNormalCoupling)
     for (const Variant& variant : variants) {
         double errors[3];
         for (int i = 0; i < 3; ++i) {
-            ContactScene<TypeParam> scene(0.01, variant.dashpot, variant.integrator, motions[i]);
+            // Of stones that do not bend: as they do, the bound follows a little less, which the coupling leaves
+            // out.
+            const bool bends = TypeParam::deformable;
+            ContactScene<TypeParam> scene(0.01, variant.dashpot, variant.integrator, motions[i],
+                                          bends ? FaceLaw::corners : FaceLaw::points);
             const VectorXd d = motions[i] * small_unknowns(2 * TypeParam::unknowns, 4);
             const MatrixXd k = scene.stiffness(d), coupling = scene.normal_coupling(d);
-            ASSERT_EQ(scene.count(ContactStatus::sliding), 16);
+            ASSERT_EQ(scene.count(ContactStatus::sliding), bends ? 4 : 12);
             EXPECT_GT(coupling.norm(), 1e-3 * k.norm());
             errors[i] = relative(scene.differences(d), k + coupling);
         }
@@ -235,13 +241,17 @@ TYPED_TEST(Derivatives, SlidingContactHasItUpToTheNormalCoupling)
 
 TYPED_TEST(Derivatives, WholeTangentHasTheNormalCoupling)
 {
-    ContactScene<TypeParam> scene(0.01, 0, Integrator::newmark, 0);
+    ContactScene<TypeParam> scene(0.01, 0, Integrator::newmark, 0, FaceLaw::corners);  // as above
     constexpr int size = 2 * TypeParam::unknowns;
     const VectorXd d = VectorXd::Zero(size);
     const MatrixXd k = scene.stiffness(d), coupling = scene.normal_coupling(d);
     const MatrixXd found = whole_tangent(scene, 2, 1);
     EXPECT_LT(relative(found, coupling), 1e-12);
     EXPECT_LT(relative(scene.differences(d), k + found), 1e-6);
+    // As stones bend, the bound follows what is left of the gap; how they twist under that is left out.
+    ContactScene<TypeParam> bent(0.01, 0, Integrator::newmark, 0);
+    const MatrixXd held = bent.stiffness(d), followed = whole_tangent(bent, 2, 1);
+    EXPECT_LT(relative(bent.differences(d), held + followed), 3e-5);
 }
 
 // Two threads add it up row by row: here of many that touch nothing but two. All four corners slide, or three;

@@ -135,35 +135,6 @@ TEST_P(Faces, TiltLikeTheirArea)
     }
 }
 
-// A bed that holds rests on few points, on all of them while it opens, and on few again; what it carries stays in
-// balance, and a way there and back through an open bed ends where the direct one does.
-TEST_P(Faces, RestOnFewPointsWhileTheyHold)
-{
-    Model model = make_model(GetParam(), stone(1e14), on_points(45, 1e8));
-    hold(model, add_box(model, "floor", {-2, -2, -1}, {2, 2, 0}));
-    const int block = add_box(model, "block", {-0.5, -0.5, 0}, {0.5, 0.5, 2});
-    const bool planar = is_planar(model.kinematics);
-    const std::size_t few = planar ? 3 : 5, all = planar ? 5 : 16;
-    const auto leaned = [](double e) { return static_stage(1, gravity * Vector3d(e, 0, -1)); };
-    const auto points = [&](const State& state) {
-        return planar ? state.planar_contacts.points.size() : state.contacts.points.size();
-    };
-    State there = initial_state(model);
-    run_quietly(model, {leaned(0.1)}, there);
-    EXPECT_EQ(points(there), few);
-    State back = initial_state(model);
-    for (const auto& [e, count] : {std::pair(0.1, few), std::pair(0.25, all), std::pair(0.1, few)}) {
-        run_quietly(model, {leaned(e)}, back);
-        EXPECT_EQ(points(back), count) << "e = " << e << " m";
-        const JointResultant bed = joint_resultants(model, back).front();
-        EXPECT_NEAR(bed.normal_force / (model.mass(block) * gravity), 1, 1e-4);
-        const Vector3d shear = bed.force - bed.normal.dot(bed.force) * bed.normal;
-        EXPECT_NEAR(shear.norm() / (model.mass(block) * gravity), e, 2e-3);
-    }
-    const Pose direct = pose_of(model.kinematics, there, block), detour = pose_of(model.kinematics, back, block);
-    EXPECT_LT((direct.map - detour.map).norm(), 1e-3 * (direct.map - Eigen::Matrix3d::Identity()).norm());
-}
-
 INSTANTIATE_TEST_SUITE_P(Every, Faces, every_kinematics(), test_name);
 
 // ---- Plates that spin ------------------------------------------------------------------------------------------

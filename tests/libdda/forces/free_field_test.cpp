@@ -32,6 +32,7 @@ enum class Sides { open, viscous, free_field };
 Model ground_with(Kinematics kinematics, Sides sides)
 {
     Model model = grid(kinematics, columns, rows);
+    model.joints[0].face = FaceLaw::corners;  // ground that shears and stretches: nothing of it bends
     ViscousBoundary base = base_of(model, columns);
     ViscousBoundary flanks{"flanks", {}, RestSupport::normal, {}};
     const double half = 0.5 * columns;

@@ -54,6 +54,7 @@ std::vector<double> rocking_ratios(Kinematics kinematics, double h)
 {
     constexpr double width = 1, height = 3, lean = 0.1;
     Model model = make_model(kinematics, stone(), dry(60));
+    model.joints[0].face = FaceLaw::corners;  // on points its edge is softer, and it trembles on it
     hold(model, add_box(model, "floor", {-3, -1, -1}, {3, 1, 0}));
     const int block = add_box(model, "block", {-width / 2, -0.5, 0}, {width / 2, 0.5, height});
     State state = initial_state(model);
@@ -249,7 +250,7 @@ TEST_P(Landing, AJointThatStaysClosedLosesNothing)
 TEST_P(Landing, AStoneThatSlidesLandsOnAStepOfItsPavement)
 {
     JointMaterial joint = dry(20);
-    joint.stiffness = {ContactStiffness::Kind::per_area, 1e8};  // of its weight it yields by 0.07 mm
+    joint.stiffness = {ContactStiffness::Kind::per_area, 3e8};  // of its weight it yields by 0.02 mm
     // Of a rigid stone that goes on about its toe: the angular momentum about that stays.
     const double tipping = 0.75 * 0.15 * 0.15 / (0.2 * 0.2 + 0.15 * 0.15);
     for (const double step : {0.0, 1e-3}) {

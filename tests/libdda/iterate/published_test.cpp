@@ -48,7 +48,8 @@ TEST_P(Published, InclineIsWithinAFewPercent)
 TEST_P(Published, BlockThatMustStickSticks)
 {
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
-        const Model model = block_on_plane(GetParam(), 50);
+        Model model = block_on_plane(GetParam(), 50);
+        model.joints[0].face = FaceLaw::corners;  // it knows no stones that bend
         State state = initial_state(model);
         Stage stage = published(dynamic_stage(1, 1e-3, inclined_gravity(45)));
         stage.control.integrator = integrator;
