@@ -31,6 +31,7 @@ struct VibratingPoint {
 template <class K>
 struct BentFace {
     static constexpr int turns = K::dimension + 1;  // slope of the gap, and the twist about the normal
+    /// All of these.
     using Turns = Eigen::Matrix<double, turns, 1>;
 
     int first = 0, end = 0;     // the closed points of its patch

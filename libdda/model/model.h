@@ -75,7 +75,7 @@ struct JointMaterial {
     double tensile_strength = 0;             // Pa; a dry joint has neither
     ContactStiffness stiffness;              // normal
     double shear_to_normal_stiffness = 0.5;  // -; Shi's 1/h2
-    FaceLaw face = FaceLaw::points;
+    FaceLaw face = FaceLaw::points;          // where its springs act
     double relaxation_time = 0;  // s, stiffness-proportional contact damping (eta of N = -k(g + eta dg/dt))
     // -, 0..1, of the approach speed where stones land on one another; none: impacts are left to the springs, as
     // in the papers. A dashpot takes its place

@@ -102,6 +102,7 @@ struct IterationCounts {
     std::int64_t whole_tangents = 0;  // a direction was that of the whole tangent
     std::int64_t shortened = 0;       // less than the whole of a direction was gone
 
+    /// Adds those of another step.
     IterationCounts& operator+=(const IterationCounts& other);
 };
 

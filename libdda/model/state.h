@@ -83,6 +83,7 @@ std::span<const ContactPointIn<D>> corners_of(std::span<const ContactPointIn<D>>
     while (count < points.size() && !is_inner(points[count])) ++count;
     return points.first(count);
 }
+/// The same of a patch of a set.
 template <int D>
 std::span<const ContactPointIn<D>> corners_of(const ContactSetIn<D>& contacts, const ContactPatchIn<D>& patch)
 {
