@@ -218,6 +218,7 @@ TEST(FacePoints, HaveTheMomentsOfTheFace)
     face.frame = Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     face.slope = {1e-4, -2e-4};
     std::vector<Outline> outlines;
+    outlines.reserve(306);
     for (int i = 0; i < 300; ++i) outlines.push_back(irregular(engine));
     for (int corners = 3; corners < 9; ++corners) outlines.push_back(regular(corners));
     for (const Outline& outline : outlines) expect_moments_of(outline, face, face.of(outline));
