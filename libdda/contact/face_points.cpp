@@ -21,8 +21,7 @@ using Eigen::Vector3d;
 // Labels of what is added, each with that of the corner before it.
 constexpr std::uint32_t towards_corner = inner_feature | 0x8000, towards_side = inner_feature | 0x40000000;
 
-constexpr double alike =
-    1e-3;  // area of the corners' parts, of that of the polygon: it is convex but for rounding
+constexpr double alike = 1e-3;     // of the area, that of the corners' parts: convex but for rounding
 constexpr double thinnest = 1e-6;  // of needles, second moment across by that along
 
 /// Share of the area at the corners, by the polygon's second moment over that of its corners: 1/4 of a triangle,
