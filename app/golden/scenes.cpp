@@ -116,12 +116,26 @@ Scene column(Kinematics kinematics, LinearSolverKind solver)
     return at_rest(std::move(model), {self_weight(), shaking});
 }
 
+/// A column on soft joints that open from their edge on and close again.
+Scene opening(Kinematics kinematics)
+{
+    JointMaterial joint = dry(35, 1e9);
+    joint.face = FaceLaw::linear;
+    Model model = make_model(kinematics, {"stone", 2200, 5e9, 0.2}, joint);
+    hold(model, add_box(model, {-1, -1, -0.5}, {1, 1, 0}));
+    for (int i = 0; i < 3; ++i) add_box(model, {-0.2, -0.25, 0.6 * i}, {0.2, 0.25, 0.6 * (i + 1)});
+    Stage shaking = motion(0.25, 1e-3);
+    shake(4, shaking);
+    return at_rest(std::move(model), {self_weight(), shaking});
+}
+
 /// Two boxes, one on the other, that the ground shakes to and fro: they stick, slide, turn round and rock, by
 /// Shi's own iteration and the papers' damping.
 Scene published(Kinematics kinematics)
 {
     JointMaterial joint = dry(22, 0);
     joint.stiffness = {ContactStiffness::Kind::per_point, 1e8};
+    joint.face = FaceLaw::corners;
     Model model = make_model(kinematics, {"stone", 2500, 1e10, 0.2}, joint);
     hold(model, add_box(model, {-5, -5, -1}, {5, 5, 0}));
     add_box(model, {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
@@ -244,6 +258,7 @@ std::vector<NamedScene> scenes()
         add("knocks", kinematics, knocks);
         add("column", kinematics, solved_by(LinearSolverKind::automatic));
         add("mortar", kinematics, mortar);
+        add("opening", kinematics, opening);
     }
     for (const Kinematics kinematics : {spatial_deformable, planar_rigid}) {
         add("column by cholmod", kinematics, solved_by(LinearSolverKind::cholmod));

@@ -90,6 +90,21 @@ std::optional<double> read_restitution(YamlCursor& map, bool has_dashpot)
     return restitution;
 }
 
+/// A stiffness that was measured is that of a joint, which opens from its edge on; one per contact point is that
+/// of the papers, whose points are the corners.
+FaceLaw face_by_stiffness(ContactStiffness::Kind kind)
+{
+    switch (kind) {
+        case ContactStiffness::Kind::per_area:
+            return FaceLaw::linear;
+        case ContactStiffness::Kind::per_point:
+            return FaceLaw::corners;
+        case ContactStiffness::Kind::from_modulus:
+            return FaceLaw::points;
+    }
+    return FaceLaw::points;
+}
+
 JointMaterial read_joint(const std::string& name, YamlCursor& map)
 {
     JointMaterial joint;
@@ -105,8 +120,9 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
         joint.stiffness.factor = factor->as_quantity(words::dimension::number, words::Range::positive());
     joint.shear_to_normal_stiffness = map.quantity_or("shear_to_normal_stiffness", words::dimension::number,
                                                       words::Range::positive(), joint.shear_to_normal_stiffness);
-    joint.face =
-        map.choice_or<FaceLaw>("face", {{"corners", FaceLaw::corners}, {"points", FaceLaw::points}}, joint.face);
+    joint.face = map.choice_or<FaceLaw>(
+        "face", {{"corners", FaceLaw::corners}, {"points", FaceLaw::points}, {"linear", FaceLaw::linear}},
+        face_by_stiffness(joint.stiffness.kind));
     joint.relaxation_time = map.quantity_or("relaxation_time", words::dimension::time,
                                             words::Range::non_negative(), joint.relaxation_time);
     joint.restitution = read_restitution(map, joint.relaxation_time > 0);

@@ -178,10 +178,11 @@ void refuse_published_iteration_of(const Model& model, StageEntry& entry)
 {
     if (entry.stage.control.open_close != OpenClose::published) return;
     for (const JointMaterial& joint : model.joints) {
-        if (is_deformable(model.kinematics) && joint.face == FaceLaw::points)
-            entry.written.fault("open_close: published does not bend stones as face: points does, which joint " +
-                                    joint.name + " has",
-                                "write face: corners in the joint, or use newton");
+        if (is_deformable(model.kinematics) && joint.face != FaceLaw::corners)
+            entry.written.fault(
+                "open_close: published does not bend stones as face: points and linear do, which joint " +
+                    joint.name + " has",
+                "write face: corners in the joint, or use newton");
         if (joint.has_strength() || joint.relaxation_time > 0)
             entry.written.fault(
                 "open_close: published has no cohesion, tensile strength or relaxation time, which joint " +

@@ -58,7 +58,15 @@ std::string_view name_of(ContactStiffness::Kind kind)
 
 std::string_view name_of(FaceLaw face)
 {
-    return face == FaceLaw::points ? "points" : "corners";
+    switch (face) {
+        case FaceLaw::corners:
+            return "corners";
+        case FaceLaw::points:
+            return "points";
+        case FaceLaw::linear:
+            return "linear";
+    }
+    return "";
 }
 
 std::string_view name_of(PlaneCondition plane)

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "libdda/contact/cut_face.h"
+#include "libdda/contact/face_points.h"
 #include "libdda/contact/normal_stiffness.h"
 #include "libdda/contact/stone_bending.h"
 
@@ -14,6 +17,11 @@ namespace
 
 constexpr double same_plane = 0.9;            // cosine: the faces of a rough or warped joint, not its edge
 constexpr double nearest_point_reach = 0.05;  // of the patch's extent
+constexpr int most_cuts = 8;                  // of a face beside stones that bend
+constexpr double same_slope = 1e-3;           // of what they bend by
+constexpr double in_a_row = 1e-4;             // second moment across by that along, of points
+constexpr double most_stretched = 1.5;        // times, of slip that goes over to other places
+constexpr double closed_by_rounding = 16 * std::numeric_limits<double>::epsilon();  // of places' distances
 
 /// At a place where there was no corner: unlike the slip the rest gap is linear over the patch, so that near
 /// corners count more, by the inverse square of their distance.
@@ -30,15 +38,55 @@ double rest_gap_between(std::span<const ContactPointIn<D>> old, const VectorIn<D
     return weights > 0 ? sum / weights : 0;
 }
 
+/// The elastic slip of the points that press, as a linear function of their place. Points of a face that was cut
+/// move with the line: what they remember is not theirs alone but that of a place.
+template <int D>
+class SlipField
+{
+ public:
+    SlipField() = default;
+    SlipField(std::span<const ContactPointIn<D>> points, const VectorIn<D>& normal)
+    {
+        double area = 0;
+        for (const ContactPointIn<D>& p : points) {
+            if (p.gap >= 0) continue;
+            area += p.area;
+            centre_ += p.area * p.position;
+            mean_ += p.area * p.elastic_slip;
+        }
+        if (!(area > 0)) return;
+        centre_ /= area;
+        mean_ /= area;
+        MatrixIn<D> second = MatrixIn<D>::Zero(), with_slip = MatrixIn<D>::Zero();
+        for (const ContactPointIn<D>& p : points) {
+            if (p.gap >= 0) continue;
+            const VectorIn<D> place = p.position - centre_;
+            second += p.area * place * place.transpose();
+            with_slip += p.area * p.elastic_slip * place.transpose();
+        }
+        const double size = second.trace();
+        second += size * normal * normal.transpose();  // it has no slope across the face
+        // Points in a row, or one alone, have none that could be told.
+        if (second.determinant() > in_a_row * std::pow(size, D)) slope_ = with_slip * second.inverse();
+    }
+    VectorIn<D> at(const VectorIn<D>& place) const { return mean_ + slope_ * (place - centre_); }
+    VectorIn<D> change(const VectorIn<D>& from, const VectorIn<D>& to) const { return slope_ * (to - from); }
+
+ private:
+    VectorIn<D> centre_ = VectorIn<D>::Zero(), mean_ = VectorIn<D>::Zero();
+    MatrixIn<D> slope_ = MatrixIn<D>::Zero();
+};
+
 /// Takes over slip and rest gap from the old patch; `sign` is -1 when reference and incident body have changed
 /// places.
 /// @param sheared share of the patch that the old one was: what has only now come into touch has no elastic slip,
 /// and the mean is taken, so that the shear force does not jump
 /// @param extent of the patch: the root of its area, or its length [m]
+/// @param field of a face that gives way linearly; null: each point has its own slip
 /// @param index of the point in its patch: most often that of the old one too
 template <int D>
 void inherit(const History<D>& history, bool same_features, double sign, double sheared, double extent,
-             std::size_t index, ContactPointIn<D>& point)
+             const SlipField<D>* field, std::size_t index, ContactPointIn<D>& point)
 {
     const ContactPointIn<D>* source = nullptr;
     if (same_features && index < history.points.size() && history.points[index].feature == point.feature)
@@ -46,6 +94,7 @@ void inherit(const History<D>& history, bool same_features, double sign, double 
     else if (same_features)
         for (const ContactPointIn<D>& old : history.points)
             if (old.feature == point.feature) source = &old;
+    const bool same_label = source != nullptr;
     if (!source) {
         double nearest = nearest_point_reach * extent;
         for (const ContactPointIn<D>& old : history.points) {
@@ -60,6 +109,8 @@ void inherit(const History<D>& history, bool same_features, double sign, double 
         point.plastic_slip = sign * source->plastic_slip;
         point.rest_gap = source->rest_gap;
         point.status = source->status;
+        if (field && same_label)
+            point.elastic_slip += sign * sheared * field->change(source->position, point.position);
     } else {
         double area = 0;
         for (const ContactPointIn<D>& old : history.points) {
@@ -68,6 +119,7 @@ void inherit(const History<D>& history, bool same_features, double sign, double 
             point.plastic_slip += sign * old.area * old.plastic_slip;
         }
         if (area > 0) {
+            if (field) point.elastic_slip = sign * area * field->at(point.position);
             point.elastic_slip *= sheared / area;
             point.plastic_slip /= area;
             point.status = history.points.front().status;
@@ -92,6 +144,7 @@ template <int D>
 class BentGaps
 {
  public:
+    static BentGaps none() { return BentGaps(); }
     BentGaps(const Model& model, const std::vector<bool>& fully_held, const PlacedPartIn<D>& incident,
              const PlacedPartIn<D>& reference, const ContactPatchIn<D>& patch,
              const std::vector<ContactPointIn<D>>& points)
@@ -110,10 +163,10 @@ class BentGaps
         twist_ = twist_flexibility(model, a, b, patch.normal, area);
         shear_ = model.joint_between(a.block, b.block).shear_to_normal_stiffness;
     }
-    /// Bends the stones: gaps become those that the springs feel. @returns what is stored in the stones [J]
-    double bend(const ContactPatchIn<D>& patch, std::vector<ContactPointIn<D>>& points)
+    /// Bends the stones: gaps become those that the springs feel.
+    void bend(const ContactPatchIn<D>& patch, std::vector<ContactPointIn<D>>& points)
     {
-        if (flexibility_.isZero(0)) return 0;
+        if (flexibility_.isZero(0)) return;
         const auto pressure = [&](const VectorIn<D>& slope) {
             MomentOf<D> sum;
             for (const ContactPointIn<D>& p : points) {
@@ -127,12 +180,21 @@ class BentGaps
         const VectorIn<D> change = flexibility_ * moment_ - slope_;
         for (ContactPointIn<D>& p : points) p.gap += change.dot(p.position - centre_);
         slope_ += change;
+    }
+    /// What is stored in the stones, which the shear of the points twists [J].
+    double energy(const ContactPatchIn<D>& patch, const std::vector<ContactPointIn<D>>& points) const
+    {
+        if (flexibility_.isZero(0)) return 0;
         return 0.5 * moment_.dot(slope_) + twist_energy(patch, points);
     }
     /// Gap of a point as the stones are drawn [m].
     double drawn(const ContactPointIn<D>& p) const { return p.gap - slope_.dot(p.position - centre_); }
+    /// What bending adds to the gap at a place [m].
+    double added(const VectorIn<D>& place) const { return slope_.dot(place - centre_); }
+    const VectorIn<D>& slope() const { return slope_; }
 
  private:
+    BentGaps() = default;
     /// [J]
     double twist_energy(const ContactPatchIn<D>& patch, const std::vector<ContactPointIn<D>>& points) const
     {
@@ -176,7 +238,8 @@ void forgive_overlap(double stored, BentGaps<D>& gaps, ContactPatchIn<D>& patch,
         p.rest_gap += forgiven;
         p.gap -= forgiven;
     }
-    patch.bending_energy = gaps.bend(patch, points);
+    gaps.bend(patch, points);
+    patch.bending_energy = gaps.energy(patch, points);
 }
 
 /// What the point of a dry joint keeps of an overlap that was forgiven: as the stones part it shrinks, and where
@@ -257,6 +320,126 @@ double new_rest_gap(const Model& model, const State& state, const ContactPatchIn
     return std::clamp(rest_gap_between<D>(beside, corner.position), -fit, fit);
 }
 
+template <int D>
+bool gives_way_linearly(const Model& model, const ContactPatchIn<D>& patch)
+{
+    return !patch.intact && !patch.edge_edge &&
+           model.joint_between(patch.block_a, patch.block_b).face == FaceLaw::linear;
+}
+
+/// Makes the points of a patch, each with what it remembers.
+template <int D>
+class PointMaker
+{
+ public:
+    PointMaker(const Model& model, const State& state, const ContactPatchIn<D>& patch,
+               const ContactPolygonIn<D>& polygon, const History<D>& history, double size, bool forgives)
+        : model_(model), state_(state), patch_(patch), history_(history), size_(size), forgives_(forgives)
+    {
+        double measure = 0;
+        for (const PolygonPointIn<D>& corner : polygon.points) measure += corner.area;
+        extent_ = D == 3 ? std::sqrt(measure) : measure;
+        if (!history.patch) return;
+        same_features_ = has_same_features(patch, *history.patch);
+        sheared_ = sheared_share(history, patch.stiffness * measure * depth_of<D>(model));
+        sign_ = history.patch->block_b != patch.block_b ? -1 : 1;
+        turns_away_ = model.fit_tolerance > 0 && !patch.intact && !looks_alike(patch, *history.patch);
+        has_field_ = gives_way_linearly(model, patch);
+        if (has_field_) field_ = SlipField<D>(history.points, history.patch->normal);
+    }
+    double sheared() const { return sheared_; }
+    void make(const std::vector<PolygonPointIn<D>>& places, std::vector<ContactPointIn<D>>& points) const
+    {
+        points.clear();
+        points.reserve(places.size());
+        for (const PolygonPointIn<D>& place : places) {
+            ContactPointIn<D> point = remembering(place, points.size());
+            if (turns_away_) point.rest_gap = std::min(point.rest_gap, 0.0);
+            if (forgives_) point.rest_gap = std::max(point.rest_gap, 0.0);  // forgiven anew, by the energy
+            if (!patch_.intact) point.rest_gap = kept_rest_gap(point.rest_gap, place.gap, model_.fit_tolerance);
+            point.gap = place.gap - point.rest_gap;
+            point.elastic_slip -= patch_.normal.dot(point.elastic_slip) * patch_.normal;
+            points.push_back(point);
+        }
+    }
+
+ private:
+    ContactPointIn<D> remembering(const PolygonPointIn<D>& place, std::size_t index) const
+    {
+        ContactPointIn<D> point;
+        point.feature = place.feature;
+        point.position = place.position;
+        point.area = place.area * depth_of<D>(model_);
+        if (history_.patch)
+            inherit(history_, same_features_, sign_, sheared_, extent_, has_field_ ? &field_ : nullptr, index,
+                    point);
+        else
+            point.rest_gap = new_rest_gap(model_, state_, patch_, place, size_, history_);
+        return point;
+    }
+
+    const Model& model_;
+    const State& state_;
+    const ContactPatchIn<D>& patch_;
+    const History<D>& history_;
+    double size_;    // m, of the smaller stone
+    double extent_;  // m, of the patch
+    bool forgives_, same_features_ = false, turns_away_ = false;
+    double sheared_ = 1, sign_ = 1;
+    bool has_field_ = false;
+    SlipField<D> field_;
+};
+
+/// Of a face that gives way linearly: its points, on both sides of the line where it begins to press. Where the
+/// stones beside it bend, that line and what they bend by are found together.
+/// @param bend_at makes what the stones bend by: points -> BentGaps<D>, with the points' gaps bent
+template <int D, class BendAt>
+BentGaps<D> cut_where_it_presses(const PointMaker<D>& maker, const ContactPolygonIn<D>& polygon, double touching,
+                                 const BendAt& bend_at, std::vector<ContactPointIn<D>>& points)
+{
+    thread_local std::vector<PolygonPointIn<D>> places;
+    thread_local std::vector<double> corner_gaps, gaps;
+    maker.make(polygon.points, points);
+    corner_gaps.clear();
+    for (const ContactPointIn<D>& corner : points) corner_gaps.push_back(corner.gap);
+    BentGaps<D> bent = BentGaps<D>::none();
+    for (int round = 0; round < most_cuts; ++round) {
+        const VectorIn<D> before = bent.slope();
+        gaps.clear();
+        for (std::size_t i = 0; i < corner_gaps.size(); ++i)
+            gaps.push_back(corner_gaps[i] + bent.added(polygon.points[i].position));
+        for (double& gap : gaps)
+            if (std::abs(gap) < touching) gap = 0;  // as faces that touch as they are drawn
+        places = polygon.points;
+        add_points_of_parts<D>(polygon.normal, gaps, places);
+        maker.make(places, points);
+        bent = bend_at(points);
+        if ((bent.slope() - before).norm() <= same_slope * bent.slope().norm()) break;
+    }
+    return bent;
+}
+
+/// Slip that goes over to other places stores what it stored, and nothing where the face is apart: as the line
+/// moves on, what it leaves and what it reaches has next to no slip, for next to nothing presses there.
+/// @param sheared of inherit(): a patch that has grown keeps its force and loses energy
+template <int D>
+void keep_shear_energy(const History<D>& history, double sheared, double stiffness,
+                       std::vector<ContactPointIn<D>>& points)
+{
+    if (!history.patch) return;
+    double before = 0, now = 0;
+    for (const ContactPointIn<D>& old : history.points) before += old.area * old.elastic_slip.squaredNorm();
+    for (ContactPointIn<D>& point : points) {
+        if (point.gap >= 0) point.elastic_slip.setZero();
+        now += point.area * point.elastic_slip.squaredNorm();
+    }
+    before *= sheared * history.patch->stiffness;
+    now *= stiffness;
+    if (!(now > 0)) return;
+    const double share = std::min(most_stretched, std::sqrt(before / now));
+    for (ContactPointIn<D>& point : points) point.elastic_slip *= share;
+}
+
 }  // namespace
 
 template <int D>
@@ -269,40 +452,34 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
     const PlacedPartIn<D>& incident = polygon.second_is_reference ? first : second;
     const double size = std::min(first.size, second.size);
     found.patch = patch_of(reference, incident, polygon);
-    found.points.clear();
     ContactPatchIn<D>& patch = found.patch;
     const bool same_features = history.patch && has_same_features(patch, *history.patch);
     patch.stiffness = same_features ? history.patch->stiffness
                                     : normal_stiffness(model, fully_held, polygon, reference, incident);
     patch.intact = history.patch ? history.patch->intact : is_bonded(model, state, patch, polygon.points, size);
-
-    double measure = 0;
-    for (const PolygonPointIn<D>& corner : polygon.points) measure += corner.area;
-    const double extent = D == 3 ? std::sqrt(measure) : measure;
-    const double sheared = sheared_share(history, patch.stiffness * measure * depth_of<D>(model));
-    const double sign = history.patch && history.patch->block_b != patch.block_b ? -1 : 1;
     const bool forgives = overlap == NewOverlap::forgiven && !patch.intact && !same_features;
-    const bool turns_away =
-        model.fit_tolerance > 0 && history.patch && !patch.intact && !looks_alike(patch, *history.patch);
-    found.points.reserve(polygon.points.size());
-    for (const PolygonPointIn<D>& corner : polygon.points) {
-        ContactPointIn<D> point;
-        point.feature = corner.feature;
-        point.position = corner.position;
-        point.area = corner.area * depth_of<D>(model);
-        if (history.patch)
-            inherit(history, same_features, sign, sheared, extent, found.points.size(), point);
-        else
-            point.rest_gap = new_rest_gap(model, state, patch, corner, size, history);
-        if (turns_away) point.rest_gap = std::min(point.rest_gap, 0.0);
-        if (forgives) point.rest_gap = std::max(point.rest_gap, 0.0);  // forgiven anew, by the energy
-        if (!patch.intact) point.rest_gap = kept_rest_gap(point.rest_gap, corner.gap, model.fit_tolerance);
-        point.gap = corner.gap - point.rest_gap;
-        point.elastic_slip -= patch.normal.dot(point.elastic_slip) * patch.normal;
-        found.points.push_back(point);
+
+    const PointMaker<D> maker(model, state, patch, polygon, history, size, forgives);
+    const auto bend_at = [&](std::vector<ContactPointIn<D>>& points) {
+        BentGaps<D> gaps(model, fully_held, incident, reference, patch, points);
+        if (overlap != NewOverlap::drawn) gaps.bend(patch, points);
+        return gaps;
+    };
+    BentGaps<D> gaps = BentGaps<D>::none();
+    if (gives_way_linearly(model, patch)) {
+        const double touching = closed_by_rounding * (incident.pose.centroid.norm() + size);
+        gaps = cut_where_it_presses(maker, polygon, touching, bend_at, found.points);
+        keep_shear_energy(history, maker.sheared(), patch.stiffness, found.points);
+    } else if (!polygon.edge_edge && model.joint_between(patch.block_a, patch.block_b).face != FaceLaw::corners) {
+        thread_local std::vector<PolygonPointIn<D>> places;
+        places = polygon.points;
+        add_inner_points(polygon.normal, places);
+        maker.make(places, found.points);
+        gaps = bend_at(found.points);
+    } else {
+        maker.make(polygon.points, found.points);
     }
-    BentGaps<D> gaps(model, fully_held, incident, reference, patch, found.points);
-    if (overlap != NewOverlap::drawn) patch.bending_energy = gaps.bend(patch, found.points);
+    patch.bending_energy = gaps.energy(patch, found.points);
     if (forgives) {
         const double stored = history.patch ? pressed_energy(history.patch->stiffness, history.points) +
                                                   history.patch->bending_energy

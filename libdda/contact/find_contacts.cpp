@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "libdda/contact/broad_phase.h"
-#include "libdda/contact/face_points.h"
 #include "libdda/contact/narrow_phase.h"
 #include "libdda/contact/narrow_phase_planar.h"
 #include "libdda/model/parallel.h"
@@ -86,11 +85,9 @@ void find_patch(const Model& model, const State& state, const SearchMemory<D>& m
         last = LastContact{history.patch->block_b == second.block, history.patch->edge_edge,
                            history.patch->feature_b, history.patch->feature_a};
     const double margin = reach[first.block] + reach[second.block];
-    std::optional<ContactPolygonIn<D>> polygon = polygon_between(first, second, margin, last, model.fit_tolerance);
-    if (!polygon) return;
-    if (!polygon->edge_edge && model.joint_between(first.block, second.block).face == FaceLaw::points)
-        add_inner_points(polygon->normal, polygon->points);
-    attach_history(model, state, memory.fully_held, first, second, *polygon, history, overlap, found);
+    const std::optional<ContactPolygonIn<D>> polygon =
+        polygon_between(first, second, margin, last, model.fit_tolerance);
+    if (polygon) attach_history(model, state, memory.fully_held, first, second, *polygon, history, overlap, found);
 }
 
 /// Puts the first `count` of what was found in a row.

@@ -83,7 +83,7 @@ MatrixIn<D> bending_flexibility(const Model& model, const HalfStone<D>& a, const
 {
     MatrixIn<D> sum = MatrixIn<D>::Zero();
     const JointMaterial& joint = model.joint_between(a.block, b.block);
-    if (!is_deformable(model.kinematics) || joint.face != FaceLaw::points) return sum;
+    if (!is_deformable(model.kinematics) || joint.face == FaceLaw::corners) return sum;
     for (const HalfStone<D>& half : {a, b})
         if (!half.held) sum += flexibility_of(model, half, normal, area);
     return left_by_joint(model.kinematics, joint) * sum;
@@ -95,7 +95,7 @@ double twist_flexibility(const Model& model, const HalfStone<D>& a, const HalfSt
 {
     double sum = 0;
     if constexpr (twists<D>) {
-        if (!is_deformable(model.kinematics) || model.joint_between(a.block, b.block).face != FaceLaw::points)
+        if (!is_deformable(model.kinematics) || model.joint_between(a.block, b.block).face == FaceLaw::corners)
             return 0;
         for (const HalfStone<D>& half : {a, b}) {
             if (half.held) continue;

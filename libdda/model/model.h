@@ -58,6 +58,7 @@ struct ContactStiffness {
 enum class FaceLaw : std::uint8_t {
     corners,  // at its corners, as the papers have it: three times too stiff in bending, too strong in torsion
     points,   // at its corners and at points inside: as stiff as its area, and as strong against turning on it
+    linear,   // at such points of the part that presses: as an elastic joint that opens, whose edge yields
 };
 
 /// Friction of a joint at one speed of slip.

@@ -34,7 +34,7 @@ struct FewBlocks {
         const Eigen::Vector3d upper[] = {
             {4, 4, 0}, {1, 0.8, 0.5}, {0.8, 0.7, 0.9}, {-0.1, 0.6, 0.4}, {0.7, 0.5, 1.3}};
         const Eigen::Vector3d speed[] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {3, 0.5, 0}, {0.2, 0.1, -2}};
-        const Eigen::Vector3d spin[] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0.5}, {0.3, -0.2, 0.1}};
+        const Eigen::Vector3d spin[] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0.5}, {0.3, -0.2, 1}};
         place.resize(5);
         for (int i = 0; i < 5; ++i) {
             const int b = telling.order[i];

@@ -166,6 +166,16 @@ TEST(GoldenScenes, AreSolvedByBothSolvers)
               2);
 }
 
+TEST(GoldenScenes, OpenInSoftJoints)
+{
+    EXPECT_EQ(for_scenes("opening",
+                         [](const Course& course) {
+                             EXPECT_TRUE(course.opened && course.something_stuck);
+                             EXPECT_NE(course.report.energy.redetection, 0);
+                         }),
+              4);
+}
+
 TEST(GoldenScenes, GoByThePublishedIteration)
 {
     EXPECT_EQ(for_scenes("published",

@@ -19,6 +19,21 @@ TEST(JointStiffness, ContactStiffnessNeedsItsUnit)
     EXPECT_NE(faults_of(two_boxes, {"joints.dry.contact_stiffness=1e8"}).find("no unit"), std::string::npos);
 }
 
+// Measured joints open like elastic ones, those of the papers have springs at their corners.
+TEST(JointStiffness, TheLawOfFacesFollowsItsUnit)
+{
+    const auto face = [](const std::vector<std::string>& settings) {
+        return read(two_boxes, settings).model.joints[0].face;
+    };
+    const std::string key = "joints.dry.contact_stiffness=";
+    EXPECT_EQ(face({}), FaceLaw::points);
+    EXPECT_EQ(face({key + "30 E/L"}), FaceLaw::points);
+    EXPECT_EQ(face({key + "50 MPa/m"}), FaceLaw::linear);
+    EXPECT_EQ(face({key + "1e8 N/m"}), FaceLaw::corners);
+    EXPECT_EQ(face({key + "1e8 N/m", "joints.dry.face=linear"}), FaceLaw::linear);
+    EXPECT_EQ(face({key + "50 MPa/m", "joints.dry.face=points"}), FaceLaw::points);
+}
+
 TEST(JointStiffness, ContactStiffnessMayBeSoManyTimesTheModulus)
 {
     const std::string key = "joints.dry.contact_stiffness";

@@ -98,6 +98,7 @@ TEST_F(Boulder, SettlesAndTiltsInTheEngineAsItsGeometrySays)
 
     JointMaterial joint = testing::dry(45);
     joint.stiffness = {ContactStiffness::Kind::per_point, 1e8};
+    joint.face = FaceLaw::corners;
     Model model = make_model(Kinematics::spatial_rigid, testing::stone(), joint);
     testing::hold(model, testing::add_box(model, "floor", {-2, -2, -0.5}, {2, 2, 0}));
     model.blocks.push_back(make_block("boulder", 0, 0, shapes, moments));

@@ -200,7 +200,10 @@ TEST_P(AcceptedModels, ComeToRestUnlessTheyAreDrawnFarOff)
             }
             const RunReport report = brought_to_rest(model);
             if (report.outcome == Outcome::completed) continue;
-            EXPECT_EQ(report.outcome, Outcome::collapsed) << kind << " " << seed << ": " << *report.diagnosis;
+            // Or two of its faces take turns to touch, and nothing comes to rest.
+            EXPECT_TRUE(report.outcome == Outcome::collapsed ||
+                        report.diagnosis->kind == DiagnosisKind::no_equilibrium)
+                << kind << " " << seed << ": " << *report.diagnosis;
             EXPECT_GT(std::max(hand.shift, hand.tilt), far_off)
                 << kind << " " << seed << ": " << *report.diagnosis;
             ++falling;

@@ -210,7 +210,9 @@ TEST_P(Strength, BrokenJointSlidesLikeADryOne)
     const int block = add_box(model, "block", {-0.5, -0.5, 0}, {0.5, 0.5, 0.3});
     State state = initial_state(model);
     const double x0 = centroid(model, state, block).x();
-    const RunReport report = run_quietly(model, {dynamic_stage(1, 1e-3, inclined_gravity(45))}, state);
+    Stage slide = dynamic_stage(1, 1e-3, inclined_gravity(45));
+    slide.control.force_tolerance = 1e-8;  // what the iteration leaves over is in no term of the energy
+    const RunReport report = run_quietly(model, {slide}, state);
     const double exact =
         0.5 * gravity * (std::sin(45 * degrees) - std::cos(45 * degrees) * std::tan(20 * degrees));
     EXPECT_EQ(report.outcome, Outcome::completed);
