@@ -54,8 +54,9 @@ ConvexPolyhedron shape_of(const OneBlock& scene)
 
 Model model_of(const OneBlock& scene)
 {
-    Model model = make_model(scene.kinematics, scenes::stone(scene.density, scene.young),
-                             scenes::dry_joint(scene.friction, scene.stiffness));
+    JointMaterial joint = scenes::dry_joint(scene.friction, scene.stiffness);
+    joint.face = FaceLaw::corners;  // the reference has springs under the edges
+    Model model = make_model(scene.kinematics, scenes::stone(scene.density, scene.young), joint);
     scenes::hold(model,
                  scenes::add_box(model, "base", {-reach, -2 * scene.width, -2}, {reach, 2 * scene.width, 0}));
     model.blocks.push_back(make_block("block", 0, 0, {shape_of(scene)}));

@@ -30,7 +30,9 @@ std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
     add(made_planar(wave_benchmarks(), false));
     add(vibration_benchmarks());
     add(face_benchmarks());
+    add(linear_face_benchmarks());
     add(column_benchmarks());
+    add(frame_benchmarks());
     add(ground_benchmarks());
     add(bar_benchmarks());
     add(with_planar(kinetic_damping_benchmarks()));

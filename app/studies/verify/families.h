@@ -43,8 +43,14 @@ std::vector<Benchmark> vibration_benchmarks();
 /// Joints that rest on points inside their faces: bending and torsion.
 std::vector<Benchmark> face_benchmarks();
 
+/// Joints that give way linearly and open.
+std::vector<Benchmark> linear_face_benchmarks();
+
 /// Columns of stones that bend.
 std::vector<Benchmark> column_benchmarks();
+
+/// An arch and a frame of stones that bend.
+std::vector<Benchmark> frame_benchmarks();
 
 /// Waves through viscous boundaries, layers on rock, and Rayleigh's damping.
 std::vector<Benchmark> ground_benchmarks();
