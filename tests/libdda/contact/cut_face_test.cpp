@@ -42,6 +42,7 @@ std::vector<PolygonPoint> irregular(std::mt19937& engine)
 std::vector<double> gaps_of(std::vector<PolygonPoint>& points, double at_origin, const Vector2d& slope)
 {
     std::vector<double> gaps;
+    gaps.reserve(points.size());
     for (PolygonPoint& point : points) gaps.push_back(point.gap = at_origin + slope.dot(point.position.head<2>()));
     return gaps;
 }

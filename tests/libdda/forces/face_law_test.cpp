@@ -187,6 +187,7 @@ std::vector<double> in_plane(const Arch& arch, const Model& model)
     }
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(stiffness, MatrixXd(masses.asDiagonal()));
     std::vector<double> frequencies;
+    frequencies.reserve(3 * static_cast<std::size_t>(n));
     for (int i = 0; i < 3 * n; ++i) frequencies.push_back(std::sqrt(solver.eigenvalues()[i]) / (2 * pi));
     return frequencies;
 }

@@ -52,8 +52,10 @@ Model bonded_wall(FaceLaw face, int cuts)
     Model model = make_model(Kinematics::spatial_rigid, {"brick", 2000, 1e10, 0.2}, joint);
     hold(model, add_box(model, "table", {-0.4, -0.6, -0.3}, {2, 0.8, 0}));
     for (int course = 0; course < 8; ++course)
-        for (double x = course % 2 == 0 ? 0 : -0.5 * brick; x < length - 1e-9; x += brick) {
+        for (int i = 0; i < 5; ++i) {
+            const double x = (i - 0.5 * (course % 2)) * brick;
             const double left = std::max(x, 0.0), right = std::min(x + brick, length);
+            if (right - left < 1e-9) continue;
             model.blocks.push_back(cut_brick({left, 0, course * side}, {right, side, (course + 1) * side}, cuts));
             if (left == 0) hold(model, static_cast<int>(model.blocks.size()) - 1);
         }
