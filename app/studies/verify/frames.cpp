@@ -153,7 +153,7 @@ std::vector<Benchmark> frame_benchmarks()
     frames.setting.kinematics = Kinematics::planar_deformable;
     frames.name = "elastic-frames";
     frames.title = "An arch and a two-hinged frame of elastic stones beside finite elements";
-    frames.source = "scripts/plane_stress.py, elements of plane stress by CalculiX; not from a paper";
+    frames.source = "docs/faces.md: elements of plane stress by CalculiX; not from a paper";
     frames.quantity = "largest |displacement or frequency / that of the elements - 1|";
     frames.choices =
         "Bonded, 10 GPa. 25 voussoirs over 120 degrees, 0.8 m thick, 5 m to their middle, ends held; two posts of "
