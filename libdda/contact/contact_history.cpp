@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "libdda/contact/bent_gaps.h"
 #include "libdda/contact/cut_face.h"
 #include "libdda/contact/face_points.h"
 #include "libdda/contact/normal_stiffness.h"
-#include "libdda/contact/stone_bending.h"
+#include "libdda/contact/slip_field.h"
 
 namespace voussoir::contact
 {
@@ -19,9 +19,7 @@ constexpr double same_plane = 0.9;            // cosine: the faces of a rough or
 constexpr double nearest_point_reach = 0.05;  // of the patch's extent
 constexpr int most_cuts = 8;                  // of a face beside stones that bend
 constexpr double same_slope = 1e-3;           // of what they bend by
-constexpr double in_a_row = 1e-4;             // second moment across by that along, of points
 constexpr double most_stretched = 1.5;        // times, of slip that goes over to other places
-constexpr double closed_by_rounding = 16 * std::numeric_limits<double>::epsilon();  // of places' distances
 
 /// At a place where there was no corner: unlike the slip the rest gap is linear over the patch, so that near
 /// corners count more, by the inverse square of their distance.
@@ -37,45 +35,6 @@ double rest_gap_between(std::span<const ContactPointIn<D>> old, const VectorIn<D
     }
     return weights > 0 ? sum / weights : 0;
 }
-
-/// The elastic slip of the points that press, as a linear function of their place. Points of a face that was cut
-/// move with the line: what they remember is not theirs alone but that of a place.
-template <int D>
-class SlipField
-{
- public:
-    SlipField() = default;
-    SlipField(std::span<const ContactPointIn<D>> points, const VectorIn<D>& normal)
-    {
-        double area = 0;
-        for (const ContactPointIn<D>& p : points) {
-            if (p.gap >= 0) continue;
-            area += p.area;
-            centre_ += p.area * p.position;
-            mean_ += p.area * p.elastic_slip;
-        }
-        if (!(area > 0)) return;
-        centre_ /= area;
-        mean_ /= area;
-        MatrixIn<D> second = MatrixIn<D>::Zero(), with_slip = MatrixIn<D>::Zero();
-        for (const ContactPointIn<D>& p : points) {
-            if (p.gap >= 0) continue;
-            const VectorIn<D> place = p.position - centre_;
-            second += p.area * place * place.transpose();
-            with_slip += p.area * p.elastic_slip * place.transpose();
-        }
-        const double size = second.trace();
-        second += size * normal * normal.transpose();  // it has no slope across the face
-        // Points in a row, or one alone, have none that could be told.
-        if (second.determinant() > in_a_row * std::pow(size, D)) slope_ = with_slip * second.inverse();
-    }
-    VectorIn<D> at(const VectorIn<D>& place) const { return mean_ + slope_ * (place - centre_); }
-    VectorIn<D> change(const VectorIn<D>& from, const VectorIn<D>& to) const { return slope_ * (to - from); }
-
- private:
-    VectorIn<D> centre_ = VectorIn<D>::Zero(), mean_ = VectorIn<D>::Zero();
-    MatrixIn<D> slope_ = MatrixIn<D>::Zero();
-};
 
 /// Takes over slip and rest gap from the old patch; `sign` is -1 when reference and incident body have changed
 /// places.
@@ -138,78 +97,6 @@ double sheared_share(const History<D>& history, double stiffness)
     const double before = history.patch->stiffness * area;
     return before < stiffness ? before / stiffness : 1;
 }
-
-/// Gaps of a face as the stones beside it bend; of those that do not, as the stones are drawn.
-template <int D>
-class BentGaps
-{
- public:
-    static BentGaps none() { return BentGaps(); }
-    BentGaps(const Model& model, const std::vector<bool>& fully_held, const PlacedPartIn<D>& incident,
-             const PlacedPartIn<D>& reference, const ContactPatchIn<D>& patch,
-             const std::vector<ContactPointIn<D>>& points)
-    {
-        if (patch.edge_edge || !is_deformable(model.kinematics)) return;
-        double area = 0;
-        for (const ContactPointIn<D>& p : points) {
-            area += p.area;
-            centre_ += p.area * p.position;
-        }
-        if (!(area > 0)) return;
-        centre_ /= area;
-        const HalfStone<D> a{incident.block, incident.pose.map, fully_held[incident.block]},
-            b{reference.block, reference.pose.map, fully_held[reference.block]};
-        flexibility_ = bending_flexibility(model, a, b, patch.normal, area);
-        twist_ = twist_flexibility(model, a, b, patch.normal, area);
-        shear_ = model.joint_between(a.block, b.block).shear_to_normal_stiffness;
-    }
-    /// Bends the stones: gaps become those that the springs feel.
-    void bend(const ContactPatchIn<D>& patch, std::vector<ContactPointIn<D>>& points)
-    {
-        if (flexibility_.isZero(0)) return;
-        const auto pressure = [&](const VectorIn<D>& slope) {
-            MomentOf<D> sum;
-            for (const ContactPointIn<D>& p : points) {
-                const VectorIn<D> place = p.position - centre_;
-                const double gap = p.gap + (slope - slope_).dot(place), stiffness = patch.stiffness * p.area;
-                if (gap < 0 || patch.intact) sum.add(-stiffness * gap, stiffness, place);
-            }
-            return sum;
-        };
-        balance_moment(flexibility_, VectorIn<D>(VectorIn<D>::Zero()), 1, pressure, moment_);
-        const VectorIn<D> change = flexibility_ * moment_ - slope_;
-        for (ContactPointIn<D>& p : points) p.gap += change.dot(p.position - centre_);
-        slope_ += change;
-    }
-    /// What is stored in the stones, which the shear of the points twists [J].
-    double energy(const ContactPatchIn<D>& patch, const std::vector<ContactPointIn<D>>& points) const
-    {
-        if (flexibility_.isZero(0)) return 0;
-        return 0.5 * moment_.dot(slope_) + twist_energy(patch, points);
-    }
-    /// Gap of a point as the stones are drawn [m].
-    double drawn(const ContactPointIn<D>& p) const { return p.gap - slope_.dot(p.position - centre_); }
-    /// What bending adds to the gap at a place [m].
-    double added(const VectorIn<D>& place) const { return slope_.dot(place - centre_); }
-    const VectorIn<D>& slope() const { return slope_; }
-
- private:
-    BentGaps() = default;
-    /// [J]
-    double twist_energy(const ContactPatchIn<D>& patch, const std::vector<ContactPointIn<D>>& points) const
-    {
-        double couple = 0;
-        if constexpr (twists<D>)
-            for (const ContactPointIn<D>& p : points)
-                couple += shear_ * patch.stiffness * p.area *
-                          patch.normal.cross(p.position - centre_).dot(p.elastic_slip);
-        return 0.5 * twist_ * couple * couple;
-    }
-
-    MatrixIn<D> flexibility_ = MatrixIn<D>::Zero();
-    double twist_ = 0, shear_ = 0;
-    VectorIn<D> centre_ = VectorIn<D>::Zero(), moment_ = VectorIn<D>::Zero(), slope_ = VectorIn<D>::Zero();
-};
 
 /// In the normal springs that press [J].
 template <int D>
@@ -320,11 +207,13 @@ double new_rest_gap(const Model& model, const State& state, const ContactPatchIn
     return std::clamp(rest_gap_between<D>(beside, corner.position), -fit, fit);
 }
 
+/// How the face of a patch gives way: a bonded one, which does not open, on all of its points; edges on their one.
 template <int D>
-bool gives_way_linearly(const Model& model, const ContactPatchIn<D>& patch)
+FaceLaw law_of(const Model& model, const ContactPatchIn<D>& patch)
 {
-    return !patch.intact && !patch.edge_edge &&
-           model.joint_between(patch.block_a, patch.block_b).face == FaceLaw::linear;
+    if (patch.edge_edge) return FaceLaw::corners;
+    const FaceLaw face = model.joint_between(patch.block_a, patch.block_b).face;
+    return face == FaceLaw::linear && patch.intact ? FaceLaw::points : face;
 }
 
 /// Makes the points of a patch, each with what it remembers.
@@ -333,7 +222,8 @@ class PointMaker
 {
  public:
     PointMaker(const Model& model, const State& state, const ContactPatchIn<D>& patch,
-               const ContactPolygonIn<D>& polygon, const History<D>& history, double size, bool forgives)
+               const ContactPolygonIn<D>& polygon, const History<D>& history, FaceLaw law, double size,
+               bool forgives)
         : model_(model), state_(state), patch_(patch), history_(history), size_(size), forgives_(forgives)
     {
         double measure = 0;
@@ -344,7 +234,7 @@ class PointMaker
         sheared_ = sheared_share(history, patch.stiffness * measure * depth_of<D>(model));
         sign_ = history.patch->block_b != patch.block_b ? -1 : 1;
         turns_away_ = model.fit_tolerance > 0 && !patch.intact && !looks_alike(patch, *history.patch);
-        has_field_ = gives_way_linearly(model, patch);
+        has_field_ = law == FaceLaw::linear;
         if (has_field_) field_ = SlipField<D>(history.points, history.patch->normal);
     }
     double sheared() const { return sheared_; }
@@ -459,25 +349,32 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
     patch.intact = history.patch ? history.patch->intact : is_bonded(model, state, patch, polygon.points, size);
     const bool forgives = overlap == NewOverlap::forgiven && !patch.intact && !same_features;
 
-    const PointMaker<D> maker(model, state, patch, polygon, history, size, forgives);
+    const FaceLaw law = law_of(model, patch);
+    const PointMaker<D> maker(model, state, patch, polygon, history, law, size, forgives);
     const auto bend_at = [&](std::vector<ContactPointIn<D>>& points) {
         BentGaps<D> gaps(model, fully_held, incident, reference, patch, points);
         if (overlap != NewOverlap::drawn) gaps.bend(patch, points);
         return gaps;
     };
     BentGaps<D> gaps = BentGaps<D>::none();
-    if (gives_way_linearly(model, patch)) {
-        const double touching = closed_by_rounding * (incident.pose.centroid.norm() + size);
-        gaps = cut_where_it_presses(maker, polygon, touching, bend_at, found.points);
-        keep_shear_energy(history, maker.sheared(), patch.stiffness, found.points);
-    } else if (!polygon.edge_edge && model.joint_between(patch.block_a, patch.block_b).face != FaceLaw::corners) {
-        thread_local std::vector<PolygonPointIn<D>> places;
-        places = polygon.points;
-        add_inner_points(polygon.normal, places);
-        maker.make(places, found.points);
-        gaps = bend_at(found.points);
-    } else {
-        maker.make(polygon.points, found.points);
+    switch (law) {
+        case FaceLaw::corners:
+            maker.make(polygon.points, found.points);
+            break;
+        case FaceLaw::points: {
+            thread_local std::vector<PolygonPointIn<D>> places;
+            places = polygon.points;
+            add_inner_points(polygon.normal, places);
+            maker.make(places, found.points);
+            gaps = bend_at(found.points);
+            break;
+        }
+        case FaceLaw::linear: {
+            const double touching = gap_rounding * (incident.pose.centroid.norm() + size);
+            gaps = cut_where_it_presses(maker, polygon, touching, bend_at, found.points);
+            keep_shear_energy(history, maker.sheared(), patch.stiffness, found.points);
+            break;
+        }
     }
     patch.bending_energy = gaps.energy(patch, found.points);
     if (forgives) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,9 @@
 
 namespace voussoir::contact
 {
+
+/// What rounding leaves of a gap, over the distances that it is made of: faces that touch as drawn.
+constexpr double gap_rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Of the size of what touches: a smaller gap is a joint that is closed when the run begins.
 constexpr double closed_at_start = 1e-4;

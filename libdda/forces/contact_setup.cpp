@@ -1,7 +1,6 @@
 // Contacts as they stand when a step begins: where they act, how they slide, which springs they have.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "libdda/forces/contact_step.h"
@@ -18,7 +17,6 @@ constexpr double least_sliding = 0.1;  // of the speed that friction takes in a 
 // joint turns round by its own spring. In shorter steps both are exact, in longer ones the joint is as good as
 // rigid.
 constexpr double spring_from = 1, spring_to = 4;
-constexpr double touching = 16 * std::numeric_limits<double>::epsilon();  // of the distances that make a gap
 
 /// Whether a point presses when the step begins. Faces that touch as drawn do so, or not, by rounding alone.
 template <class K>
@@ -26,7 +24,7 @@ bool is_pressed(const ContactPointIn<K::dimension>& point, const PatchStep<K>& p
                 const PointStep<K::dimension>& p)
 {
     return point.gap < 0 &&
-           point.gap < -touching * (point.position.norm() + p.lever.norm() + patch.lever_b(p).norm());
+           point.gap < -contact::gap_rounding * (point.position.norm() + p.lever.norm() + patch.lever_b(p).norm());
 }
 
 /// How a point slides at the start of the step. One that hardly does sticks at once: of joints that tremble the

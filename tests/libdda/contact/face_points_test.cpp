@@ -158,6 +158,46 @@ std::vector<Place> face_places(const Outline& outline)
     return places;
 }
 
+/// Where an increasing function passes through zero.
+template <class Function>
+double root_of(const Function& f, double low, double high)
+{
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (f(middle) < 0 ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// Couple that a face bears of unit friction force under a pressure that grows linearly with x from a line on, its
+/// resultant at `lever` [m] from the middle. The face is the same on both sides of the x axis.
+double couple_beside(const std::vector<Place>& places, double lever)
+{
+    double edge = 0;
+    for (const Place& place : places) edge = std::max(edge, place.at.x());
+    const auto sum_of = [&](double line, const auto& of_place) {
+        double sum = 0;
+        for (const Place& place : places)
+            sum += place.weight * std::max(0.0, place.at.x() - line) * of_place(place);
+        return sum;
+    };
+    const auto force_at = [&](double line) { return sum_of(line, [](const Place&) { return 1.0; }); };
+    const double line = root_of(
+        [&](double x) { return sum_of(x, [](const Place& place) { return place.at.x(); }) / force_at(x) - lever; },
+        -1e3, edge - 1e-9);
+    // It turns about the point that takes the least power.
+    const double middle = root_of(
+        [&](double x) {
+            return sum_of(line, [&](const Place& place) {
+                const Vector2d to(x - place.at.x(), place.at.y());
+                return to.x() / (to.norm() + 1e-12);
+            });
+        },
+        -edge, edge);
+    return sum_of(line, [&](const Place& place) { return (place.at - Vector2d(middle, 0)).norm(); }) /
+           force_at(line);
+}
+
 /// Friction of a face of unit friction force that slides by (vx, vy, spin about the origin).
 class Limit
 {
@@ -307,6 +347,26 @@ TEST(FacePoints, HaveTheLimitOfCoupleAndShearTogether)
         // A triangle, on nine points, is the weakest.
         EXPECT_GT(weakest, outline.size() == 3 ? 0.94 : 0.955) << outline.size() << " corners";
         EXPECT_LT(strongest, 1.02) << outline.size() << " corners";
+    }
+}
+
+// A stone that leans presses beside the middle of its bed, in the end on an edge: two corners there alone would
+// bear twice the couple of an even line.
+TEST(FacePoints, ResistACoupleBesideTheMiddle)
+{
+    struct Bed {
+        double across, along;  // m, halves: the resultant lies beside the middle across it
+        double weakest, strongest;
+    };
+    for (const Bed& bed : {Bed{0.5, 0.5, 0.99, 1.1}, {0.5, 1, 0.97, 1.02}, {1, 0.5, 0.96, 1.3}}) {
+        const Outline outline = rectangle(bed.across, bed.along);
+        for (const double e : {0.1, 0.2, 0.3, 0.4, 0.45}) {
+            const double ratio = couple_beside(face_places(outline), 2 * e * bed.across) /
+                                 couple_beside(by_triangles(outline, 120), 2 * e * bed.across);
+            std::printf("%g x %g m, %g of the width: %.3f\n", 2 * bed.across, 2 * bed.along, e, ratio);
+            EXPECT_GT(ratio, bed.weakest) << e;
+            EXPECT_LT(ratio, bed.strongest) << e;
+        }
     }
 }
 
