@@ -17,8 +17,8 @@ from pathlib import Path
 BUDGET = {
     "block": (920, 7),
     "forces": (2335, 18),
-    "problem": (410, 1),
-    "iterate": (815, 17),
+    "problem": (436, 2),
+    "iterate": (825, 17),
     "impact": (580, 8),
     "step": (750, 1),
 }

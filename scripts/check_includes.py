@@ -20,7 +20,7 @@ READS = ("libdda/errors.h", "libdda/text/")  # what takes files apart
 # The inside of a step, from its blocks up to advance(): each names only those before it.
 STEP = ("libdda/block/", "libdda/forces/", "libdda/problem/", "libdda/iterate/", "libdda/impact/", "libdda/step/")
 ENGINE = ("libdda/errors.h", "libdda/geometry/", "libdda/model/", "libdda/contact/", *STEP, "libdda/analysis/",
-          "libdda/run/")
+          "libdda/limit/", "libdda/run/")
 FOLDER_RULES = {
     "libdda/": ("libdda/geometry/", "libdda/model/", "libdda/contact/", *STEP, "libdda/analysis/", "libdda/run/"),
     "libdda/text/": ("libdda/errors.h",),
@@ -36,7 +36,8 @@ FOLDER_RULES = {
     "libdda/impact/": ENGINE_MODEL + ("libdda/contact/", "libdda/block/", "libdda/forces/", "libdda/problem/"),
     "libdda/step/": ENGINE_MODEL + ("libdda/contact/", *STEP),
     "libdda/analysis/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/", *STEP),
-    "libdda/run/": ENGINE_MODEL + ("libdda/contact/", *STEP, "libdda/analysis/"),
+    "libdda/limit/": ENGINE_MODEL + ("libdda/contact/", "libdda/solve/", "libdda/analysis/"),
+    "libdda/run/": ENGINE_MODEL + ("libdda/contact/", *STEP, "libdda/analysis/", "libdda/limit/"),
 
     # importers/process/: how every program begins, for records/generate_main.cpp
     "records/": READS + ("importers/process/", "libdda/model/ground_motion.h", "libdda/model/standard_gravity.h", "records/formats/",
@@ -108,7 +109,7 @@ FOREIGN_RULES = (
     ("libzip", r"zip\.h$", ("importers/mesh/",), False),
     ("zlib", r"zlib\.h$", ("records/", "tests/"), False),
     ("libmseed", r"libmseed\.h$", ("records/formats/",), False),
-    ("CLP", r"(Clp|Coin)", ("app/studies/verify/references/",), False),
+    ("CLP", r"(Clp|Coin)", ("libdda/limit/",), False),
     ("FFTW", r"fftw3\.h$", ("records/",), False),
     ("nlohmann-json", r"nlohmann/", ("app/", "importers/mesh/", "importers/helper/", "tests/"), False),
     ("fmt", r"fmt/", ("app/", "importers/assembly/"), False),
@@ -257,7 +258,7 @@ PLANTED = (
 )
 # Folders from below: none may include what stands behind it in its row.
 ROWS = (
-    ("libdda/geometry/", "libdda/model/", "libdda/contact/", *STEP, "libdda/analysis/", "libdda/run/"),
+    ("libdda/geometry/", "libdda/model/", "libdda/contact/", *STEP, "libdda/analysis/", "libdda/limit/", "libdda/run/"),
     ("libdda/model/", "libdda/solve/", "libdda/iterate/"),
     ("libdda/text/", "libdda/geometry/"),
     ("records/measures/", "records/synthetic/", "records/processing/"),

@@ -22,6 +22,7 @@ NAMESPACES = {
     "libdda/contact/initial_contacts.": "voussoir",
     "libdda/solve/": "voussoir::solve",
     # The inside of a step is one namespace in several rooms.
+    "libdda/limit/": "voussoir::limit",
     "libdda/block/": "voussoir::step",
     "libdda/forces/": "voussoir::step",
     "libdda/problem/": "voussoir::step",

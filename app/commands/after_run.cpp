@@ -19,16 +19,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// What is to be drawn of a run: what was asked for; unasked, where this build can draw, a mechanism.
-std::optional<SnapshotOptions> pictures_of(const Case& the_case, const RunReport& report)
-{
-    const bool mechanism = report.diagnosis && report.diagnosis->kind == DiagnosisKind::mechanism;
-    if (the_case.output.snapshots || !mechanism || !render::has_renderer()) return the_case.output.snapshots;
-    SnapshotOptions last;
-    last.count = 1;
-    return last;
-}
-
 /// Makes something, or tells why there is none.
 void attempt(const char* what, AfterRun& after, const std::function<std::vector<fs::path>()>& make)
 {
@@ -50,11 +40,10 @@ void expect_tools(const Case& the_case)
                          "install it, as scripts/install does, or remove output.video");
 }
 
-AfterRun make_after_run(const Case& the_case, const RunReport& report, const fs::path& results_file,
-                        const fs::path& folder, bool quiet)
+AfterRun make_after_run(const Case& the_case, const fs::path& results_file, const fs::path& folder, bool quiet)
 {
     AfterRun after;
-    if (const std::optional<SnapshotOptions> pictures = pictures_of(the_case, report))
+    if (const std::optional<SnapshotOptions>& pictures = the_case.output.snapshots)
         attempt("are no pictures", after, [&] {
             results::make_own_folder(folder / "snapshots");
             return render::render_snapshots(results_file, folder / "snapshots", *pictures);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/case/case.h"
-#include "libdda/model/report.h"
 
 namespace voussoir::app::commands
 {
@@ -19,9 +18,8 @@ struct AfterRun {
 /// Refuses, before a long run, what cannot be made of it: a film without ffmpeg. @throws InputError
 void expect_tools(const Case& the_case);
 
-/// The results stand whatever becomes of the rest, so a failure is told and is no fault of the input. Unasked,
-/// where this build can draw, a mechanism is drawn.
-AfterRun make_after_run(const Case& the_case, const RunReport& report, const std::filesystem::path& results_file,
+/// The results stand whatever becomes of the rest, so a failure is told and is no fault of the input.
+AfterRun make_after_run(const Case& the_case, const std::filesystem::path& results_file,
                         const std::filesystem::path& folder, bool quiet);
 
 }  // namespace voussoir::app::commands

@@ -151,7 +151,7 @@ void print_stages(const std::vector<Stage>& stages)
 }
 
 /// What can be said before the run of how much it is to be trusted, as it is drawn: every joint closed.
-void print_trust(const Case& the_case)
+void tell_trust(const Case& the_case)
 {
     if (the_case.output.trust == TrustFigures::never) return;
     const State state = initial_state(the_case.model);
@@ -177,7 +177,7 @@ void print_all(const Case& the_case)
     print_initial_motions(the_case.model);
     print_contacts(the_case.model);
     print_stages(the_case.stages);
-    print_trust(the_case);
+    tell_trust(the_case);
 }
 
 /// How the stones stand together. Of a case whose stones could not all be read, those of its meshes that could.

@@ -13,7 +13,14 @@ namespace voussoir::app::commands
 {
 
 /// What the program tells the shell.
-enum ExitCode { exit_done = 0, exit_failure = 1, exit_bad_input = 2, exit_gave_up = 3, exit_interrupted = 4 };
+enum ExitCode {
+    exit_done = 0,
+    exit_failure = 1,
+    exit_bad_input = 2,
+    exit_gave_up = 3,
+    exit_interrupted = 4,
+    exit_undecided = 5
+};
 
 struct RunArguments {
     std::filesystem::path case_file;

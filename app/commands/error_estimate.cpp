@@ -186,7 +186,7 @@ std::optional<results::ErrorEstimate> error_of(const Case& the_case, const Recor
                                                bool quiet)
 {
     const Outcome outcome = own.report.outcome;
-    if (outcome == Outcome::interrupted || outcome == Outcome::gave_up) return std::nullopt;
+    if (outcome == Outcome::interrupted || has_no_answer(outcome)) return std::nullopt;
     const auto ran = [&](const std::string& what, const Case& beside) {
         tell(what, quiet);
         std::optional<RecordedRun> other = run_beside(beside);

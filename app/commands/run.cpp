@@ -168,6 +168,7 @@ void print_files(const std::filesystem::path& folder, const std::vector<std::fil
 int exit_code_of(Outcome outcome)
 {
     if (outcome == Outcome::gave_up) return exit_gave_up;
+    if (outcome == Outcome::undecided) return exit_undecided;
     return outcome == Outcome::interrupted ? exit_interrupted : exit_done;
 }
 
@@ -201,7 +202,7 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
 
     AfterRun after;
     const bool goes_on = report.outcome == Outcome::interrupted;
-    if (!goes_on) after = make_after_run(the_case, report, writer->results_file(), folder, quiet);
+    if (!goes_on) after = make_after_run(the_case, writer->results_file(), folder, quiet);
     if (!goes_on) writer->end(report);
     if (!quiet) {
         print_report(the_case, ended, saver.times().wall);

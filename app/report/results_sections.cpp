@@ -228,6 +228,7 @@ std::string first_line_of(const RunRecord& record)
     if (end.outcome == "gave_up")
         return fmt::format("FAILED: the computation gave up at t = {:.3g} of {:g} s{}", end.reached, end.planned,
                            why);
+    if (end.outcome == "undecided") return "UNDECIDED" + why;
     if (end.outcome == "interrupted")
         return fmt::format("INTERRUPTED at t = {:.3g} of {:g} s{}", end.reached, end.planned, why);
     if (record.mechanism.kind != MechanismKind::stands)

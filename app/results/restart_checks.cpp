@@ -7,6 +7,7 @@
 #include "app/results/counts.h"
 #include "app/results/state_checks.h"
 #include "libdda/analysis/joint_openings.h"
+#include "libdda/run/static_stage.h"
 
 namespace voussoir::app::results
 {
@@ -45,14 +46,21 @@ bool are_finite(const std::vector<double>& numbers)
     return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
+bool is_sound(const StaticCourse& course)
+{
+    const bool start = !course.start || (results::is_sound(course.start->state) && is_sound(course.start->report));
+    return start && course.first_way >= WayEnd::none && course.first_way <= WayEnd::lost &&
+           are_finite(course.before) && std::isfinite(course.acceleration) && std::isfinite(course.kinetic) &&
+           std::isfinite(course.asked_at);
+}
+
 bool is_sound(const RunPosition& at)
 {
     const std::array<std::int64_t, 9> counts{at.parts,       at.frames,          at.multiples,
                                              at.divisions,   at.load_increments, at.static_steps,
                                              at.quiet_steps, at.course.steady,   at.course.idle};
     return is_sound(at.report) && are_finite(at.pace.accelerations) && std::isfinite(at.pace.time_step) &&
-           are_finite(at.course.start) && are_finite(at.course.before) && std::isfinite(at.course.acceleration) &&
-           std::isfinite(at.course.kinetic) && std::all_of(counts.begin(), counts.end(), is_count);
+           is_sound(at.course) && std::all_of(counts.begin(), counts.end(), is_count);
 }
 
 /// The clock of the stage is where its grid is, and the counters of a static stage are within its own.
@@ -63,10 +71,11 @@ bool fits(const State& state, const RunPosition& at, const Stage& stage)
     const auto is_place = [&](const std::vector<double>& place) {
         return place.empty() || place.size() == state.coordinates.size();
     };
-    if (!is_place(at.course.start) || !is_place(at.course.before)) return false;
+    if (!is_place(at.course.before)) return false;
     if (!at.pace.accelerations.empty() && at.pace.accelerations.size() != state.velocities.size()) return false;
     if (stage.type == StageType::static_equilibrium)
-        return at.load_increments <= stage.gravity_increments && at.static_steps <= stage.max_static_steps;
+        return at.load_increments <= stage.gravity_increments * driver::most_times_the_increments &&
+               at.static_steps <= stage.max_static_steps;
     return state.stage_time >= 0 && state.stage_time <= stage.duration * (1 + rounding) &&
            std::abs(state.stage_time - static_cast<double>(state.grid) * step) <= step * (1 + rounding);
 }
@@ -113,6 +122,11 @@ bool fits(const RunReport& report, const Model& model)
            });
 }
 
+bool fits(const StaticCourse& course, const Model& model)
+{
+    return !course.start || (results::fits(course.start->state, model) && fits(course.start->report, model));
+}
+
 }  // namespace
 
 bool is_sound(const Restart& restart)
@@ -128,7 +142,8 @@ bool fits(const Restart& restart, const Case& the_case)
     if (restart.ended) return true;
     const auto stage = static_cast<std::size_t>(restart.state.stage);
     return stage < the_case.stages.size() && fits(restart.state, restart.position, the_case.stages[stage]) &&
-           fits(restart.state, the_case.model) && fits(restart.position.report, the_case.model);
+           fits(restart.state, the_case.model) && fits(restart.position.report, the_case.model) &&
+           fits(restart.position.course, the_case.model);
 }
 
 }  // namespace voussoir::app::results

@@ -15,7 +15,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 23\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 24\n";  // its number rises when the layout changes
 constexpr const char* what = "a restart file";
 constexpr std::size_t head_bytes = 1 + 8 + 8;  // whether it ended, its time, the bytes of what follows
 
@@ -97,10 +97,13 @@ void position_fields(Archive& archive, Position& position)
     auto& [accelerations, time_step] = pace;
     archive.list(accelerations);
     archive.field(time_step);
-    auto& [start, before, acceleration, steady, kinetic, idle] = course;
-    archive.list(start);
+    auto& [start, first_way, before, acceleration, steady, kinetic, idle, falls, asked_at, was_hard] = course;
+    archive.maybe(start, [](auto& to, auto& began) {
+        state_fields(to, began.state);
+        report_fields(to, began.report);
+    });
     archive.list(before);
-    archive.fields(acceleration, steady, kinetic, idle);
+    archive.fields(first_way, acceleration, steady, kinetic, idle, falls, asked_at, was_hard);
 }
 
 template <typename Archive, typename Start>

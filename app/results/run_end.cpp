@@ -37,6 +37,7 @@ std::string early_end_in_words(const RunEnd& end)
     if (end.outcome.empty()) return "the run has not ended: killed, or still running, " + when;
     if (end.outcome == "collapsed") return "the structure collapsed " + when;
     if (end.outcome == "gave_up") return "the run gave up " + when;
+    if (end.outcome == "undecided") return "it is undecided whether the structure stands, " + when;
     if (end.outcome == "interrupted") return "the run was interrupted " + when;
     return "";
 }

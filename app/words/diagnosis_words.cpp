@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "libdda/run/static_course.h"
+
 namespace voussoir::app::words
 {
 
@@ -76,7 +78,7 @@ std::string cut_to_the_least(const Subject& subject)
 
 std::string too_many_cuts(const Subject& subject)
 {
-    const std::string words = fmt::format(
+    std::string words = fmt::format(
         "{}a nominal step of {:g} s needed more than {:.0f} cut ones, the last of {:g} s", subject.stopped(),
         subject.value("time_step_s"), subject.value("cut_steps"), subject.value("last_step_s"));
     if (subject.diagnosis.blocks.empty()) return words;
@@ -136,6 +138,40 @@ std::string no_equilibrium(const Subject& subject)
         "block falls; try gravity_increments, a larger unbalanced_tolerance or max_static_steps, or a "
         "contact_stiffness nearer to that of the stones",
         subject.stage(), subject.value("steps"), subject.value("unbalanced"));
+}
+
+/// "it falls", of a way to rest.
+const char* end_of_way(double end)
+{
+    switch (static_cast<WayEnd>(static_cast<int>(end))) {
+        case WayEnd::rested:
+            return "it comes to rest";
+        case WayEnd::fell:
+            return "it falls";
+        default:
+            return "the computation gives up";
+    }
+}
+
+std::string undecided(const Subject& subject)
+{
+    return fmt::format(
+        "whether the structure stands in {} is undecided: with steps of {:g} s {}, with steps of {:g} s and the "
+        "weight in "
+        "increments {}, and limit analysis does not agree with both; it is near its limit, or the answer depends "
+        "on how "
+        "it was built: vary friction and load a little, or load it in stages",
+        subject.stage(), subject.value("time_step_s"), end_of_way(subject.value("end")),
+        subject.value("second_time_step_s"), end_of_way(subject.value("second_end")));
+}
+
+std::string friction_open(const Subject& subject)
+{
+    return fmt::format(
+        "friction leaves open whether the structure stands in {}: here {}, but its joints can press in ways with "
+        "which "
+        "it stands, and in others with which it slides; how it was built and loaded decides",
+        subject.stage(), end_of_way(subject.value("end")));
 }
 
 /// "blocks 'a' and 'b' overlap by 0.02 m, 4 % of the thinner one's width", and the remedy: a stiffer contact;
@@ -252,6 +288,8 @@ std::string end_in_words(const Subject& subject)
             return fallen(subject);
         case DiagnosisKind::mechanism:
             return mechanism(subject);
+        case DiagnosisKind::undecided:
+            return undecided(subject);
         case DiagnosisKind::inverted_block:
         case DiagnosisKind::singular_system:
         case DiagnosisKind::inaccurate_solution:
@@ -282,6 +320,8 @@ std::string warning_in_words(const Subject& subject)
             return ground_jump(subject);
         case DiagnosisKind::dry_joints:
             return dry_joints(subject);
+        case DiagnosisKind::friction_open:
+            return friction_open(subject);
         default:
             return crushed_joints(subject);
     }
@@ -299,7 +339,7 @@ std::string in_words(const Diagnosis& diagnosis, const Model& model, const std::
 std::string message_of(const RunReport& report, const Model& model, const std::vector<Stage>& stages)
 {
     if (!report.diagnosis) return "";
-    const std::string words = in_words(*report.diagnosis, model, stages);
+    std::string words = in_words(*report.diagnosis, model, stages);
     if (report.diagnosis->kind != DiagnosisKind::mechanism) return words;
     return words + joints_in_words(report, model, "opened", &JointPeaks::opening, &JointPeaks::opened) +
            joints_in_words(report, model, "slid", &JointPeaks::slip, &JointPeaks::slid);

@@ -86,6 +86,7 @@ class Newton
     {
     }
 
+    bool stays_at_rest();
     bool guess();
     bool descend(double tolerance);
     void evaluate_again() { is_at_hand_ = false; }
@@ -112,6 +113,27 @@ bool Newton<K>::solve_with_states()
     if (!with_.directions.find(true, problem_, report_)) return fail(Trouble::singular_system, report_);
     ++report_.open_close_iterations;
     return true;
+}
+
+/// Whether nothing moves, and nothing has to: then the step is solved. Contacts that bear next to nothing would
+/// take turns for what the rounding of places does to their forces, and set the stones in motion.
+template <class K>
+bool Newton<K>::stays_at_rest()
+{
+    const bool rests = is_motion(stage_) &&
+                       std::all_of(problem_.block_of_row.begin(), problem_.block_of_row.end(), [&](int block) {
+                           const BlockStep<K>& b = problem_.blocks[block];
+                           return b.predicted.centroid == b.start.centroid && b.predicted.map == b.start.map;
+                       });
+    if (!rests) return false;
+    const ContactStep<K> at_start = problem_.contacts;
+    if (evaluate(problem_.d, problem_) && is_balanced_but_for_rounding(problem_, control_.force_tolerance)) {
+        note_unbalance(control_.force_tolerance, problem_, report_);
+        problem_.stays = true;
+        return true;
+    }
+    problem_.contacts = at_start;  // points have their states of then again
+    return false;
 }
 
 /// States of the step before are forgotten: they are no part of the run's state, and before the first direction
@@ -191,6 +213,7 @@ bool iterate_newton(const Model& model, const Stage& stage, const ContactSetIn<K
 {
     report.trouble = Trouble::none;
     Newton<K> newton(stage, problem, iteration, report);
+    if (newton.stays_at_rest()) return true;
     if (!problem.contacts.patches.empty() && !newton.guess()) return false;
     while (newton.descend(stage.control.force_tolerance)) {
         const std::optional<double> lost = break_weakest_joint(model, contacts, problem.contacts);

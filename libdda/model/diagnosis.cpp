@@ -40,6 +40,8 @@ DiagnosisForm make_form(DiagnosisKind kind)
             return {"no_equilibrium", true, 0, 0, {"steps", "unbalanced"}};
         case DiagnosisKind::mechanism:
             return {"mechanism", true, 1, 0, {"moved_m", "direction_x", "direction_y", "direction_z"}};
+        case DiagnosisKind::undecided:
+            return {"undecided", true, 0, 0, {"time_step_s", "end", "second_time_step_s", "second_end"}};
         case DiagnosisKind::deep_overlap:
             return {"deep_overlap",
                     true,
@@ -72,6 +74,8 @@ DiagnosisForm make_form(DiagnosisKind kind)
                     2,
                     2,
                     {"joints", "stress_to_strength", "time_s", "duration_s", "brief_joints"}};
+        case DiagnosisKind::friction_open:
+            return {"friction_open", true, 0, 0, {"end"}};
     }
     return {};
 }

@@ -23,6 +23,7 @@ enum class DiagnosisKind : std::uint8_t {
     too_many_cuts,         // a nominal step needed more cut ones than are worth computing
     no_equilibrium,        // of a static stage
     mechanism,             // the same, because blocks are falling
+    undecided,             // of a static stage: two ways to rest end differently
     deep_overlap,          // blocks so deep within one another that the nearest face would soon be the wrong one
     no_number,             // a place or a velocity
     energy_no_number,      // an energy
@@ -36,9 +37,10 @@ enum class DiagnosisKind : std::uint8_t {
     ground_jump,         // the ground changes its velocity at once when a stage starts
     dry_joints,          // joints that were given strength gape, and have none
     crushed_joints,      // joints exceed their compressive strength
+    friction_open,       // at rest: whether stones stand depends on normal forces that statics does not determine
 };
 /// Number of kinds.
-constexpr int diagnosis_kinds = static_cast<int>(DiagnosisKind::crushed_joints) + 1;
+constexpr int diagnosis_kinds = static_cast<int>(DiagnosisKind::friction_open) + 1;
 
 /// One finding. Which blocks and values a kind has: form_of.
 struct Diagnosis {

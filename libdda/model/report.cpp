@@ -62,6 +62,8 @@ std::string_view name_of(Outcome outcome)
             return "collapsed";
         case Outcome::gave_up:
             return "gave_up";
+        case Outcome::undecided:
+            return "undecided";
         case Outcome::interrupted:
             return "interrupted";
     }

@@ -134,10 +134,16 @@ enum class Outcome {
     completed,    // all stages
     collapsed,    // blocks have fallen; a result like another
     gave_up,      // the numerics; the state is that of the last good step
+    undecided,    // a static stage: two ways to rest disagree, so that it is not known whether stones fall
     interrupted,  // from outside; it can be resumed
 };
 /// The name of an outcome, as in results.
 std::string_view name_of(Outcome outcome);
+/// Whether a run ended without an answer, though nobody stopped it.
+inline bool has_no_answer(Outcome outcome)
+{
+    return outcome == Outcome::gave_up || outcome == Outcome::undecided;
+}
 
 /// A block that has lost all support and fallen by more than its own size, or left the domain.
 struct FallenBlock {

@@ -54,6 +54,7 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
     problem.h = h;
     problem.patch_threads = stage.control.threads;
     problem.fracture = 0;
+    problem.stays = false;
     problem.blocks.resize(count);
     problem.block_of_row.clear();
     for (BlockStep<K>& block : problem.blocks) block.is_foundation = false;

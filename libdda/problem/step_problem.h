@@ -36,6 +36,7 @@ struct StepProblem {
     ContactStep<K> contacts;
     PatchesOfRows patches_of_rows;
     OtherForces<K> others;                   // that are no contacts
+    bool stays = false;                      // nothing moves, and what is unbalanced is rounding
     double fracture = 0;                     // J, tension energy lost by joints that broke in this step
     Eigen::VectorXd d;                       // unknowns, the accepted ones after the iteration
     Eigen::VectorXd residual;                // inertia + internal - external

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <mutex>
+#include <vector>
 
 #include "libdda/model/parallel.h"
 
@@ -63,9 +64,33 @@ Unbalance unbalance(const StepProblem<K>& problem, double tolerance)
     return worst;
 }
 
+template <class K>
+bool is_balanced_but_for_rounding(const StepProblem<K>& problem, double tolerance)
+{
+    constexpr double rounding =
+        4 * std::numeric_limits<double>::epsilon();             // of places: of a centroid, of a lever
+    std::vector<double> noise(problem.block_of_row.size(), 0);  // N
+    for (const PatchStep<K>& patch : problem.contacts.patches) {
+        double stiffness = 0;  // N/m
+        for (int i = patch.first; i < patch.first + patch.count; ++i)
+            stiffness += problem.contacts.points[i].normal_stiffness;
+        for (const int row : {patch.row_a, patch.row_b}) {
+            if (row < 0) continue;
+            const BlockStep<K>& block = problem.blocks[problem.block_of_row[row]];
+            noise[row] += rounding * (block.start.centroid.norm() + block.size) * stiffness;
+        }
+    }
+    for (std::size_t row = 0; row < noise.size(); ++row) {
+        const auto [force, allowed] = residual_of(static_cast<int>(row), tolerance, problem);
+        if (!(force <= allowed + noise[row])) return false;
+    }
+    return true;
+}
+
 #define VOUSSOIR_INSTANTIATE(K)                                       \
     template double unbalance_of(int, double, const StepProblem<K>&); \
-    template Unbalance unbalance(const StepProblem<K>&, double)
+    template Unbalance unbalance(const StepProblem<K>&, double);      \
+    template bool is_balanced_but_for_rounding(const StepProblem<K>&, double)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

@@ -23,4 +23,9 @@ double unbalance_of(int row, double tolerance, const StepProblem<K>& problem);
 template <class K>
 Unbalance unbalance(const StepProblem<K>& problem, double tolerance);
 
+/// Whether every block is within its tolerance, or beyond it by no more than what the rounding of the places of
+/// blocks does to the gaps of their contacts, times the stiffness of these.
+template <class K>
+bool is_balanced_but_for_rounding(const StepProblem<K>& problem, double tolerance);
+
 }  // namespace voussoir::step

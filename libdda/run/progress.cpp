@@ -90,18 +90,6 @@ void take_back(RunProgress& progress)
     progress.report.energy = progress.energy_before;
 }
 
-namespace
-{
-
-void count_step(const Stage& stage, const StepReport& step, RunProgress& progress)
-{
-    add_step(step, progress.report);
-    if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
-    note_damage(stage, step.time_step, progress);
-    progress.shown = false;
-}
-
-/// What a step that was taken back has cost.
 void add_cost(const StepReport& undone, StepReport& step)
 {
     step.cuts += undone.cuts;
@@ -111,6 +99,17 @@ void add_cost(const StepReport& undone, StepReport& step)
     step.factorisations += undone.factorisations;
     step.linear_iterations += undone.linear_iterations;
     for (std::size_t i = 0; i < step.seconds.size(); ++i) step.seconds[i] += undone.seconds[i];
+}
+
+namespace
+{
+
+void count_step(const Stage& stage, const StepReport& step, RunProgress& progress)
+{
+    add_step(step, progress.report);
+    if (stage.type == StageType::dynamic) progress.report.simulated_time += step.time_step;
+    note_damage(stage, step.time_step, progress);
+    progress.shown = false;
 }
 
 constexpr double shortest_share = 1.0 / 1024;  // of time_step, that an error may ask for

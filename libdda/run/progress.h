@@ -44,6 +44,9 @@ bool try_step(const Stage& stage, double h, RunProgress& progress, StepReport& s
 /// Undoes the last step that was made.
 void take_back(RunProgress& progress);
 
+/// Adds what a step that was taken back has cost to the one made instead.
+void add_cost(const StepReport& undone, StepReport& step);
+
 /// Judges and counts the step that was made; false, and the step undone, when to go on would be nonsense.
 bool keep_step(const Stage& stage, RunProgress& progress, const StepReport& step);
 

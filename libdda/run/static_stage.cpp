@@ -1,12 +1,12 @@
 #include "libdda/run/static_stage.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "libdda/analysis/block_shifts.h"
-#include "libdda/analysis/mechanism.h"
-#include "libdda/model/elasticity.h"
+#include "libdda/limit/standing.h"
+#include "libdda/model/friction_law.h"
+#include "libdda/run/rest_search.h"
 
 namespace voussoir::driver
 {
@@ -14,292 +14,188 @@ namespace voussoir::driver
 namespace
 {
 
-// Residual that a static step may keep. Its contact forces obey friction whatever it is, so all that it costs is
-// that the way to rest bends a little.
-constexpr double inexactness = 0.1;  // share of the unbalanced force of the step before
-constexpr double loosening = 1000;   // times the force_tolerance, at most
-constexpr int patience = 3;          // times the iterations of a dynamic step: one that is cut for them costs more
-constexpr double longest_step = 0.2;  // of a stone's size, that a corner of it may go in one step
-// Motion of a corner since the stage began, as shares of its stone's size.
-constexpr double settled = 0.1;    // what settles goes no farther; what does, and goes on, falls
-constexpr double creeping = 0.01;  // the same for stones that gather speed all the way, in many steps
-constexpr int long_steady = 20;    // as many
-constexpr int endless_steady =
-    100;  // steps in which stones that were let go gathered speed: however far they came
-constexpr double large_strain = 0.01;  // of a stone: no masonry
-constexpr double overturned = 0.5;     // what has gone so far has fallen, though it lies still by now
-constexpr int enough_steady = 3;       // steps on one way that show that stones do go on
-// Of two steps running that lead on one way:
-constexpr double same_way = 0.7;   // cosine between them, at least
-constexpr double no_slower = 0.7;  // of the acceleration, at least
-constexpr double let_go = 1e-4;  // of a stone's size, since the stage began: more than what settles by elasticity
-constexpr double nearly_balanced = 1e-5;  // unbalanced force / load
-constexpr double motionless = 1e-6;       // of a stone's size in a step of the nominal length
-constexpr double longer = 100;  // times that, at most, in steps so much longer: what falls goes with their square
-constexpr int enough_idle = 5;  // negligible steps, after which contacts that still take turns do not matter
-constexpr double longest_time = 1e4;  // times the nominal time step: of steps of stones on one way
+using limit::Standing;
 
-bool is_at_rest(const RunPosition& at)
+constexpr double shorter = 0.01;       // steps of the second way
+constexpr double went_far = 0.01;      // of a stone's size, by a corner: a rest that was not reached straight
+constexpr double within_reach = 0.01;  // of a stone's size: contacts open by less may bear
+constexpr double mobilised = 0.99;     // of its friction, by a joint that rubs
+constexpr double worth_a_look = 1e-3;  // of the mean weight of a stone, by the normal force of such a joint
+
+double share_gone(const RunProgress& progress)
 {
-    return at.quiet_steps >= 2 || at.course.idle >= enough_idle;
+    return largest_share(progress.model,
+                         shifts_between(progress.model, progress.position.course.start->state.coordinates,
+                                        progress.state.coordinates));
 }
 
-/// Ends the run with the stones that fall, where some do. What else there was to say of its end becomes a warning.
-void collapse(RunProgress& progress, const std::vector<BlockShift>& gone)
+/// What limit analysis says of the structure as it was when the stage began.
+Standing standing_at_start(const Stage& stage, const RunProgress& progress, double reach = within_reach)
 {
-    RunReport& report = progress.report;
-    const auto last = shifts_between(progress.model, progress.position.course.before, progress.state.coordinates);
-    if (report.diagnosis) report.warnings.push_back(std::move(*report.diagnosis));
-    report.outcome = Outcome::collapsed;
-    report.diagnosis = mechanism_of(progress.model, progress.state.stage, gone, last);
+    return limit::balance_in(progress.model, progress.position.course.start->state, stage.gravity, reach).standing;
 }
 
-std::vector<BlockShift> gone_in_stage(const RunProgress& progress)
+Standing sliding_at_start(const Stage& stage, const RunProgress& progress)
 {
-    return shifts_between(progress.model, progress.position.course.start, progress.state.coordinates);
+    return limit::sliding_in(progress.model, progress.position.course.start->state, stage.gravity, within_reach);
 }
 
-/// What a step adds to the course.
-void note_step(const Stage& stage, const StepReport& step, RunProgress& progress)
+/// Whether the friction of a joint that bears is used up, at all points that press: it slides or turns on its
+/// face.
+template <int D>
+bool is_friction_used_up(const Model& model, const ContactSetIn<D>& contacts, double least)
 {
-    StaticCourse& course = progress.position.course;
+    return std::any_of(contacts.patches.begin(), contacts.patches.end(), [&](const ContactPatchIn<D>& patch) {
+        const double friction = friction_between(model, patch.block_a, patch.block_b, false).at_rest;
+        double normal = 0;
+        bool used_up = friction > 0;
+        for (const ContactPointIn<D>& point : points_of(contacts, patch)) {
+            normal += point.normal_force;
+            used_up = used_up && point.shear_force.norm() >= mobilised * friction * point.normal_force;
+        }
+        return used_up && normal > least;
+    });
+}
+
+bool is_friction_used_up(const Stage& stage, const RunProgress& progress)
+{
     const Model& model = progress.model;
-    const auto last = shifts_between(model, progress.before.coordinates, progress.state.coordinates);
-    double mass = 0;
-    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) mass += model.mass(b);
-    const double squared = product_of(model, last, last);
-    const double acceleration = 2 * std::sqrt(squared / mass) / (step.time_step * step.time_step);
-    bool goes_on = false;
-    if (!course.before.empty()) {
-        const auto previous = shifts_between(model, course.before, progress.before.coordinates);
-        const double scale = std::sqrt(squared * product_of(model, previous, previous));
-        goes_on =
-            product_of(model, last, previous) > same_way * scale && acceleration > no_slower * course.acceleration;
-    }
-    course.steady = goes_on ? course.steady + 1 : 0;
-    const double length = std::clamp(step.time_step / stage.control.time_step, 1.0, longer);
-    const bool idle =
-        step.inertia_ratio <= stage.unbalanced_tolerance && largest_share(model, last) <= motionless * length;
-    course.idle = idle ? course.idle + 1 : 0;
-    course.acceleration = acceleration;
-    course.before = progress.before.coordinates;
+    double weight = 0;
+    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) weight += model.mass(b) * stage.gravity.norm();
+    const double least = worth_a_look * weight / static_cast<double>(model.blocks.size());
+    return is_planar(model.kinematics) ? is_friction_used_up(model, progress.state.planar_contacts, least)
+                                       : is_friction_used_up(model, progress.state.contacts, least);
 }
 
-/// Length of the step after this one [s]: what was hard to solve is not made longer, and stones do not jump.
-double next_step(const StepReport& step, double share, const StaticCourse& course, double nominal)
+WayEnd end_of_way(bool rested, const RunProgress& progress)
 {
-    const double growth = step.cuts > 0 || step.open_close_iterations > 25 ? 1.2
-                          : step.open_close_iterations > 12                ? 1.6
-                                                                           : 3.0;
-    const bool nearly_still =
-        step.cuts == 0 && step.open_close_iterations <= 12 && step.inertia_ratio < nearly_balanced;
-    const double most = nearly_still || course.steady >= enough_steady ? longest_time * nominal
-                                                                       : std::max(nominal, 0.3 * step.time_step);
-    const double jump = share > 0 ? 0.9 * std::sqrt(longest_step / share) : growth;
-    return std::min(step.time_step * std::min(growth, jump), most);
+    if (rested) return WayEnd::rested;
+    return progress.report.outcome == Outcome::collapsed ? WayEnd::fell : WayEnd::lost;
 }
 
-/// Whether stones that have gone on one way are to keep their velocity. Held at rest at the start of each step
-/// they would go a gravity h^2 / 2 at a time, and joints that slide and open do not let h grow.
-bool may_let_go(const StaticCourse& course, double share)
+/// Begins the stage again; what the first way cost is counted.
+void begin_again(WayEnd first, RunProgress& progress)
 {
-    return course.steady >= enough_steady && share > let_go;
+    RunPosition& at = progress.position;
+    RunReport report = at.course.start->report;
+    const RunReport& way = at.report;
+    report.steps = way.steps;
+    report.step_cuts = way.step_cuts;
+    report.unconverged_steps = way.unconverged_steps;
+    report.open_close_iterations = way.open_close_iterations;
+    report.factorisations = way.factorisations;
+    report.linear_iterations = way.linear_iterations;
+    report.factor_entries = way.factor_entries;
+    report.acted = way.acted;
+    report.seconds = way.seconds;
+    progress.state = at.course.start->state;
+    StaticCourse course;
+    course.start = std::move(at.course.start);
+    course.first_way = first;
+    at.report = std::move(report);
+    at.course = std::move(course);
+    at.load_increments = at.static_steps = at.quiet_steps = 0;
+    at.step_unbalanced = 1;
 }
 
-/// Takes the velocities of all stones.
-void stop_stones(RunProgress& progress)
+Stage second_way(Stage stage)
 {
-    EnergyLedger& energy = progress.report.energy;
-    std::fill(progress.state.velocities.begin(), progress.state.velocities.end(), 0);
-    energy.damping_static += energy.kinetic;
-    energy.kinetic = 0;
-    progress.position.course.kinetic = 0;
+    stage.control.time_step *= shorter;
+    stage.control.min_time_step = std::min(stage.control.min_time_step, stage.control.time_step);
+    stage.gravity_increments *= most_times_the_increments;
+    return stage;
 }
 
-/// What contacts gave or took when they were found anew, and what the residual of a loose solution did, goes with
-/// what the stage takes, as in its other steps.
-void book_as_static(RunProgress& progress)
+/// Statics does not determine the normal forces of joints that rub on all sides, and with other ones the answer
+/// would be another.
+void say_that_friction_leaves_it_open(WayEnd end, RunProgress& progress)
 {
-    EnergyLedger& energy = progress.report.energy;
-    const EnergyLedger& before = progress.energy_before;
-    energy.damping_static += energy.redetection - before.redetection + energy.residual() - before.residual();
-    energy.redetection = before.redetection;
-    energy.peak_taken = before.peak_taken;
-    energy.peak_given = before.peak_given;
+    progress.report.warnings.push_back(
+        {DiagnosisKind::friction_open, progress.state.stage, {}, {static_cast<double>(end)}});
 }
 
-/// The stage as stones that are let go see it: time does not pass, but they keep what the step gave them.
-Stage let_go_in(const Stage& loaded)
+/// Whether a fall is to be believed: nothing balances the stones, or what does would not if joints slid without
+/// opening.
+bool is_sure_of_fall(const Stage& stage, RunProgress& progress)
 {
-    Stage free = loaded;
-    free.type = StageType::dynamic;
-    free.control.integrator = Integrator::newmark;  // forces of the end of the step, as a static step has them
-    free.looks_for_rest = true;
-    return free;
-}
-
-/// After a step of stones that were let go: once they slow down, or turn, they are stopped.
-void note_free_step(RunProgress& progress)
-{
-    StaticCourse& course = progress.position.course;
-    const Model& model = progress.model;
-    const auto last = shifts_between(model, progress.before.coordinates, progress.state.coordinates);
-    const auto previous = shifts_between(model, course.before, progress.before.coordinates);
-    const double scale = std::sqrt(product_of(model, last, last) * product_of(model, previous, previous));
-    const bool goes_on =
-        product_of(model, last, previous) > same_way * scale && progress.report.energy.kinetic >= course.kinetic;
-    course.before = progress.before.coordinates;
-    course.kinetic = progress.report.energy.kinetic;
-    course.steady = goes_on ? course.steady + 1 : 0;
-    if (!goes_on) stop_stones(progress);
-}
-
-/// Makes a step in which no stone jumps; false when the run ends here.
-bool try_short_step(const Stage& loaded, double h, RunProgress& progress, StepReport& step, double& share)
-{
-    int cuts = 0;
-    while (true) {
-        if (!try_step(loaded, h, progress, step)) return false;
-        share = largest_share(progress.model, shifts_between(progress.model, progress.before.coordinates,
-                                                             progress.state.coordinates));
-        if (share <= longest_step || step.time_step <= loaded.control.min_time_step) break;
-        h = step.time_step * std::clamp(0.9 * std::sqrt(longest_step / share), 0.01, 0.9);
-        h = std::max(h, loaded.control.min_time_step);
-        take_back(progress);
-        cuts += step.cuts + 1;
-    }
-    step.cuts += cuts;
+    const Standing standing = standing_at_start(stage, progress);
+    if (standing != Standing::balanced) return standing == Standing::mechanism;
+    if (sliding_at_start(stage, progress) != Standing::mechanism) return false;
+    say_that_friction_leaves_it_open(WayEnd::fell, progress);
     return true;
 }
 
-/// Whether stones are so soft that they settle by their own strain, as far as others fall.
-bool settle_by_strain(const Model& model, const State& state)
+/// Whether a rest is to be believed: it was reached straight, or forces within friction balance the stones.
+bool is_sure_of_rest(const Stage& stage, RunProgress& progress)
 {
-    for (int b = 0; is_deformable(model.kinematics) && b < static_cast<int>(model.blocks.size()); ++b)
-        if (green_strain_of(pose_of(model.kinematics, state, b).map).norm() > large_strain) return true;
+    const double share = share_gone(progress);
+    const bool straight = !progress.position.course.was_hard && share <= went_far;
+    if (!straight && standing_at_start(stage, progress, std::max(within_reach, share)) != Standing::balanced)
+        return false;
+    if (is_friction_used_up(stage, progress) && sliding_at_start(stage, progress) == Standing::mechanism)
+        say_that_friction_leaves_it_open(WayEnd::rested, progress);
+    return true;
+}
+
+/// The run ends without a verdict. @param second how the second way ended
+bool stay_undecided(const Stage& stage, WayEnd second, RunProgress& progress)
+{
+    RunReport& report = progress.report;
+    if (report.diagnosis) report.warnings.push_back(std::move(*report.diagnosis));
+    report.outcome = Outcome::undecided;
+    report.diagnosis = Diagnosis{DiagnosisKind::undecided,
+                                 progress.state.stage,
+                                 {},
+                                 {stage.control.time_step, static_cast<double>(progress.position.course.first_way),
+                                  second_way(stage).control.time_step, static_cast<double>(second)}};
     return false;
 }
 
-/// Whether stones that were let go have gone on one way and gained energy, in as many steps running.
-bool gathers_speed(const StaticCourse& course, int steps)
+/// After the second way: what two of the three say, the two ways and limit analysis, which did not agree with the
+/// first. Two ways that fall do so from forces that a structure has which was laid down stone by stone; limit
+/// analysis knows of others, by which stones are wedged. Bonded joints are brittle: that they bear with all their
+/// strength at once proves no rest.
+bool conclude(const Stage& stage, WayEnd second, RunProgress& progress)
 {
-    return course.kinetic > 0 && course.steady >= steps;
-}
-
-/// Whether stones are higher than they were drawn, because they were drawn within one another and pressed apart:
-/// they may go far and gather speed, but not by falling.
-bool are_pressed_apart(const RunProgress& progress)
-{
-    const EnergyLedger& energy = progress.report.energy;
-    return progress.state.stage == 0 && energy.start_contact > 0 && energy.input() < 0;
-}
-
-/// Whether stones fall, as far as can be seen by now. @param gone since the stage began
-bool is_falling(const RunProgress& progress, const std::vector<BlockShift>& gone)
-{
-    const StaticCourse& course = progress.position.course;
-    const double share = largest_share(progress.model, gone);
-    if (settle_by_strain(progress.model, progress.state) || are_pressed_apart(progress)) return false;
-    return (course.steady >= enough_steady && share > settled) ||
-           (gathers_speed(course, long_steady) && share > creeping) || gathers_speed(course, endless_steady);
-}
-
-/// After the last step that the stage allows, or one that could not be made. @returns false
-bool end_unbalanced(RunProgress& progress)
-{
-    const auto gone = gone_in_stage(progress);
-    const StaticCourse& course = progress.position.course;
-    const double share = largest_share(progress.model, gone);
-    const bool goes_on = (share > settled && course.steady > 0) || gathers_speed(course, long_steady);
-    if (share > overturned || (goes_on && !are_pressed_apart(progress))) collapse(progress, gone);
-    return false;
-}
-
-bool give_up_resting(RunProgress& progress)
-{
-    give_up({DiagnosisKind::no_equilibrium,
-             progress.state.stage,
-             {},
-             {static_cast<double>(progress.position.static_steps), progress.report.static_unbalanced}},
-            progress);
-    end_unbalanced(progress);
-    progress.report.unconverged_steps += progress.report.outcome == Outcome::gave_up;
-    return false;
-}
-
-/// Makes one step under `loaded` and counts it; false when it gave up. @param share gone in it, of a stone's size
-bool make_step(Stage& loaded, bool is_free, RunProgress& progress, StepReport& step, double& share)
-{
-    State& state = progress.state;
-    const double time = state.time;
-    const double h = state.next_time_step > 0 ? state.next_time_step : loaded.control.time_step;
-    if (!try_short_step(is_free ? let_go_in(loaded) : loaded, h, progress, step, share)) return false;
-    state.time = time;
-    if (is_free) book_as_static(progress);
-    return keep_step(loaded, progress, step);
-}
-
-/// What the step says of how far the stage has come.
-void note_balance(const Stage& stage, bool is_free, RunProgress& progress, StepReport& step)
-{
-    RunPosition& at = progress.position;
-    if (is_free) {
-        note_free_step(progress);
-        step.inertia_ratio = at.step_unbalanced;
-    } else {
-        note_step(stage, step, progress);
-    }
-    progress.report.static_unbalanced = at.step_unbalanced = step.inertia_ratio;
-    const bool balanced =
-        !is_free && step.inertia_ratio <= stage.unbalanced_tolerance && !step.contact_state_changed;
-    at.quiet_steps = balanced ? at.quiet_steps + 1 : 0;
-    ++at.static_steps;
-}
-
-/// One step under `loaded`; false when the run ends here.
-bool step_at_rest(const Stage& stage, Stage& loaded, RunProgress& progress)
-{
-    RunPosition& at = progress.position;
-    if (at.course.start.empty()) at.course.start = progress.state.coordinates;
-    // A step need only be solved as well as its own unbalanced force deserves: far from equilibrium the
-    // last digits are friction points taking turns; near it the tolerance must not hide what is left.
-    const bool is_free =
-        at.course.kinetic > 0 || may_let_go(at.course, largest_share(progress.model, gone_in_stage(progress)));
-    loaded.control.force_tolerance =
-        std::min(loosening * stage.control.force_tolerance,
-                 std::max(inexactness * at.step_unbalanced, 0.1 * stage.unbalanced_tolerance));
-    StepReport step;
-    double share = 0;
-    if (!make_step(loaded, is_free, progress, step, share)) return end_unbalanced(progress);
-    note_balance(stage, is_free, progress, step);
-    progress.state.next_time_step = next_step(step, share, at.course, stage.control.time_step);
-    if (progress.observer.step) progress.observer.step(progress.state, step, progress.report);
-    const auto gone = gone_in_stage(progress);
-    if (is_falling(progress, gone) || (is_at_rest(at) && largest_share(progress.model, gone) > overturned)) {
-        collapse(progress, gone);
+    const WayEnd first = progress.position.course.first_way;
+    const Standing standing = standing_at_start(stage, progress);
+    if (second == WayEnd::rested && first == second) return true;
+    // In space limit analysis lets faces bear more torsion than they do.
+    const bool is_bound = is_planar(progress.model.kinematics) || !is_friction_used_up(stage, progress);
+    if (second == WayEnd::rested && standing == Standing::balanced && is_bound) return true;
+    if (second == WayEnd::fell && first == second) {
+        if (sliding_at_start(stage, progress) == Standing::balanced)
+            say_that_friction_leaves_it_open(WayEnd::fell, progress);
         return false;
     }
-    if (!is_at_rest(at) && at.static_steps == stage.max_static_steps) return give_up_resting(progress);
-    save(progress);
-    return goes_on(progress);
+    if (second == WayEnd::fell && standing == Standing::mechanism) return false;
+    return stay_undecided(stage, second, progress);
+}
+
+bool look_two_ways(const Stage& stage, RunProgress& progress)
+{
+    StaticCourse& course = progress.position.course;
+    if (!course.start) course.start = StageStart{progress.state, progress.report};
+    if (course.first_way == WayEnd::none) {
+        const bool rested = search_rest(stage, progress);
+        if (progress.report.outcome == Outcome::interrupted) return false;
+        const WayEnd end = end_of_way(rested, progress);
+        if (end == WayEnd::lost) return false;
+        if (rested ? is_sure_of_rest(stage, progress) : is_sure_of_fall(stage, progress)) return rested;
+        begin_again(end, progress);
+    }
+    const bool rested = search_rest(second_way(stage), progress);
+    if (progress.report.outcome == Outcome::interrupted) return false;
+    return conclude(stage, end_of_way(rested, progress), progress);
 }
 
 }  // namespace
 
 bool run_static(const Stage& stage, RunProgress& progress)
 {
-    RunPosition& at = progress.position;
-    Stage loaded = stage;
-    if (stage.control.open_close == OpenClose::newton) loaded.control.max_open_close *= patience;
-    for (; at.load_increments < stage.gravity_increments; ++at.load_increments) {
-        loaded.gravity = stage.gravity * (at.load_increments + 1) / stage.gravity_increments;
-        while (!is_at_rest(at)) {
-            if (!step_at_rest(stage, loaded, progress)) return false;
-        }
-        at.static_steps = at.quiet_steps = at.course.idle = 0;
-        at.step_unbalanced = 1;
-    }
-    return true;
+    const bool rested = look_two_ways(stage, progress);
+    if (progress.report.outcome != Outcome::interrupted) progress.position.course = {};
+    return rested;
 }
 
 }  // namespace voussoir::driver

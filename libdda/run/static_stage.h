@@ -6,8 +6,12 @@
 namespace voussoir::driver
 {
 
-/// Steps with the velocity set to zero after each, until the unbalanced force of every block is below the
-/// tolerance in two steps running without change of contact state. Time does not pass.
+/// The second way of a static stage has so many times the increments of gravity that the stage has.
+constexpr int most_times_the_increments = 4;
+
+/// Looks for rest, and for a verdict that two ways of three agree on: steps as the stage has them, shorter ones
+/// with the weight in increments, limit analysis. A fall is believed where limit analysis finds that nothing
+/// balances the stones, a rest that was reached straight as it is; all else is confirmed by the second way.
 /// @returns false when the run ends in this stage
 bool run_static(const Stage& stage, RunProgress& progress);
 

@@ -20,6 +20,7 @@ void update_blocks(const StepProblem<K>& problem, State& state)
     in_parallel(problem.blocks.size(), problem.threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t b = first; b < end; ++b) {
             const BlockStep<K>& block = problem.blocks[b];
+            if (problem.stays && block.row >= 0) continue;  // the moment of what rounding leaves would turn it
             typename K::Unknowns d = K::Unknowns::Zero();
             typename K::Spin moment = K::Spin::Zero();
             if (block.row >= 0) {

@@ -188,8 +188,7 @@ Finding find_least_thickness(const Setting& setting)
         return (low + high) / 2;
     };
     const double reference = bisect(0.1, 0.115, 1e-6, [](double share) {
-        return references::associated_limit(app::studies::verify::limit_problem(semicircular_arch(share).model))
-            .found;
+        return limit::associated_limit(app::studies::verify::limit_problem(semicircular_arch(share).model)).found;
     });
     Finding finding;
     constexpr double thin = 0.09, thick = 0.25;

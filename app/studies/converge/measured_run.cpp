@@ -71,8 +71,7 @@ MeasuredRun run_setting(const Case& the_case, const ConvergeSetting& setting,
     const RunReport report = run(changed.model, changed.stages, state, observer);
     if (stopped) throw Interrupted();
     result.collapsed = report.outcome == Outcome::collapsed;
-    if (report.outcome == Outcome::gave_up)
-        result.failure = words::message_of(report, changed.model, changed.stages);
+    if (has_no_answer(report.outcome)) result.failure = words::message_of(report, changed.model, changed.stages);
     result.cost.steps = report.steps;
     result.cost.step_cuts = report.step_cuts;
     result.cost.iterations = report.open_close_iterations;

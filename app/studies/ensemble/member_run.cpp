@@ -105,8 +105,7 @@ MemberRun run_member(const Case& member, const converge::ConvergeSetting& settin
     const RunReport report = run(changed.model, changed.stages, state, observer);
     result.cpu = importers::process::thread_time() - start;
     result.cpu_dynamic = importers::process::thread_time() - rest;
-    if (report.outcome == Outcome::gave_up)
-        result.failure = words::message_of(report, changed.model, changed.stages);
+    if (has_no_answer(report.outcome)) result.failure = words::message_of(report, changed.model, changed.stages);
     result.warnings = words::warnings_of(report, changed.model, changed.stages);
     result.steps = report.steps;
     result.step_cuts = report.step_cuts;

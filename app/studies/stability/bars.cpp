@@ -78,7 +78,7 @@ CellRun run_dowel(double stiffness, double share, double time_step)
         cell.steps += report.steps;
         cell.step_cuts += report.step_cuts;
         cell.iterations += report.open_close_iterations;
-        if (report.outcome == Outcome::gave_up) cell.diagnosis = words::message_of(report, model, {stage});
+        if (has_no_answer(report.outcome)) cell.diagnosis = words::message_of(report, model, {stage});
         const bool rests = report.outcome == Outcome::completed;
         if (rests != (push < 1)) cell.error = 1;
         cell.note += fmt::format("{}{:.2f}: {}", cell.note.empty() ? "" : ", ", push, rests ? "rests" : "slides");

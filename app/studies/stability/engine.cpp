@@ -35,16 +35,16 @@ bool run_counted(const Model& model, const std::vector<Stage>& stages, State& st
     cell.iterations += report.open_close_iterations;
     cell.energy_residual = report.energy.relative_residual();
     cell.max_penetration = std::max(cell.max_penetration, report.max_penetration);
-    if (report.outcome == Outcome::gave_up) cell.diagnosis = words::message_of(report, model, stages);
+    if (has_no_answer(report.outcome)) cell.diagnosis = words::message_of(report, model, stages);
     note_warnings(model, stages, report, cell);
-    return report.outcome != Outcome::gave_up;
+    return !has_no_answer(report.outcome);
 }
 
 std::string run_reference(const Model& model, const std::vector<Stage>& stages, State& state,
                           const RunObserver& observer)
 {
     const RunReport report = run(model, stages, state, observer);
-    return report.outcome == Outcome::gave_up ? words::message_of(report, model, stages) : "";
+    return has_no_answer(report.outcome) ? words::message_of(report, model, stages) : "";
 }
 
 std::string cell_name(const std::string& scene, const std::vector<std::string>& parts)

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <ctime>
 #include <numbers>
-#include <random>
 
 #include "app/studies/scenes/materials.h"
 #include "app/studies/scenes/scene_blocks.h"
 #include "app/studies/scenes/stages.h"
+#include "app/studies/verify/even_draw.h"
 #include "libdda/contact/initial_contacts.h"
-#include "libdda/model/friction_law.h"
 #include "libdda/run/run.h"
 
 namespace voussoir::app::studies::verify
@@ -25,21 +24,7 @@ using Eigen::Vector3d;
 
 constexpr double gravity = scenes::papers_gravity, young = 1e10;  // m/s2, Pa
 constexpr double stiffness_factor = 100;                          // times E/L: a joint yields like 1 % of a stone
-
-/// Even numbers from a generator whose answers the standard fixes.
-class Draw
-{
- public:
-    Draw(std::uint64_t seed, int n) : random_(seed * 1000003 + static_cast<std::uint64_t>(n)) {}
-    double between(double low, double high)
-    {
-        return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
-    }
-    int whole(int low, int high) { return std::min(high, static_cast<int>(std::floor(between(low, high + 1)))); }
-
- private:
-    std::mt19937_64 random_;
-};
+constexpr double touching = 1e-8;                                 // of a stone's size
 
 /// @param depth of a stone [m]
 Model empty_model(Kinematics kinematics, double friction, double depth, double thickness)
@@ -51,7 +36,7 @@ Model empty_model(Kinematics kinematics, double friction, double depth, double t
     return scenes::make_scene_model(setting, scenes::stone(2000, young), joint, thickness);
 }
 
-LimitMasonry random_wall(Draw& draw, Kinematics kinematics, bool window)
+LimitMasonry random_wall(EvenDraw& draw, Kinematics kinematics, bool window)
 {
     patterns::Wall wall;
     wall.thickness = 0.3;
@@ -78,7 +63,7 @@ LimitMasonry random_wall(Draw& draw, Kinematics kinematics, bool window)
     return masonry;
 }
 
-LimitMasonry random_arch(Draw& draw, Kinematics kinematics)
+LimitMasonry random_arch(EvenDraw& draw, Kinematics kinematics)
 {
     const double radius = 2, half_embrace = draw.between(0.35, 0.5) * std::numbers::pi;
     patterns::BarrelVault vault;
@@ -99,22 +84,6 @@ LimitMasonry random_arch(Draw& draw, Kinematics kinematics)
         fmt::format("arch of {} stones over {:.0f} degrees, thickness {:.3f} of the radius, friction {:.3f}",
                     vault.courses, 2 * half_embrace * 180 / std::numbers::pi, share, friction);
     return masonry;
-}
-
-template <int D>
-void add_contacts(const Model& model, references::LimitProblem& problem)
-{
-    State state = initial_state(model);
-    find_initial_contacts(model, state);
-    const ContactSetIn<D>& found = contacts_in<D>(state);
-    for (const ContactPatchIn<D>& patch : found.patches)
-        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i) {
-            const ContactPointIn<D>& point = found.points[static_cast<std::size_t>(i)];
-            if (point.gap > 1e-9) continue;
-            const double friction = friction_between(model, patch.block_a, patch.block_b, false).at_rest;
-            problem.contacts.push_back(
-                {patch.block_a, patch.block_b, to_space(point.position), to_space(patch.normal), friction});
-        }
 }
 
 }  // namespace
@@ -146,28 +115,18 @@ void add_arch(Model& model, const patterns::BarrelVault& vault)
 
 LimitMasonry random_masonry(std::uint64_t seed, int n, bool in_plane)
 {
-    Draw draw(seed, n);
+    EvenDraw draw(seed, n);
     const Kinematics kinematics = n % 5 == 4 && !in_plane ? Kinematics::spatial_rigid : Kinematics::planar_rigid;
     LimitMasonry masonry = n % 3 == 2 ? random_arch(draw, kinematics) : random_wall(draw, kinematics, n % 9 < 3);
     masonry.description += is_planar(kinematics) ? "" : ", spatial";
     return masonry;
 }
 
-references::LimitProblem limit_problem(const Model& model)
+limit::LimitProblem limit_problem(const Model& model)
 {
-    references::LimitProblem problem;
-    problem.planar = is_planar(model.kinematics);
-    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-        const double weight = gravity * model.mass(static_cast<int>(b));
-        problem.blocks.push_back({false, model.blocks[b].moments.centroid, {0, 0, -weight}, {weight, 0, 0}});
-    }
-    for (const Foundation& foundation : model.foundations)
-        problem.blocks[static_cast<std::size_t>(foundation.block)].held = true;
-    if (problem.planar)
-        add_contacts<2>(model, problem);
-    else
-        add_contacts<3>(model, problem);
-    return problem;
+    State state = initial_state(model);
+    find_initial_contacts(model, state);
+    return limit::limit_problem_of(model, state, {0, 0, -gravity}, {gravity, 0, 0}, touching);
 }
 
 Pushed push(const Model& model, double factor, const scenes::SceneSetting& setting)

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "app/studies/scenes/scene_setting.h"
-#include "app/studies/verify/references/limit_analysis.h"
 #include "importers/patterns/vaults.h"
 #include "importers/patterns/wall.h"
+#include "libdda/limit/limit_problem.h"
 #include "libdda/model/model.h"
 #include "libdda/model/report.h"
 
@@ -40,7 +40,7 @@ LimitMasonry random_masonry(std::uint64_t seed, int n, bool in_plane = false);
 
 /// The blocks and contact points of a model at its start as limit analysis takes them: their weight stays, so much
 /// of it along +x is the live load. Cohesion is left out.
-references::LimitProblem limit_problem(const Model& model);
+limit::LimitProblem limit_problem(const Model& model);
 
 /// A run of one static stage under the weight and `factor` of it along +x.
 struct Pushed {

@@ -12,6 +12,7 @@
 #include "importers/patterns/arch_bridge.h"
 #include "libdda/analysis/joint_openings.h"
 #include "libdda/contact/normal_stiffness.h"
+#include "libdda/limit/limit_analysis.h"
 
 namespace voussoir::app::studies::verify
 {
@@ -96,9 +97,9 @@ VerifyResult run_arch(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     const Model model = for_rest(semicircle(setting, 10, 0.12));
-    const references::LimitProblem problem = limit_problem(model);
-    compare(model, setting, references::associated_limit(problem).factor, "linear program", result);
-    result.note += fmt::format(", without dilatancy {:.5f}", references::non_associated_limit(problem).factor);
+    const limit::LimitProblem problem = limit_problem(model);
+    compare(model, setting, limit::associated_limit(problem).factor, "linear program", result);
+    result.note += fmt::format(", without dilatancy {:.5f}", limit::non_associated_limit(problem).factor);
     return result;
 }
 
@@ -109,10 +110,10 @@ VerifyResult run_walls(const scenes::SceneSetting& setting)
     compare(for_rest(wall_with_opening(setting, pier, opening, 0, 2)), setting, pier / opening, "piers that rock",
             result);
     const Model model = for_rest(wall_with_opening(setting, pier, opening, 2, 0));
-    const references::LimitProblem problem = limit_problem(model);
-    compare(model, setting, references::non_associated_limit(problem).factor, "linear programs without dilatancy",
+    const limit::LimitProblem problem = limit_problem(model);
+    compare(model, setting, limit::non_associated_limit(problem).factor, "linear programs without dilatancy",
             result);
-    result.note += fmt::format(", with it {:.5f}", references::associated_limit(problem).factor);
+    result.note += fmt::format(", with it {:.5f}", limit::associated_limit(problem).factor);
     return result;
 }
 
@@ -149,7 +150,7 @@ VerifyResult run_thickness(const scenes::SceneSetting& setting)
 {
     VerifyResult result;
     const double reference = least_thickness(
-        setting, [](const Model& model) { return references::associated_limit(limit_problem(model)).found; });
+        setting, [](const Model& model) { return limit::associated_limit(limit_problem(model)).found; });
     const double slowly = least_thickness(setting, [&](const Model& model) {
         const Pushed pushed = push(for_rest(model), 0, setting);
         result.cpu_time += pushed.cpu_time;
@@ -198,7 +199,7 @@ VerifyResult run_bridge(const scenes::SceneSetting& setting)
     result.note = fmt::format(
         "opens by {:.2e} m, slips by {:.1e} m; linear program: it stands up to {:.3f} of the "
         "weight",
-        result.error, slip, references::associated_limit(limit_problem(scene.model)).factor);
+        result.error, slip, limit::associated_limit(limit_problem(scene.model)).factor);
     return result;
 }
 

@@ -20,7 +20,7 @@ RunReport run_scene(const scenes::StagedScene& scene, State& state, const RunObs
     result.steps += report.steps;
     result.step_cuts += report.step_cuts;
     result.iterations += report.open_close_iterations;
-    if (report.outcome == Outcome::gave_up) result.failure = words::message_of(report, scene.model, scene.stages);
+    if (has_no_answer(report.outcome)) result.failure = words::message_of(report, scene.model, scene.stages);
     return report;
 }
 

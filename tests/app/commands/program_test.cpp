@@ -334,8 +334,9 @@ TEST(Program, RunsAndKeepsItsFigures)
     EXPECT_NE(ended.output.find("results.h5"), std::string::npos);
 }
 
-// A block that leans beyond its base: named, with its joint, its direction and a picture; and nothing is shaken.
-TEST(Program, AMechanismIsNamedAndDrawnAndNotShaken)
+// A block that leans beyond its base: named, with its joint and its direction; nothing is shaken, and no picture
+// drawn that nobody asked for.
+TEST(Program, AMechanismIsNamedAndNotShaken)
 {
     const TemporaryFolder folder;
     const Ended ended = voussoir(
@@ -349,9 +350,7 @@ TEST(Program, AMechanismIsNamedAndDrawnAndNotShaken)
     for (const char* part :
          {"finds no equilibrium: 1 of 2 blocks is falling: '", " m towards [", "joints opened: '"})
         EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
-    if (!std::filesystem::exists(std::filesystem::path(VOUSSOIR_PROGRAM).parent_path() / "voussoir-render"))
-        return;
-    EXPECT_FALSE(std::filesystem::is_empty(folder / "results" / "snapshots")) << ended.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "results" / "snapshots")) << ended.output;
 }
 
 TEST(Program, AnInterruptEndsTheStepAndKeepsTheResults)

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "app/studies/verify/limit_masonry.h"
-#include "app/studies/verify/references/limit_analysis.h"
+#include "libdda/limit/limit_analysis.h"
 #include "tests/app/patterns/pattern_checks.h"
 
 namespace voussoir::app::patterns_test
@@ -11,8 +11,8 @@ namespace voussoir::app::patterns_test
 namespace
 {
 
+using limit::associated_limit;
 using studies::verify::limit_problem;
-using studies::verify::references::associated_limit;
 
 const std::vector<std::string> shapes = {
     "shape: circular, rise: 3 m", "shape: circular, embrace: 120 deg", "shape: pointed, rise: 5 m",

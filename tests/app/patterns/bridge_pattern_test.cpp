@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "app/studies/verify/limit_masonry.h"
-#include "app/studies/verify/references/limit_analysis.h"
+#include "libdda/limit/balance.h"
 #include "tests/app/patterns/pattern_checks.h"
 
 namespace voussoir::app::patterns_test
@@ -123,7 +123,8 @@ TEST(BridgePattern, StandsAndFallsAsTheLinearProgramSays)
     using namespace studies::verify;
     const std::vector<std::string> rigid{"kinematics=spatial_rigid", "stages[1]=null"};
     const auto by_program = [&](double thickness) {
-        return references::associated_limit(limit_problem(read_pattern(bare(thickness), rigid).model)).found;
+        return limit::balance_of(limit_problem(read_pattern(bare(thickness), rigid).model)).standing ==
+               limit::Standing::balanced;
     };
     double falls = 0.1, stands = 0.8;
     ASSERT_TRUE(by_program(stands));

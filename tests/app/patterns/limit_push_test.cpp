@@ -63,7 +63,7 @@ TEST(LimitThickness, OfAGroinVault)
         0.06, 0.4);
 }
 
-/// Joints without friction cannot dilate: there the linear program is exact. A dome of them stands if it begins
+/// Joints without friction cannot dilate: there limit analysis is exact. A dome of them stands if it begins
 /// high enough, for all its courses press along themselves; half of it does so between the two sides of its arch.
 TEST(LimitSpringing, OfHalfADomeWithoutFriction)
 {
@@ -86,7 +86,7 @@ TEST(LimitThickness, OfHalfADomeThatIsBondedIsNone)
     EXPECT_TRUE(stands(thin));
 }
 
-/// Stones of ribs and of webs lock one another, at angles, so that friction decides, and the linear program, in
+/// Stones of ribs and of webs lock one another, at angles, so that friction decides, and limit analysis, in
 /// which joints that slide open, is a bound from above. Rough ribs make it bear webs of any thickness; on ribs
 /// without friction there is one below which nothing stands.
 TEST(LimitThickness, OfARibbedVaultIsBoundedByTheLinearProgram)

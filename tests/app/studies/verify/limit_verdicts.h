@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/studies/verify/limit_masonry.h"
+#include "libdda/limit/limit_analysis.h"
 
 namespace voussoir::app::studies::verify
 {
@@ -24,9 +25,9 @@ inline void judge_verdicts(std::uint64_t seed, int n, LimitCounts& counts)
     constexpr double margin = 3e-3;
     const LimitMasonry masonry = random_masonry(seed, n);
     // What balances a prism in its plane does so in space; there are more states in space to search through.
-    const references::LimitProblem problem = limit_problem(random_masonry(seed, n, true).model);
-    const references::LimitState most = references::associated_limit(problem);
-    const references::LimitState least = references::non_associated_limit(problem);
+    const limit::LimitProblem problem = limit_problem(random_masonry(seed, n, true).model);
+    const limit::LimitState most = limit::associated_limit(problem);
+    const limit::LimitState least = limit::non_associated_limit(problem);
     ASSERT_TRUE(most.found && least.found) << n << ": " << masonry.description;
     ASSERT_GT(least.factor, 0) << n << ": " << masonry.description;
     EXPECT_LE(least.factor, most.factor * 1.001) << n << ": " << masonry.description;

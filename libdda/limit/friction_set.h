@@ -1,0 +1,56 @@
+// The forces that a contact may bear, and the one among them that is nearest to a given force.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir::limit
+{
+
+/// N >= -tension and |T| <= cohesion + friction N, of a force N n + T. It contains no force and all of one's own.
+struct FrictionSet {
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // unit, along which it presses
+    double friction = 0, cohesion = 0, tension = 0;     // -, N, N; cohesion >= friction x tension
+};
+
+/// The nearest force and how it follows the one that is given: the derivative, symmetric, between 0 and 1.
+struct NearestForce {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d derivative = Eigen::Matrix3d::Zero();
+};
+
+/// Where there are two derivatives it is one of them.
+inline NearestForce nearest_force(const FrictionSet& set, const Eigen::Vector3d& given)
+{
+    const Eigen::Vector3d& n = set.normal;
+    const double pressing = given.dot(n);
+    const Eigen::Vector3d across = given - pressing * n;
+    const double shear = across.norm();
+    NearestForce nearest;
+    if (pressing >= -set.tension && shear <= set.cohesion + set.friction * pressing) {
+        nearest.force = given;
+        nearest.derivative.setIdentity();
+        return nearest;
+    }
+    const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - n * n.transpose();
+    const double least = std::max(0.0, set.cohesion - set.friction * set.tension);  // shear without pressure
+    if (shear <= least) {                                                           // torn off
+        nearest.force = across - set.tension * n;
+        nearest.derivative = in_plane;
+        return nearest;
+    }
+    const Eigen::Vector3d along = across / shear;
+    const double slope = 1 + set.friction * set.friction;
+    const double beside = (pressing + set.friction * (shear - set.cohesion)) / slope;  // N on the slanted side
+    const double bound = beside > -set.tension ? set.cohesion + set.friction * beside : least;
+    nearest.force = std::max(beside, -set.tension) * n + bound * along;
+    nearest.derivative = bound / shear * (in_plane - along * along.transpose());
+    if (beside > -set.tension) {
+        const Eigen::Vector3d side = n + set.friction * along;
+        nearest.derivative += side * side.transpose() / slope;
+    }
+    return nearest;
+}
+
+}  // namespace voussoir::limit

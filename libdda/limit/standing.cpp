@@ -1,0 +1,52 @@
+#include "libdda/limit/standing.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "libdda/contact/find_contacts.h"
+
+namespace voussoir::limit
+{
+
+namespace
+{
+
+template <int D>
+void find_near(const Model& model, double reach, State& state)
+{
+    std::vector<double> reaches(model.blocks.size());
+    for (std::size_t b = 0; b < model.blocks.size(); ++b)
+        reaches[b] = std::max(reach, contact::contact_distance) * size_of(model, static_cast<int>(b)) +
+                     model.fit_tolerance / 2;
+    contact::SearchMemory<D> search;
+    ContactSetIn<D> contacts;
+    contact::find_contacts(model, state, reaches, 1, search, contacts, contact::NewOverlap::drawn);
+    contacts_in<D>(state) = std::move(contacts);
+}
+
+LimitProblem problem_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach)
+{
+    State near = state;
+    if (is_planar(model.kinematics))
+        find_near<2>(model, reach, near);
+    else
+        find_near<3>(model, reach, near);
+    return limit_problem_of(model, near, gravity, Eigen::Vector3d::Zero(), reach);
+}
+
+}  // namespace
+
+Balance balance_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach)
+{
+    if (!is_known_to_limit_analysis(model)) return {};
+    return balance_of(problem_in(model, state, gravity, reach));
+}
+
+Standing sliding_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach)
+{
+    if (!is_known_to_limit_analysis(model)) return Standing::unknown;
+    return standing_without_dilatancy(problem_in(model, state, gravity, reach));
+}
+
+}  // namespace voussoir::limit
