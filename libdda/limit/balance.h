@@ -44,7 +44,8 @@ Balance balance_of(const LimitProblem& problem);
 /// cohesion, mu times the normal force of the state sought [GilbertCasapullaAhmed2006]. Normal forces follow each
 /// other, averaged, from those of balance_of on. `balanced`: they came to a state of equilibrium within Coulomb's
 /// friction. `mechanism`: they did not, so that stones may slide under a load that balance_of balances; statics
-/// does not determine their normal forces, and other ones may stand. `unknown` of bonded joints, which are brittle.
+/// does not determine their normal forces, and other ones may stand. `unknown` of bonded joints, which are
+/// brittle.
 Standing standing_without_dilatancy(const LimitProblem& problem);
 
 }  // namespace voussoir::limit

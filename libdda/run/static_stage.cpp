@@ -120,7 +120,10 @@ bool is_sure_of_fall(const Stage& stage, RunProgress& progress)
 {
     const Standing standing = standing_at_start(stage, progress);
     if (standing != Standing::balanced) return standing == Standing::mechanism;
-    if (sliding_at_start(stage, progress) != Standing::mechanism) return false;
+    const Standing sliding = sliding_at_start(stage, progress);
+    if (sliding == Standing::unknown)
+        return true;  // bonded joints are brittle: all their strength at once proves nothing
+    if (sliding == Standing::balanced) return false;
     say_that_friction_leaves_it_open(WayEnd::fell, progress);
     return true;
 }
@@ -153,8 +156,7 @@ bool stay_undecided(const Stage& stage, WayEnd second, RunProgress& progress)
 
 /// After the second way: what two of the three say, the two ways and limit analysis, which did not agree with the
 /// first. Two ways that fall do so from forces that a structure has which was laid down stone by stone; limit
-/// analysis knows of others, by which stones are wedged. Bonded joints are brittle: that they bear with all their
-/// strength at once proves no rest.
+/// analysis knows of others, by which stones are wedged.
 bool conclude(const Stage& stage, WayEnd second, RunProgress& progress)
 {
     const WayEnd first = progress.position.course.first_way;

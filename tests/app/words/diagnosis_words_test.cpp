@@ -143,6 +143,16 @@ const Sentence sentences[] = {
      "3 contacts have cohesion or tensile strength but are open at a corner, the widest by 0.00125 m between "
      "'base' and 'drum': they are dry from the start; close them in the model to within a ten-thousandth of the "
      "stones' size"},
+    {{DiagnosisKind::undecided, 0, {}, {1, 2, 0.01, 1}},
+     "whether the structure stands in stage 'motion' is undecided: with steps of 1 s it falls, with steps of 0.01 "
+     "s "
+     "and the weight in increments it comes to rest, and limit analysis does not agree with both; it is near its "
+     "limit, or the answer depends on how it was built: vary friction and load a little, or load it in stages"},
+    {{DiagnosisKind::friction_open, 0, {}, {1}},
+     "friction leaves open whether the structure stands in stage 'motion': here it comes to rest, but its joints "
+     "can "
+     "press in ways with which it stands, and in others with which it slides; how it was built and loaded "
+     "decides"},
     {{DiagnosisKind::interrupted, -1, {}, {}}, "stopped on request"},
 };
 

@@ -57,8 +57,8 @@ INSTANTIATE_TEST_SUITE_P(Rigid, ConfirmedVerdicts,
 
 }  // namespace
 
-// Limit analysis would have it stand: a second way says that it falls, and falls it does.
-TEST_P(ConfirmedVerdicts, ABrittleJointFallsOnTwoWays)
+// Limit analysis would have it stand, with all its strength at once: a brittle joint tears edge by edge.
+TEST_P(ConfirmedVerdicts, ABrittleJointFallsWhateverLimitAnalysisSays)
 {
     const Model model = bracket(GetParam(), 0.7);
     State start = initial_state(model);
@@ -74,7 +74,7 @@ TEST_P(ConfirmedVerdicts, ABrittleJointFallsOnTwoWays)
 // Stopped after every step and begun again from what was saved, on either way, the run is the same.
 TEST_P(ConfirmedVerdicts, BothWaysGoOnFromWhereTheyStopped)
 {
-    const Model model = bracket(GetParam(), 0.7);
+    const Model model = loose_brick(GetParam());
     const std::vector<Stage> stages{static_stage(1)};
     State whole = initial_state(model);
     const RunReport reference = run_quietly(model, stages, whole);
@@ -124,7 +124,7 @@ TEST_P(ConfirmedVerdicts, AFallCostsAFewTimesARest)
         EXPECT_EQ(report.outcome, outcome) << lean;
         return report.open_close_iterations;
     };
-    EXPECT_LT(iterations(0.7, Outcome::collapsed), GetParam() == Kinematics::planar_rigid ? 400 : 1500);
+    EXPECT_LT(iterations(0.7, Outcome::collapsed), GetParam() == Kinematics::planar_rigid ? 400 : 3000);
     EXPECT_LT(iterations(0.1, Outcome::completed), 40);
 }
 
