@@ -71,25 +71,27 @@ TEST_P(ConfirmedVerdicts, ABrittleJointFallsWhateverLimitAnalysisSays)
     EXPECT_EQ(run_quietly(bracket(GetParam(), 1.5), {static_stage(1)}, strong).outcome, Outcome::completed);
 }
 
-// Stopped after every step and begun again from what was saved, on either way, the run is the same.
-TEST_P(ConfirmedVerdicts, BothWaysGoOnFromWhereTheyStopped)
+// Stopped after every step and begun again from what was saved, the second way is the same. It is begun by hand: a
+// scene that needs it takes minutes.
+TEST_P(ConfirmedVerdicts, TheSecondWayGoesOnFromWhereItStopped)
 {
     const Model model = loose_brick(GetParam());
     const std::vector<Stage> stages{static_stage(1)};
-    State whole = initial_state(model);
-    const RunReport reference = run_quietly(model, stages, whole);
-    ASSERT_EQ(reference.outcome, Outcome::collapsed);
     State state = initial_state(model), saved_state = state;
     RunPosition saved;
     saved.report.energy = open_ledger(model, state);
     RunObserver observer;
     observer.stop = [] { return true; };
-    int on_second = 0;
     observer.save = [&](const State& now, const RunPosition& position) {
         saved_state = now;
         saved = position;
-        on_second += position.course.first_way == WayEnd::fell;
     };
+    run(model, stages, state, observer, saved);
+    ASSERT_TRUE(saved.course.start);
+    saved.course.first_way = WayEnd::fell;
+    State whole = saved_state;
+    const RunReport reference = run(model, stages, whole, {}, saved);
+    ASSERT_EQ(reference.outcome, Outcome::collapsed);
     RunReport report;
     int pieces = 0;
     do {
@@ -97,7 +99,7 @@ TEST_P(ConfirmedVerdicts, BothWaysGoOnFromWhereTheyStopped)
         report = run(model, stages, state, observer, saved);
         ASSERT_LT(++pieces, 2000);
     } while (report.outcome == Outcome::interrupted);
-    EXPECT_GT(on_second, 3);
+    EXPECT_GT(pieces, 3);
     EXPECT_EQ(hash_of(state), hash_of(whole));
     EXPECT_EQ(report.steps, reference.steps);
     EXPECT_EQ(*report.diagnosis, *reference.diagnosis);
