@@ -41,12 +41,12 @@ constexpr double longer = 100;  // times that, at most, in steps so much longer:
 constexpr int enough_idle = 5;  // negligible steps, after which contacts that still take turns do not matter
 constexpr double longest_time = 1e4;  // times the nominal time step: of steps of stones on one way
 // Signs of stones that fall, at which it is worth the price of a few steps to ask whether anything balances them:
-constexpr int many_iterations = 40;       // of a step
-constexpr double far = 5e-3;              // of a stone's size, gone in a step
-constexpr double within_reach = settled;  // of a stone's size: contacts open by less are taken to bear
-constexpr double asked_again = 2;         // times as far as when it was last asked, and as far as in one step
-constexpr double first_fall = 1e-3;  // of a stone's size, that it falls in the first step in which it is let go
-constexpr int enough_fall = 5;       // steps in which stones that nothing balances gathered speed
+constexpr int many_iterations = 40;     // of a step
+constexpr double far = 5e-3;            // of a stone's size, gone in a step
+constexpr double fall_reach = settled;  // of a stone's size: contacts open by less are taken to bear
+constexpr double asked_again = 2;       // times as far as when it was last asked, and as far as in one step
+constexpr double first_fall = 1e-3;     // of a stone's size, that it falls in the first step in which it is let go
+constexpr int enough_fall = 5;          // steps in which stones that nothing balances gathered speed
 
 bool is_at_rest(const RunPosition& at)
 {
@@ -192,7 +192,7 @@ void look_for_balance(const Stage& loaded, RunProgress& progress)
 {
     RunPosition& at = progress.position;
     at.course.asked_at = largest_share(progress.model, gone_in_stage(progress));
-    const auto balance = limit::balance_in(progress.model, progress.state, loaded.gravity, within_reach);
+    const auto balance = limit::balance_in(progress.model, progress.state, loaded.gravity, fall_reach);
     at.course.falls = balance.standing == limit::Standing::mechanism;
     if (!at.course.falls) return;
     const double fall = 2 * first_fall * smallest_stone(progress.model) / loaded.gravity.norm();
@@ -287,6 +287,7 @@ bool make_easy_step(const Stage& loaded, double h, RunProgress& progress, StepRe
         report.outcome = Outcome::completed;
         report.diagnosis.reset();
         --report.unconverged_steps;
+        report.step_cuts -= step.cuts;  // they are counted with the step that is made instead
         return false;
     }
     share = largest_share(progress.model,
