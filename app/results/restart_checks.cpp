@@ -75,7 +75,7 @@ bool fits(const State& state, const RunPosition& at, const Stage& stage)
     if (!at.pace.accelerations.empty() && at.pace.accelerations.size() != state.velocities.size()) return false;
     if (stage.type == StageType::static_equilibrium)
         return at.load_increments <= stage.gravity_increments * driver::most_times_the_increments &&
-               at.static_steps <= stage.max_static_steps;
+               at.static_steps <= stage.max_static_steps * driver::most_times_the_steps;
     return state.stage_time >= 0 && state.stage_time <= stage.duration * (1 + rounding) &&
            std::abs(state.stage_time - static_cast<double>(state.grid) * step) <= step * (1 + rounding);
 }

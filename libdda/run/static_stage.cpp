@@ -103,6 +103,7 @@ Stage second_way(Stage stage)
     stage.control.time_step *= shorter;
     stage.control.min_time_step = std::min(stage.control.min_time_step, stage.control.time_step);
     stage.gravity_increments *= most_times_the_increments;
+    stage.max_static_steps *= most_times_the_steps;
     return stage;
 }
 
@@ -120,10 +121,7 @@ bool is_sure_of_fall(const Stage& stage, RunProgress& progress)
 {
     const Standing standing = standing_at_start(stage, progress);
     if (standing != Standing::balanced) return standing == Standing::mechanism;
-    const Standing sliding = sliding_at_start(stage, progress);
-    if (sliding == Standing::unknown)
-        return true;  // bonded joints are brittle: all their strength at once proves nothing
-    if (sliding == Standing::balanced) return false;
+    if (sliding_at_start(stage, progress) != Standing::mechanism) return false;
     say_that_friction_leaves_it_open(WayEnd::fell, progress);
     return true;
 }

@@ -6,8 +6,9 @@
 namespace voussoir::driver
 {
 
-/// The second way of a static stage has so many times the increments of gravity that the stage has.
-constexpr int most_times_the_increments = 4;
+/// The second way of a static stage has so many times the increments of gravity that the stage has, and may take
+/// so many times the steps in each, for they are short.
+constexpr int most_times_the_increments = 4, most_times_the_steps = 10;
 
 /// Looks for rest, and for a verdict that two ways of three agree on: steps as the stage has them, shorter ones
 /// with the weight in increments, limit analysis. A fall is believed where limit analysis finds that nothing
