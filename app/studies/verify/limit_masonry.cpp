@@ -65,17 +65,8 @@ LimitMasonry random_wall(EvenDraw& draw, Kinematics kinematics, bool window)
 
 LimitMasonry random_arch(EvenDraw& draw, Kinematics kinematics)
 {
-    const double radius = 2, half_embrace = draw.between(0.35, 0.5) * std::numbers::pi;
-    patterns::BarrelVault vault;
-    const double share = draw.between(0.12, 0.3);
-    vault.thickness = share * radius;
-    const double inner = radius - vault.thickness / 2;
-    vault.span = 2 * inner * std::sin(half_embrace);
-    vault.rise = std::min(inner * (1 - std::cos(half_embrace)), vault.span / 2);
-    vault.length = 0.5;
-    vault.courses = draw.whole(7, 27);
-    vault.stones = 1;
-    vault.bonded = false;
+    const double half_embrace = draw.between(0.35, 0.5) * std::numbers::pi, share = draw.between(0.12, 0.3);
+    const patterns::BarrelVault vault = circular_arch(share, half_embrace, draw.whole(7, 27));
     const double friction = draw.between(0.3, 0.8);
     LimitMasonry masonry;
     masonry.model = empty_model(kinematics, friction, vault.thickness, vault.length);
@@ -111,6 +102,21 @@ void add_arch(Model& model, const patterns::BarrelVault& vault)
         add_stone(model, stone.name, patterns::parts_of(grid, stone).front());
         if (stone.name.starts_with("support")) scenes::hold(model, static_cast<int>(model.blocks.size()) - 1);
     }
+}
+
+patterns::BarrelVault circular_arch(double share, double half_embrace, int courses)
+{
+    constexpr double radius = 2;
+    const double inner = radius - share * radius / 2;
+    patterns::BarrelVault vault;
+    vault.thickness = share * radius;
+    vault.span = 2 * inner * std::sin(half_embrace);
+    vault.rise = std::min(inner * (1 - std::cos(half_embrace)), vault.span / 2);
+    vault.length = 0.5;
+    vault.courses = courses;
+    vault.stones = 1;
+    vault.bonded = false;
+    return vault;
 }
 
 LimitMasonry random_masonry(std::uint64_t seed, int n, bool in_plane)

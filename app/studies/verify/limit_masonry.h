@@ -30,6 +30,10 @@ void add_wall(Model& model, const importers::patterns::Wall& wall);
 /// Adds the stones of a barrel vault, one along each course, to a model; the supports are held.
 void add_arch(Model& model, const importers::patterns::BarrelVault& vault);
 
+/// A circular arch of one ring, half a metre wide, mean radius 2 m. @param share thickness / mean radius
+/// @param half_embrace [rad]
+importers::patterns::BarrelVault circular_arch(double share, double half_embrace, int courses);
+
 constexpr std::uint64_t limit_masonry_seed = 1;  // of the 200 of the tests
 
 /// The n-th of a row of random walls (running bond, every third with a window) and circular arches, two walls to

@@ -51,16 +51,8 @@ void add_floor(Model& model)
 
 LimitMasonry arch(EvenDraw& draw, bool planar, bool rigid)
 {
-    patterns::BarrelVault vault;
-    const double radius = 2, share = draw.between(0.12, 0.3), half = draw.between(0.35, 0.5) * std::numbers::pi;
-    vault.thickness = share * radius;
-    const double inner = radius - vault.thickness / 2;
-    vault.span = 2 * inner * std::sin(half);
-    vault.rise = std::min(inner * (1 - std::cos(half)), vault.span / 2);
-    vault.length = 0.5;
-    vault.courses = draw.whole(5, 19);
-    vault.stones = 1;
-    vault.bonded = false;
+    const double share = draw.between(0.12, 0.3), half_embrace = draw.between(0.35, 0.5) * std::numbers::pi;
+    const patterns::BarrelVault vault = circular_arch(share, half_embrace, draw.whole(5, 19));
     const double friction = draw.between(0.4, 0.9);
     LimitMasonry masonry{fmt::format("{} arch of {} stones, {:.3f} of its radius, friction {:.3f}",
                                      planar ? "planar" : "spatial", vault.courses, share, friction),

@@ -11,6 +11,7 @@
 
 #include "libdda/limit/friction_set.h"
 #include "libdda/limit/limit_factor.h"
+#include "tests/libdda/limit/limit_problems.h"
 
 namespace voussoir::limit
 {
@@ -20,24 +21,6 @@ namespace
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double width = 0.4, height = 1.2, depth = 0.6;  // m
-
-/// A block of 1 N on a held base.
-LimitProblem block_on_base(double friction, bool planar, const Vector3d& live = Vector3d::UnitX())
-{
-    LimitProblem problem;
-    problem.planar = planar;
-    problem.blocks.resize(2);
-    problem.blocks[0].hold();
-    problem.blocks[1] = {{}, false, {0, 0, height / 2}, {0, 0, -1}, live};
-    for (const double x : {-width / 2, width / 2})
-        for (const double y : {-depth / 2, depth / 2}) {
-            if (planar && y > 0) continue;
-            problem.contacts.push_back({1, 0, {x, planar ? 0 : y, 0}, {0, 0, 1}, friction});
-        }
-    return problem;
-}
 
 LimitProblem under(LimitProblem problem, double factor)
 {
@@ -196,16 +179,10 @@ TEST(Balance, CohesionHoldsASlidingBlock)
 // A stone between two that cannot give way: with dilatancy it is locked for good.
 TEST(LimitFactor, IsNoneWhereStonesAreLocked)
 {
-    LimitProblem problem;
-    problem.planar = true;
-    problem.blocks.resize(3);
-    problem.blocks[0].hold();
-    problem.blocks[1].hold();
-    problem.blocks[2] = {{}, false, {0, 0, 0}, {0, 0, -1}, {0, 0, 1}};
-    for (const double side : {-1.0, 1.0})
-        for (const double z : {-0.5, 0.5})
-            problem.contacts.push_back({2, side < 0 ? 0 : 1, {side, 0, z}, {-side, 0, 0}, 0.5});
-    EXPECT_FALSE(limit_factor(problem));
+    EXPECT_FALSE(limit_factor(stone_in_a_cleft(0.5, 0)));
+    const double wide = std::atan(0.5) + 0.1;
+    EXPECT_NEAR(limit_factor(stone_in_a_cleft(0.5, wide)).value_or(0), 1, 1e-4)
+        << "nothing but its weight holds it";
     LimitProblem unsupported = block_on_base(0.5, true);
     unsupported.blocks[1].centroid.x() = 0.6 * width;
     EXPECT_FALSE(limit_factor(unsupported)) << "it does not stand at all";

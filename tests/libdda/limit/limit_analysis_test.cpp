@@ -6,47 +6,10 @@
 #include <cmath>
 
 #include "libdda/limit/linear_program.h"
+#include "tests/libdda/limit/limit_problems.h"
 
 namespace voussoir::limit
 {
-
-namespace
-{
-
-constexpr double width = 0.4, height = 1.2;  // m
-
-/// A block of 1 N on a held base, pushed along +x, with four contact points in space and two in the plane.
-LimitProblem block_on_base(double friction, bool planar)
-{
-    LimitProblem problem;
-    problem.planar = planar;
-    problem.blocks.resize(2);
-    problem.blocks[0].hold();
-    problem.blocks[1] = {{}, false, {0, 0, height / 2}, {0, 0, -1}, {1, 0, 0}};
-    for (const double x : {-width / 2, width / 2})
-        for (const double y : {-0.5, 0.5}) {
-            if (planar && y > 0) continue;
-            problem.contacts.push_back({1, 0, {x, planar ? 0 : y, 0}, {0, 0, 1}, friction});
-        }
-    return problem;
-}
-
-/// A wedge-shaped stone between two held ones whose joints lean by `lean` from the vertical: 1 N down, pushed up.
-LimitProblem stone_in_a_cleft(double friction, double lean)
-{
-    LimitProblem problem;
-    problem.planar = true;
-    problem.blocks.resize(3);
-    problem.blocks[0].hold();
-    problem.blocks[1].hold();
-    problem.blocks[2] = {{}, false, {0, 0, 0}, {0, 0, -1}, {0, 0, 1}};
-    for (const double side : {-1.0, 1.0})
-        problem.contacts.push_back(
-            {2, side < 0 ? 0 : 1, {side, 0, 0}, {-side * std::cos(lean), 0, std::sin(lean)}, friction});
-    return problem;
-}
-
-}  // namespace
 
 // It slides at mu and topples at width / height.
 TEST(LimitAnalysis, BlockSlidesOrTopples)

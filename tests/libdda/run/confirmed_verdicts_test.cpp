@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "libdda/limit/standing.h"
+#include "tests/libdda/run_in_pieces.h"
 #include "tests/libdda/whole_scenes.h"
 
 namespace voussoir::testing
@@ -92,17 +93,11 @@ TEST_P(ConfirmedVerdicts, TheSecondWayGoesOnFromWhereItStopped)
     State whole = saved_state;
     const RunReport reference = run(model, stages, whole, {}, saved);
     ASSERT_EQ(reference.outcome, Outcome::collapsed);
-    RunReport report;
-    int pieces = 0;
-    do {
-        state = saved_state;
-        report = run(model, stages, state, observer, saved);
-        ASSERT_LT(++pieces, 2000);
-    } while (report.outcome == Outcome::interrupted);
-    EXPECT_GT(pieces, 3);
-    EXPECT_EQ(hash_of(state), hash_of(whole));
-    EXPECT_EQ(report.steps, reference.steps);
-    EXPECT_EQ(*report.diagnosis, *reference.diagnosis);
+    const RunInPieces ended = run_in_pieces(model, stages, saved_state, saved);
+    EXPECT_GT(ended.pieces, 3);
+    EXPECT_EQ(hash_of(ended.state), hash_of(whole));
+    EXPECT_EQ(ended.report.steps, reference.steps);
+    EXPECT_EQ(*ended.report.diagnosis, *reference.diagnosis);
 }
 
 // Friction could hold it if it were wedged in, and nothing wedges it: it falls, and that friction decides is said.

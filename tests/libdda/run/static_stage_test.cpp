@@ -8,6 +8,7 @@
 #include <random>
 
 #include "libdda/analysis/block_shifts.h"
+#include "tests/libdda/run_in_pieces.h"
 #include "tests/libdda/whole_scenes.h"
 
 namespace voussoir::testing
@@ -209,26 +210,14 @@ TEST_P(StaticStage, GoesOnAsIfItHadNotBeenStopped)
     const RunReport reference = run_quietly(model, stages, whole);
     expect_mechanism(model, reference);
 
-    State state = initial_state(model), saved_state = state;
-    RunPosition saved;
-    saved.report.energy = open_ledger(model, state);
-    RunObserver observer;
-    observer.stop = [] { return true; };
-    observer.save = [&](const State& now, const RunPosition& position) {
-        saved_state = now;
-        saved = position;
-    };
-    RunReport report;
-    int pieces = 0;
-    do {
-        state = saved_state;
-        report = run(model, stages, state, observer, saved);
-        ASSERT_LT(++pieces, 500);
-    } while (report.outcome == Outcome::interrupted);
-    EXPECT_GT(pieces, 3);
-    EXPECT_EQ(hash_of(state), hash_of(whole));
-    EXPECT_EQ(report.steps, reference.steps);
-    EXPECT_EQ(*report.diagnosis, *reference.diagnosis);
+    RunPosition start;
+    State state = initial_state(model);
+    start.report.energy = open_ledger(model, state);
+    const RunInPieces ended = run_in_pieces(model, stages, state, start);
+    EXPECT_GT(ended.pieces, 3);
+    EXPECT_EQ(hash_of(ended.state), hash_of(whole));
+    EXPECT_EQ(ended.report.steps, reference.steps);
+    EXPECT_EQ(*ended.report.diagnosis, *reference.diagnosis);
 }
 
 // Under a stone that bulges the shear at the corners is just the friction bound, or a hair below by rounding. What
