@@ -5,15 +5,10 @@
 #include <vector>
 
 #include "libdda/limit/limit_problem.h"
+#include "libdda/limit/springs.h"
 
 namespace voussoir::limit
 {
-
-/// How a block begins to move.
-struct BlockVelocity {
-    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-    Eigen::Vector3d spin = Eigen::Vector3d::Zero();
-};
 
 /// Whether blocks stand under their dead load.
 enum class Standing {

@@ -1,4 +1,4 @@
-// The forces that a contact may bear, and the one among them that is nearest to a given force.
+// The forces that a contact or a bar may bear, and the one among them that is nearest to a given force.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,6 +12,13 @@ namespace voussoir::limit
 struct FrictionSet {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // unit, along which it presses
     double friction = 0, cohesion = 0, tension = 0;     // -, N, N; cohesion >= friction x tension
+};
+
+/// Along the axis from end a to end b pull on a up to `tension` and push up to `compression`, across it up to
+/// `shear`, each by itself.
+struct BarSet {
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // unit
+    double tension = 0, compression = 0, shear = 0;   // N
 };
 
 /// The nearest force and how it follows the one that is given: the derivative, symmetric, between 0 and 1.
@@ -49,6 +56,27 @@ inline NearestForce nearest_force(const FrictionSet& set, const Eigen::Vector3d&
     if (beside > -set.tension) {
         const Eigen::Vector3d side = n + set.friction * along;
         nearest.derivative += side * side.transpose() / slope;
+    }
+    return nearest;
+}
+
+/// The same of a bar.
+inline NearestForce nearest_force(const BarSet& set, const Eigen::Vector3d& given)
+{
+    const double along = given.dot(set.axis), kept = std::clamp(along, -set.compression, set.tension);
+    const Eigen::Vector3d across = given - along * set.axis;
+    const double shear = across.norm();
+    const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - set.axis * set.axis.transpose();
+    NearestForce nearest;
+    nearest.force = kept * set.axis;
+    if (kept == along) nearest.derivative = set.axis * set.axis.transpose();
+    if (shear <= set.shear) {
+        nearest.force += across;
+        nearest.derivative += in_plane;
+    } else {
+        const Eigen::Vector3d direction = across / shear;
+        nearest.force += set.shear * direction;
+        nearest.derivative += set.shear / shear * (in_plane - direction * direction.transpose());
     }
     return nearest;
 }
