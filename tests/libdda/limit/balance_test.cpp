@@ -92,6 +92,22 @@ TEST(NearestForce, FollowsTheGivenOne)
     }
 }
 
+TEST(NearestForce, OfABarIsItsBoundsAlongAndAcross)
+{
+    const BarSet bar{Vector3d(1, 2, -1).normalized(), 2, 0.5, 0.7};
+    RandomForces random;
+    for (int n = 0; n < 200; ++n) {
+        const Vector3d given = 2 * random(), across = given - given.dot(bar.axis) * bar.axis;
+        const NearestForce nearest = nearest_force(bar, given);
+        const Vector3d kept_across = std::min(1.0, bar.shear / across.norm()) * across;
+        const double kept_along = std::clamp(given.dot(bar.axis), -bar.compression, bar.tension);
+        ASSERT_LT((nearest.force - kept_along * bar.axis - kept_across).norm(), 1e-12);
+        const Vector3d way = 1e-6 * random();
+        const Vector3d moved = nearest_force(bar, given + way).force - nearest_force(bar, given - way).force;
+        ASSERT_LT((moved - 2 * nearest.derivative * way).norm(), 1e-5 * way.norm());
+    }
+}
+
 // It slides at mu and topples at width / height, whatever the direction in which it is pushed.
 TEST(Balance, BlockSlidesOrTopples)
 {
