@@ -22,7 +22,7 @@ struct Balance {
     Standing standing = Standing::unknown;
     double acceleration = 0;                // -, of the block that gains speed fastest, over that of its own load
     std::vector<BlockVelocity> velocities;  // (blocks) of a mechanism: m/s and rad/s of a size without meaning
-    double dissipation = 0;                 // W, of the velocities, by strength and by bars that yield
+    double dissipation = 0;                 // W, of the velocities, by friction, strength and bars that yield
     int iterations = 0;                     // of Newton
 };
 

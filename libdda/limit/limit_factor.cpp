@@ -40,13 +40,13 @@ std::optional<double> limit_factor(const LimitProblem& problem)
         if (factor > most) return std::nullopt;
         balance = balance_of(loaded(problem, factor));
     }
+    if (balance.standing == Standing::unknown) return std::nullopt;
     for (int i = 0; i < most_mechanisms && balance.standing == Standing::mechanism; ++i) {
         const double lower = factor_without_work(problem, balance);
         if (!(lower > 0 && lower < factor)) break;
         factor = lower;
         balance = balance_of(loaded(problem, factor));
     }
-    if (balance.standing == Standing::unknown && factor >= first) return std::nullopt;
     return factor;
 }
 

@@ -9,7 +9,7 @@ namespace voussoir::limit
 {
 
 /// The greatest factor for which forces within the cones of friction balance dead + factor x live on every block,
-/// to some 3e-5 of itself: the limit if joints that slide open by the angle of friction; no factor beyond it has
+/// to some 1e-5 of itself: the limit if joints that slide open by the angle of friction; no factor beyond it has
 /// an equilibrium. None where blocks do not stand under the dead load, or under any factor.
 ///
 /// Each mechanism names the factor at which the loads do no more work on it than it takes, and the next is sought

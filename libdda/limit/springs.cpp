@@ -229,12 +229,12 @@ double Springs::most_beyond_friction(const VectorXd& motion) const
     return most;
 }
 
-std::vector<BlockVelocity> Springs::velocities(const VectorXd& motion) const
+std::vector<BlockVelocity> Springs::velocities(const VectorXd& moved) const
 {
     std::vector<BlockVelocity> velocities(row_of_.size());
     for (std::size_t b = 0; b < row_of_.size(); ++b) {
         if (row_of_[b] < 0) continue;
-        const auto own = motion.segment(row_of_[b] * unknowns_, unknowns_);
+        const auto own = moved.segment(row_of_[b] * unknowns_, unknowns_);
         if (planar_)
             velocities[b] = {{own[0] * length_, 0, own[1] * length_}, {0, own[2], 0}};
         else
@@ -243,14 +243,11 @@ std::vector<BlockVelocity> Springs::velocities(const VectorXd& motion) const
     return velocities;
 }
 
-double Springs::dissipation(const VectorXd& motion) const
+double Springs::power(const VectorXd& motion, const VectorXd& velocities) const
 {
-    double taken = 0;
-    for (const Spring& spring : springs_) {
-        const Vector3d force = force_of(spring, motion).force;
-        taken -= force.dot(apart(spring, motion)) + force.squaredNorm();
-    }
-    return taken * force_ * length_;
+    double power = 0;
+    for (const Spring& spring : springs_) power -= force_of(spring, motion).force.dot(apart(spring, velocities));
+    return power * force_ * length_;
 }
 
 }  // namespace voussoir::limit

@@ -43,9 +43,9 @@ class Springs
     double most_beyond_friction(const Eigen::VectorXd& motion) const;
 
     /// Of all blocks.
-    std::vector<BlockVelocity> velocities(const Eigen::VectorXd& motion) const;
-    /// What springs take of these beyond what they store, which is nothing beside it [W].
-    double dissipation(const Eigen::VectorXd& motion) const;
+    std::vector<BlockVelocity> velocities(const Eigen::VectorXd& moved) const;
+    /// What the forces of springs in a motion take of these velocities [W].
+    double power(const Eigen::VectorXd& motion, const Eigen::VectorXd& velocities) const;
 
  private:
     using Jacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 6>;

@@ -52,7 +52,8 @@ TEST(LimitScenes, HaveTheLimitOfTheLinearProgram)
         const double program = limit::associated_limit(problem).factor;
         const double by_program = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         start = std::clock();
-        EXPECT_NEAR(limit::limit_factor(problem).value_or(0), program, 1.5e-4 * program) << n;
+        const double tolerance = problem.planar ? 2e-5 : 1.5e-4;  // the programs' own, of the cone in space
+        EXPECT_NEAR(limit::limit_factor(problem).value_or(0), program, tolerance * program) << n;
         std::printf("%d: %zu blocks, program %.1f ms, springs %.1f ms\n", n, problem.blocks.size(), by_program,
                     1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     }
