@@ -32,7 +32,7 @@ struct Balance {
 ///
 /// Sought is the motion of least energy of blocks on springs that never bear more than friction allows: a convex
 /// problem whose one answer Newton's method finds in some ten systems of equations, each of six unknowns a block.
-/// What the springs cannot balance moves the blocks against a mass of a billionth of the springs.
+/// What the springs cannot balance moves the blocks against a mass that falls to a billionth of the springs.
 Balance balance_of(const LimitProblem& problem);
 
 /// The same of joints that slide without opening: their friction does no work against normal forces, it acts as a
@@ -41,6 +41,8 @@ Balance balance_of(const LimitProblem& problem);
 /// friction. `mechanism`: they did not, so that stones may slide under a load that balance_of balances; statics
 /// does not determine their normal forces, and other ones may stand. `unknown` of bonded joints, which are
 /// brittle.
+/// @param problem with all points of its faces: springs press on a face as an elastic bed does, so that it turns
+/// under the couple that such a pressure allows
 Standing standing_without_dilatancy(const LimitProblem& problem);
 
 }  // namespace voussoir::limit

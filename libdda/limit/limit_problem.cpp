@@ -15,7 +15,7 @@ namespace
 using Eigen::Vector3d;
 
 template <int D>
-void add_contacts(const Model& model, const State& state, double reach, LimitProblem& problem)
+void add_contacts(const Model& model, const State& state, double reach, FacePoints which, LimitProblem& problem)
 {
     const ContactSetIn<D>& found = contacts_in<D>(state);
     for (const ContactPatchIn<D>& patch : found.patches) {
@@ -25,12 +25,17 @@ void add_contacts(const Model& model, const State& state, double reach, LimitPro
         double area = 0;
         for (const ContactPointIn<D>& point : points_of(found, patch)) area += point.area;
         const auto corners = corners_of(found, patch);
-        const double share = patch.intact ? area / static_cast<double>(corners.size()) : 0;
-        for (const ContactPointIn<D>& point : corners)
-            if (point.gap <= near)
-                problem.contacts.push_back({patch.block_a, patch.block_b, to_space(point.position),
-                                            to_space(patch.normal), friction, share * joint.cohesion,
-                                            share * joint.tensile_strength});
+        const auto count = static_cast<double>(corners.size());
+        for (const ContactPointIn<D>& point : which == FacePoints::all ? points_of(found, patch) : corners) {
+            if (point.gap > near) continue;
+            LimitContact contact{patch.block_a, patch.block_b, to_space(point.position), to_space(patch.normal),
+                                 friction};
+            if (which == FacePoints::all) contact.stiffness = count * point.area / area;
+            const double share = patch.intact ? contact.stiffness * area / count : 0;
+            contact.cohesion = share * joint.cohesion;
+            contact.tension = share * joint.tensile_strength;
+            if (contact.stiffness > 0) problem.contacts.push_back(contact);
+        }
     }
 }
 
@@ -56,7 +61,7 @@ void add_bars(const Model& model, const State& state, LimitProblem& problem)
 }  // namespace
 
 LimitProblem limit_problem_of(const Model& model, const State& state, const Vector3d& dead, const Vector3d& live,
-                              double reach)
+                              double reach, FacePoints points)
 {
     LimitProblem problem;
     problem.planar = is_planar(model.kinematics);
@@ -73,9 +78,9 @@ LimitProblem limit_problem_of(const Model& model, const State& state, const Vect
         block.turning_held = foundation.rotation_held;
     }
     if (problem.planar)
-        add_contacts<2>(model, state, reach, problem);
+        add_contacts<2>(model, state, reach, points, problem);
     else
-        add_contacts<3>(model, state, reach, problem);
+        add_contacts<3>(model, state, reach, points, problem);
     add_bars(model, state, problem);
     return problem;
 }

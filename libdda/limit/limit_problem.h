@@ -19,6 +19,7 @@ struct LimitContact {
     double friction = 0;                                 // -, coefficient
     double cohesion = 0;                                 // N, of a joint that is bonded
     double tension = 0;                                  // N, the same
+    double stiffness = 1;                                // -, of its spring; limits do not depend on it
 };
 
 /// Metal from a point of one block to a point of another.
@@ -48,12 +49,17 @@ struct LimitProblem {
     std::vector<LimitBar> bars;
 };
 
-/// A model in a state: its blocks where they stand, every corner of its contacts that is open by no more than
-/// `reach`, its bars. A face that presses anywhere within its polygon presses on its corners: what lies inside
-/// adds nothing.
+/// What stands for a face.
+enum class FacePoints {
+    corners,  // a force anywhere within it is one at its corners; the couple about its normal is too strong
+    all,      // with the area of each for a stiffness
+};
+
+/// A model in a state: its blocks where they stand, every point of its contacts that is open by no more than
+/// `reach`, its bars.
 /// @param dead, live accelerations [m/s2] @param reach of a contact [share of the smaller block's size]
 LimitProblem limit_problem_of(const Model& model, const State& state, const Eigen::Vector3d& dead,
-                              const Eigen::Vector3d& live, double reach);
+                              const Eigen::Vector3d& live, double reach, FacePoints points = FacePoints::corners);
 
 /// Whether limit analysis knows all that acts in a model: not where ground carries waves, which takes what force
 /// it is given.

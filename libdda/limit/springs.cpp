@@ -70,6 +70,7 @@ void Springs::add_springs(const LimitProblem& problem)
         const double apex = contact.friction > 0 ? contact.cohesion / contact.friction : contact.tension;
         Spring spring;
         spring.friction = contact.friction;
+        spring.stiffness = contact.stiffness;
         spring.set = FrictionSet{contact.normal, contact.friction, bounded(contact.cohesion),
                                  bounded(std::min(contact.tension, apex))};
         add(problem, contact.block_a, contact.position, contact.block_b, contact.position, std::move(spring));
@@ -164,8 +165,10 @@ Vector3d Springs::apart(const Spring& spring, const VectorXd& motion) const
 
 NearestForce Springs::force_of(const Spring& spring, const VectorXd& motion) const
 {
-    const Vector3d given = -apart(spring, motion);
-    return std::visit([&](const auto& set) { return nearest_force(set, given); }, spring.set);
+    const Vector3d given = -spring.stiffness * apart(spring, motion);
+    NearestForce nearest = std::visit([&](const auto& set) { return nearest_force(set, given); }, spring.set);
+    nearest.derivative *= spring.stiffness;
+    return nearest;
 }
 
 void Springs::gradient(double mass, const VectorXd& motion, VectorXd& gradient) const

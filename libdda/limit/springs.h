@@ -18,9 +18,9 @@ struct BlockVelocity {
     Eigen::Vector3d spin = Eigen::Vector3d::Zero();
 };
 
-/// The springs of a problem, all of stiffness one, and the loads on its blocks. Forces are over the whole load,
-/// lengths over the size of the scene; a motion has a row for each block that is not wholly held: along its axes,
-/// and its turns.
+/// The springs of a problem, of stiffness one but for faces with all their points, and the loads on its blocks.
+/// Forces are over the whole load, lengths over the size of the scene; a motion has a row for each block that is
+/// not wholly held: along its axes, and its turns.
 class Springs
 {
  public:
@@ -54,7 +54,8 @@ class Springs
         Jacobian on_a, on_b;                                // motion of its ends by those of the blocks
         int diagonal_a = -1, diagonal_b = -1, beside = -1;  // positions in the matrix
         std::variant<FrictionSet, BarSet> set;
-        double friction = 0;  // -, of a contact
+        double friction = 0;   // -, of a contact
+        double stiffness = 1;  // -
     };
     void scale(const LimitProblem& problem);
     void number_rows(const LimitProblem& problem);

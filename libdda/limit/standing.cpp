@@ -25,14 +25,15 @@ void find_near(const Model& model, double reach, State& state)
     contacts_in<D>(state) = std::move(contacts);
 }
 
-LimitProblem problem_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach)
+LimitProblem problem_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach,
+                        FacePoints points)
 {
     State near = state;
     if (is_planar(model.kinematics))
         find_near<2>(model, reach, near);
     else
         find_near<3>(model, reach, near);
-    return limit_problem_of(model, near, gravity, Eigen::Vector3d::Zero(), reach);
+    return limit_problem_of(model, near, gravity, Eigen::Vector3d::Zero(), reach, points);
 }
 
 }  // namespace
@@ -40,13 +41,13 @@ LimitProblem problem_in(const Model& model, const State& state, const Eigen::Vec
 Balance balance_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach)
 {
     if (!is_known_to_limit_analysis(model)) return {};
-    return balance_of(problem_in(model, state, gravity, reach));
+    return balance_of(problem_in(model, state, gravity, reach, FacePoints::corners));
 }
 
 Standing sliding_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach)
 {
     if (!is_known_to_limit_analysis(model)) return Standing::unknown;
-    return standing_without_dilatancy(problem_in(model, state, gravity, reach));
+    return standing_without_dilatancy(problem_in(model, state, gravity, reach, FacePoints::all));
 }
 
 }  // namespace voussoir::limit

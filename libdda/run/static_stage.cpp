@@ -160,9 +160,12 @@ bool conclude(const Stage& stage, WayEnd second, RunProgress& progress)
     const WayEnd first = progress.position.course.first_way;
     const Standing standing = standing_at_start(stage, progress);
     if (second == WayEnd::rested && first == second) return true;
-    // In space limit analysis lets faces bear more torsion than they do.
-    const bool is_bound = is_planar(progress.model.kinematics) || !is_friction_used_up(stage, progress);
-    if (second == WayEnd::rested && standing == Standing::balanced && is_bound) return true;
+    // What balances in space may do so by more torsion than faces bear; sliding_at_start knows better.
+    const auto is_bound = [&] {
+        return is_planar(progress.model.kinematics) || !is_friction_used_up(stage, progress) ||
+               sliding_at_start(stage, progress) == Standing::balanced;
+    };
+    if (second == WayEnd::rested && standing == Standing::balanced && is_bound()) return true;
     if (second == WayEnd::fell && first == second) {
         if (sliding_at_start(stage, progress) == Standing::balanced)
             say_that_friction_leaves_it_open(WayEnd::fell, progress);

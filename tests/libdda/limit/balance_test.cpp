@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "libdda/contact/face_points.h"
 #include "libdda/limit/friction_set.h"
 #include "libdda/limit/limit_factor.h"
 #include "tests/libdda/limit/limit_problems.h"
@@ -189,6 +190,58 @@ TEST(Balance, CohesionHoldsASlidingBlock)
             contact.tension = 0.1 / count;
         }
         EXPECT_NEAR(limit_factor(problem).value_or(0), friction + cohesion, 1e-4);
+    }
+}
+
+/// A square of 1 N with these points, turned about its normal by two stones of no weight, 1 N each, through strong
+/// rods.
+LimitProblem turned_square(const std::vector<LimitContact>& points)
+{
+    constexpr double lever = 1, friction = 0.5;
+    LimitProblem problem;
+    problem.blocks.resize(4);
+    problem.blocks[0].hold();
+    problem.blocks[1] = {{}, false, {0, 0, 0}, {0, 0, -1}, {0, 0, 0}};
+    problem.contacts = points;
+    for (LimitContact& point : problem.contacts) {
+        point.block_a = 1;
+        point.normal = {0, 0, 1};
+        point.friction = friction;
+    }
+    for (const int i : {2, 3}) {
+        const double side = i == 2 ? 1 : -1;
+        const Vector3d at(0, side * lever, 0), from(-side, side * lever, 0);
+        LimitBlock& pusher = problem.blocks[static_cast<std::size_t>(i)];
+        pusher = {{false, true, true}, true, from, {0, 0, 0}, {side, 0, 0}};
+        problem.bars.push_back({i, 1, from, at, {side, 0, 0}, 1e3, 1e3, 0});
+    }
+    return problem;
+}
+
+// Even pressure turns about the centroid under mu W times its mean distance, 0.3826 of the side (0.3796 of the
+// points of a face: a third of the area at the rim); pressure in the corners would bear 0.7071.
+TEST(Balance, FaceTurnsUnderTheCoupleOfItsPressure)
+{
+    constexpr double side = 0.4, friction = 0.5;
+    const double mean = (std::sqrt(2.0) + std::asinh(1.0)) / 6;
+    std::vector<contact::PolygonPoint> face(4);
+    for (int i = 0; i < 4; ++i) {
+        const double x = i == 1 || i == 2 ? 1 : -1, y = i > 1 ? 1 : -1;
+        face[static_cast<std::size_t>(i)].position = side / 2 * Vector3d(x, y, 0);
+        face[static_cast<std::size_t>(i)].area = side * side / 4;
+    }
+    std::vector<LimitContact> corners, points;
+    for (const contact::PolygonPoint& point : face) corners.push_back({0, 0, point.position});
+    contact::add_inner_points(Vector3d::UnitZ(), face);
+    for (const contact::PolygonPoint& point : face) {
+        points.push_back({0, 0, point.position});
+        points.back().stiffness = point.area / (side * side);
+    }
+    for (const bool all : {true, false}) {
+        const LimitProblem problem = turned_square(all ? points : corners);
+        const double limit = friction * side * (all ? mean : std::sqrt(0.5)) / 2;
+        EXPECT_EQ(standing_without_dilatancy(under(problem, 0.98 * limit)), Standing::balanced) << all;
+        EXPECT_EQ(standing_without_dilatancy(under(problem, 1.02 * limit)), Standing::mechanism) << all;
     }
 }
 
