@@ -167,6 +167,12 @@ std::string undecided(const Subject& subject)
 
 std::string friction_open(const Subject& subject)
 {
+    if (subject.value("balanced") != 0)
+        return fmt::format(
+            "friction leaves open whether the structure stands in {}: forces within friction balance its stones "
+            "as "
+            "rigid ones, but here {}; how it was built and loaded, or how far stones and joints give way, decides",
+            subject.stage(), end_of_way(subject.value("end")));
     return fmt::format(
         "friction leaves open whether the structure stands in {}: here {}, but its joints can press in ways with "
         "which "

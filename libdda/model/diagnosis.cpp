@@ -75,7 +75,7 @@ DiagnosisForm make_form(DiagnosisKind kind)
                     2,
                     {"joints", "stress_to_strength", "time_s", "duration_s", "brief_joints"}};
         case DiagnosisKind::friction_open:
-            return {"friction_open", true, 0, 0, {"end"}};
+            return {"friction_open", true, 0, 0, {"end", "balanced"}};
     }
     return {};
 }

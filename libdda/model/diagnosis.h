@@ -37,7 +37,8 @@ enum class DiagnosisKind : std::uint8_t {
     ground_jump,         // the ground changes its velocity at once when a stage starts
     dry_joints,          // joints that were given strength gape, and have none
     crushed_joints,      // joints exceed their compressive strength
-    friction_open,       // at rest: whether stones stand depends on normal forces that statics does not determine
+    friction_open,       // at rest: whether stones stand depends on normal forces that statics does not determine;
+                         // balanced: Coulomb friction has some with which they do
 };
 /// Number of kinds.
 constexpr int diagnosis_kinds = static_cast<int>(DiagnosisKind::friction_open) + 1;

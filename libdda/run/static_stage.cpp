@@ -109,10 +109,11 @@ Stage second_way(Stage stage)
 
 /// Statics does not determine the normal forces of joints that rub on all sides, and with other ones the answer
 /// would be another.
-void say_that_friction_leaves_it_open(WayEnd end, RunProgress& progress)
+void say_that_friction_leaves_it_open(WayEnd end, Standing sliding, RunProgress& progress)
 {
+    const double balanced = sliding == Standing::balanced ? 1 : 0;
     progress.report.warnings.push_back(
-        {DiagnosisKind::friction_open, progress.state.stage, {}, {static_cast<double>(end)}});
+        {DiagnosisKind::friction_open, progress.state.stage, {}, {static_cast<double>(end), balanced}});
 }
 
 /// Whether a fall is to be believed: nothing balances the stones, or what does would not if joints slid without
@@ -121,8 +122,9 @@ bool is_sure_of_fall(const Stage& stage, RunProgress& progress)
 {
     const Standing standing = standing_at_start(stage, progress);
     if (standing != Standing::balanced) return standing == Standing::mechanism;
-    if (sliding_at_start(stage, progress) != Standing::mechanism) return false;
-    say_that_friction_leaves_it_open(WayEnd::fell, progress);
+    const Standing sliding = sliding_at_start(stage, progress);
+    if (sliding != Standing::mechanism) return false;
+    say_that_friction_leaves_it_open(WayEnd::fell, sliding, progress);
     return true;
 }
 
@@ -133,8 +135,9 @@ bool is_sure_of_rest(const Stage& stage, RunProgress& progress)
     const bool straight = !progress.position.course.was_hard && share <= went_far;
     if (!straight && standing_at_start(stage, progress, std::max(within_reach, share)) != Standing::balanced)
         return false;
-    if (is_friction_used_up(stage, progress) && sliding_at_start(stage, progress) == Standing::mechanism)
-        say_that_friction_leaves_it_open(WayEnd::rested, progress);
+    if (straight && !is_friction_used_up(stage, progress)) return true;
+    const Standing sliding = sliding_at_start(stage, progress);
+    if (sliding == Standing::mechanism) say_that_friction_leaves_it_open(WayEnd::rested, sliding, progress);
     return true;
 }
 
@@ -167,8 +170,8 @@ bool conclude(const Stage& stage, WayEnd second, RunProgress& progress)
     };
     if (second == WayEnd::rested && standing == Standing::balanced && is_bound()) return true;
     if (second == WayEnd::fell && first == second) {
-        if (sliding_at_start(stage, progress) == Standing::balanced)
-            say_that_friction_leaves_it_open(WayEnd::fell, progress);
+        const Standing sliding = sliding_at_start(stage, progress);
+        if (sliding == Standing::balanced) say_that_friction_leaves_it_open(WayEnd::fell, sliding, progress);
         return false;
     }
     if (second == WayEnd::fell && standing == Standing::mechanism) return false;

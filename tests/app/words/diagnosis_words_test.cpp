@@ -148,7 +148,12 @@ const Sentence sentences[] = {
      "s "
      "and the weight in increments it comes to rest, and limit analysis does not agree with both; it is near its "
      "limit, or the answer depends on how it was built: vary friction and load a little, or load it in stages"},
-    {{DiagnosisKind::friction_open, 0, {}, {1}},
+    {{DiagnosisKind::friction_open, 0, {}, {2, 1}},
+     "friction leaves open whether the structure stands in stage 'motion': forces within friction balance its "
+     "stones as rigid ones, but here it falls; how it was built and loaded, or how far stones and joints give "
+     "way, "
+     "decides"},
+    {{DiagnosisKind::friction_open, 0, {}, {1, 0}},
      "friction leaves open whether the structure stands in stage 'motion': here it comes to rest, but its joints "
      "can "
      "press in ways with which it stands, and in others with which it slides; how it was built and loaded "
