@@ -1,10 +1,10 @@
 #include "libdda/analysis/collapse.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "libdda/analysis/bar_forces.h"
 #include "libdda/contact/initial_contacts.h"
+#include "libdda/model/disjoint_sets.h"
 
 namespace voussoir
 {
@@ -22,43 +22,34 @@ bool is_held(const Model& model, int block)
                        [&](const Foundation& foundation) { return foundation.block == block; });
 }
 
-int root_of(int block, std::vector<int>& parent)
-{
-    while (parent[block] != block) block = parent[block] = parent[parent[block]];
-    return block;
-}
-
 template <int D>
-void join(const ContactSetIn<D>& contacts, std::vector<int>& parent)
+void join(const ContactSetIn<D>& contacts, DisjointSets& sets)
 {
     for (const ContactPatchIn<D>& patch : contacts.patches)
         for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
-            if (contacts.points[i].status != ContactStatus::open)
-                parent[root_of(patch.block_a, parent)] = root_of(patch.block_b, parent);
+            if (contacts.points[i].status != ContactStatus::open) sets.join(patch.block_a, patch.block_b);
 }
 
 /// What hangs from a bar does not fall as long as the bar carries it.
-void join_bars(const Model& model, const State& state, std::vector<int>& parent)
+void join_bars(const Model& model, const State& state, DisjointSets& sets)
 {
     const std::vector<BarNow> bars = bars_now(model, state);
     for (std::size_t i = 0; i < bars.size(); ++i)
-        if (bars[i].axial != 0 || bars[i].shear != 0)
-            parent[root_of(model.bars[i].block_a, parent)] = root_of(model.bars[i].block_b, parent);
+        if (bars[i].axial != 0 || bars[i].shear != 0) sets.join(model.bars[i].block_a, model.bars[i].block_b);
 }
 
 /// Whether a chain of closed contacts and bars joins each block to one that the ground holds, or goes on beyond.
 std::vector<bool> supported(const Model& model, const State& state)
 {
-    std::vector<int> parent(model.blocks.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    join(state.contacts, parent);
-    join(state.planar_contacts, parent);
-    join_bars(model, state, parent);
-    std::vector<bool> holds(parent.size(), false), result(parent.size());
-    for (const Foundation& foundation : model.foundations) holds[root_of(foundation.block, parent)] = true;
+    DisjointSets sets(model.blocks.size());
+    join(state.contacts, sets);
+    join(state.planar_contacts, sets);
+    join_bars(model, state, sets);
+    std::vector<bool> holds(model.blocks.size(), false), result(holds);
+    for (const Foundation& foundation : model.foundations) holds[sets.root_of(foundation.block)] = true;
     for (const ViscousBoundary& boundary : model.boundaries)
-        for (const BlockFace& face : boundary.faces) holds[root_of(face.block, parent)] = true;
-    for (std::size_t b = 0; b < parent.size(); ++b) result[b] = holds[root_of(static_cast<int>(b), parent)];
+        for (const BlockFace& face : boundary.faces) holds[sets.root_of(face.block)] = true;
+    for (std::size_t b = 0; b < result.size(); ++b) result[b] = holds[sets.root_of(static_cast<int>(b))];
     return result;
 }
 

@@ -3,10 +3,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <mutex>
-#include <numeric>
 
 #include "libdda/contact/strips.h"
 #include "libdda/impact/impulses.h"
+#include "libdda/model/disjoint_sets.h"
 #include "libdda/model/parallel.h"
 
 namespace voussoir::step
@@ -25,12 +25,6 @@ constexpr double slow_landing = 0.5;
 double speed_of_a_step(const Stage& stage, double h)
 {
     return stage.gravity.norm() * h;
-}
-
-int root_of(int i, std::vector<int>& parent)
-{
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
 }
 
 }  // namespace
@@ -103,21 +97,20 @@ template <class K>
 std::vector<typename Landings<K>::Blow> Landings<K>::blows() const
 {
     const std::vector<Body<K>>& bodies = impulses_.bodies();
-    std::vector<int> parent(bodies.size());
-    std::iota(parent.begin(), parent.end(), 0);
+    DisjointSets sets(bodies.size());
     const auto moves = [&](int body) { return bodies[body].mobility(Vector::Zero(), Vector::Ones()) > 0; };
     for (const Meeting<K>& m : impulses_.meetings())
-        if (m.pressed != 0 && moves(m.a) && moves(m.b)) parent[root_of(m.a, parent)] = root_of(m.b, parent);
+        if (m.pressed != 0 && moves(m.a) && moves(m.b)) sets.join(m.a, m.b);
     std::vector<Blow> of_root(bodies.size());
     for (const Meeting<K>& m : impulses_.meetings())
         if (m.lands && m.pressed > 0)
             for (const int body : {m.a, m.b}) {
-                Blow& blow = of_root[root_of(body, parent)];
+                Blow& blow = of_root[sets.root_of(body)];
                 blow.fraction = std::min(blow.fraction, m.fraction);
                 blow.approach = std::max(blow.approach, m.approach);
             }
     std::vector<Blow> result(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) result[i] = of_root[root_of(static_cast<int>(i), parent)];
+    for (std::size_t i = 0; i < bodies.size(); ++i) result[i] = of_root[sets.root_of(static_cast<int>(i))];
     return result;
 }
 

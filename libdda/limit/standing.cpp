@@ -44,10 +44,15 @@ Balance balance_in(const Model& model, const State& state, const Eigen::Vector3d
     return balance_of(problem_in(model, state, gravity, reach, FacePoints::corners));
 }
 
-Standing sliding_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach)
+Standing sliding_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach,
+                    const std::vector<int>& moving)
 {
     if (!is_known_to_limit_analysis(model)) return Standing::unknown;
-    return standing_without_dilatancy(problem_in(model, state, gravity, reach, FacePoints::all));
+    LimitProblem problem = problem_in(model, state, gravity, reach, FacePoints::all);
+    if (!moving.empty())
+        for (std::size_t b = 0; b < problem.blocks.size(); ++b)
+            if (!std::binary_search(moving.begin(), moving.end(), static_cast<int>(b))) problem.blocks[b].hold();
+    return standing_without_dilatancy(problem);
 }
 
 }  // namespace voussoir::limit

@@ -1,6 +1,8 @@
 // Whether anything balances a structure where it is now.
 #pragma once
 
+#include <vector>
+
 #include "libdda/limit/balance.h"
 #include "libdda/model/model.h"
 #include "libdda/model/state.h"
@@ -15,6 +17,8 @@ namespace voussoir::limit
 Balance balance_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach);
 
 /// The same of joints that slide without opening: standing_without_dilatancy.
-Standing sliding_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach);
+/// @param moving blocks, if all others are to stay where they are; none: all may move
+Standing sliding_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach,
+                    const std::vector<int>& moving = {});
 
 }  // namespace voussoir::limit

@@ -46,7 +46,7 @@ constexpr double far = 5e-3;            // of a stone's size, gone in a step
 constexpr double fall_reach = settled;  // of a stone's size: contacts open by less are taken to bear
 constexpr double asked_again = 2;       // times as far as when it was last asked, and as far as in one step
 constexpr double first_fall = 1e-3;     // of a stone's size, that it falls in the first step in which it is let go
-constexpr int enough_fall = 5;          // steps in which stones that nothing balances gathered speed
+constexpr int enough_fall = 3;          // steps in which stones that nothing balances gathered speed
 
 bool is_at_rest(const RunPosition& at)
 {

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "libdda/analysis/block_shifts.h"
+#include "libdda/analysis/sliding.h"
 #include "libdda/limit/standing.h"
-#include "libdda/model/friction_law.h"
 #include "libdda/run/rest_search.h"
 
 namespace voussoir::driver
@@ -19,7 +20,6 @@ using limit::Standing;
 constexpr double shorter = 0.01;       // steps of the second way
 constexpr double went_far = 0.01;      // of a stone's size, by a corner: a rest that was not reached straight
 constexpr double within_reach = 0.01;  // of a stone's size: contacts open by less may bear
-constexpr double mobilised = 0.99;     // of its friction, by a joint that rubs
 constexpr double worth_a_look = 1e-3;  // of the mean weight of a stone, by the normal force of such a joint
 
 double share_gone(const RunProgress& progress)
@@ -35,36 +35,21 @@ Standing standing_at_start(const Stage& stage, const RunProgress& progress, doub
     return limit::balance_in(progress.model, progress.position.course.start->state, stage.gravity, reach).standing;
 }
 
-Standing sliding_at_start(const Stage& stage, const RunProgress& progress)
+/// The same of stones that slide without opening. @param moving if only these may
+Standing sliding_at_start(const Stage& stage, const RunProgress& progress, const std::vector<int>& moving = {})
 {
-    return limit::sliding_in(progress.model, progress.position.course.start->state, stage.gravity, within_reach);
+    return limit::sliding_in(progress.model, progress.position.course.start->state, stage.gravity, within_reach,
+                             moving);
 }
 
-/// Whether the friction of a joint that bears is used up, at all points that press: it slides or turns on its
-/// face.
-template <int D>
-bool is_friction_used_up(const Model& model, const ContactSetIn<D>& contacts, double least)
-{
-    return std::any_of(contacts.patches.begin(), contacts.patches.end(), [&](const ContactPatchIn<D>& patch) {
-        const double friction = friction_between(model, patch.block_a, patch.block_b, false).at_rest;
-        double normal = 0;
-        bool used_up = friction > 0;
-        for (const ContactPointIn<D>& point : points_of(contacts, patch)) {
-            normal += point.normal_force;
-            used_up = used_up && point.shear_force.norm() >= mobilised * friction * point.normal_force;
-        }
-        return used_up && normal > least;
-    });
-}
-
-bool is_friction_used_up(const Stage& stage, const RunProgress& progress)
+/// The stones that friction alone holds, and has been used up.
+std::vector<int> held_by_used_up_friction(const Stage& stage, const RunProgress& progress)
 {
     const Model& model = progress.model;
     double weight = 0;
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) weight += model.mass(b) * stage.gravity.norm();
-    const double least = worth_a_look * weight / static_cast<double>(model.blocks.size());
-    return is_planar(model.kinematics) ? is_friction_used_up(model, progress.state.planar_contacts, least)
-                                       : is_friction_used_up(model, progress.state.contacts, least);
+    return held_by_sliding_joints(model, progress.state,
+                                  worth_a_look * weight / static_cast<double>(model.blocks.size()));
 }
 
 WayEnd end_of_way(bool rested, const RunProgress& progress)
@@ -135,8 +120,9 @@ bool is_sure_of_rest(const Stage& stage, RunProgress& progress)
     const bool straight = !progress.position.course.was_hard && share <= went_far;
     if (!straight && standing_at_start(stage, progress, std::max(within_reach, share)) != Standing::balanced)
         return false;
-    if (straight && !is_friction_used_up(stage, progress)) return true;
-    const Standing sliding = sliding_at_start(stage, progress);
+    const std::vector<int> sliding_parts = held_by_used_up_friction(stage, progress);
+    if (straight && sliding_parts.empty()) return true;
+    const Standing sliding = sliding_at_start(stage, progress, straight ? sliding_parts : std::vector<int>{});
     if (sliding == Standing::mechanism) say_that_friction_leaves_it_open(WayEnd::rested, sliding, progress);
     return true;
 }
@@ -165,7 +151,7 @@ bool conclude(const Stage& stage, WayEnd second, RunProgress& progress)
     if (second == WayEnd::rested && first == second) return true;
     // What balances in space may do so by more torsion than faces bear; sliding_at_start knows better.
     const auto is_bound = [&] {
-        return is_planar(progress.model.kinematics) || !is_friction_used_up(stage, progress) ||
+        return is_planar(progress.model.kinematics) || held_by_used_up_friction(stage, progress).empty() ||
                sliding_at_start(stage, progress) == Standing::balanced;
     };
     if (second == WayEnd::rested && standing == Standing::balanced && is_bound()) return true;

@@ -128,11 +128,11 @@ LimitMasonry random_masonry(std::uint64_t seed, int n, bool in_plane)
     return masonry;
 }
 
-limit::LimitProblem limit_problem(const Model& model)
+limit::LimitProblem limit_problem(const Model& model, limit::FacePoints points)
 {
     State state = initial_state(model);
     find_initial_contacts(model, state);
-    return limit::limit_problem_of(model, state, {0, 0, -gravity}, {gravity, 0, 0}, touching);
+    return limit::limit_problem_of(model, state, {0, 0, -gravity}, {gravity, 0, 0}, touching, points);
 }
 
 Pushed push(const Model& model, double factor, const scenes::SceneSetting& setting)

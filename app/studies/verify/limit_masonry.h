@@ -44,7 +44,7 @@ LimitMasonry random_masonry(std::uint64_t seed, int n, bool in_plane = false);
 
 /// The blocks and contact points of a model at its start as limit analysis takes them: their weight stays, so much
 /// of it along +x is the live load. Cohesion is left out.
-limit::LimitProblem limit_problem(const Model& model);
+limit::LimitProblem limit_problem(const Model& model, limit::FacePoints points = limit::FacePoints::corners);
 
 /// A run of one static stage under the weight and `factor` of it along +x.
 struct Pushed {

@@ -61,7 +61,8 @@ inline void judge_scene(std::uint64_t seed, int n, bool rigid, const std::vector
                         VerdictCounts& counts)
 {
     const LimitMasonry scene = limit_scene(seed, n, rigid);
-    const limit::LimitProblem problem = limit_problem(limit_scene(seed, n, true).model);
+    const Model model = limit_scene(seed, n, true).model;
+    const limit::LimitProblem problem = limit_problem(model), faces = limit_problem(model, limit::FacePoints::all);
     const std::optional<double> capacity = limit::limit_factor(problem);
     ++counts.scenes;
     if (!capacity) {
@@ -69,7 +70,7 @@ inline void judge_scene(std::uint64_t seed, int n, bool rigid, const std::vector
         return;
     }
     const auto slides = [&](double share) {
-        return limit::standing_without_dilatancy(pushed_problem(problem, share * *capacity)) !=
+        return limit::standing_without_dilatancy(pushed_problem(faces, share * *capacity)) !=
                limit::Standing::balanced;
     };
     const bool sharp = !slides(0.998);
