@@ -157,7 +157,8 @@ Standing standing_without_dilatancy(const LimitProblem& problem)
     for (int i = 0; i <= most_states; ++i) {
         Settling settling(springs);
         const Standing standing = settling.settle().standing;
-        if (standing == Standing::unknown || (i == 0 && standing == Standing::mechanism)) return standing;
+        if (i == 0 && standing != Standing::balanced) return standing;
+        if (standing == Standing::unknown) break;
         if (i > 0 && standing == Standing::balanced &&
             springs.most_beyond_friction(settling.motion()) <= beyond_friction)
             return standing;
