@@ -8,6 +8,7 @@
 #include "importers/assembly/assembly_contacts.h"
 #include "importers/assembly/assembly_shapes.h"
 #include "importers/assembly/assembly_words.h"
+#include "libdda/model/disjoint_sets.h"
 
 namespace voussoir::importers::assembly
 {
@@ -18,25 +19,18 @@ using Eigen::Vector3d;
 
 constexpr double same_width = 1.1;  // gaps of one group differ by at most this factor
 
-int root_of(std::vector<int>& parent, int stone)
-{
-    while (parent[stone] != stone) stone = parent[stone] = parent[parent[stone]];
-    return stone;
-}
-
 void find_components(Assembly& assembly)
 {
     const int count = static_cast<int>(assembly.stones.size());
-    std::vector<int> parent(count);
-    std::iota(parent.begin(), parent.end(), 0);
+    DisjointSets sets(assembly.stones.size());
     std::vector<bool> touches(count, false);
     for (const StoneContact& contact : assembly.contacts) {
-        parent[root_of(parent, contact.b)] = root_of(parent, contact.a);
+        sets.join(contact.b, contact.a);
         touches[contact.a] = touches[contact.b] = true;
     }
     std::vector<std::vector<int>> members(count);
     for (int i = 0; i < count; ++i) {
-        members[root_of(parent, i)].push_back(i);
+        members[sets.root_of(i)].push_back(i);
         if (!touches[i] && count > 1) assembly.floating.push_back(i);
     }
     for (std::vector<int>& component : members)

@@ -57,7 +57,7 @@ std::vector<int> held_by_sliding_joints(const Model& model, const State& state, 
     if (sliding.empty()) return held;
     const std::vector<BarNow> bars = bars_now(model, state);
     for (std::size_t i = 0; i < bars.size(); ++i)
-        if (!bars[i].is_out) sets.join(model.bars[i].block_a, model.bars[i].block_b);
+        if (bars[i].axial != 0 || bars[i].shear != 0) sets.join(model.bars[i].block_a, model.bars[i].block_b);
     const int ground = model.foundations.front().block;
     for (const Foundation& foundation : model.foundations) sets.join(foundation.block, ground);
     std::vector<bool> slides(model.blocks.size(), false);  // by the root of a part

@@ -19,7 +19,7 @@ struct LimitContact {
     double friction = 0;                                 // -, coefficient
     double cohesion = 0;                                 // N, of a joint that is bonded
     double tension = 0;                                  // N, the same
-    double stiffness = 1;                                // -, of its spring; limits do not depend on it
+    double stiffness = 1;  // -, of its spring; only limits without dilatancy depend on it
 };
 
 /// Metal from a point of one block to a point of another.

@@ -59,6 +59,19 @@ TEST(Sliding, DoesNotCountWhereSomethingElseHolds)
     EXPECT_EQ(held_by_sliding_joints(model, state, least), (std::vector{1, 2}));
     for (ContactPatch& patch : state.contacts.patches) patch.intact = false;
     EXPECT_TRUE(held_by_sliding_joints(model, state, 1e9).empty()) << "no joint bears as much";
+    Bar bar;  // from the stone beside to the floor; it carries as soon as it is longer than it was
+    bar.block_a = 3;
+    bar.axial = 1e6;
+    bar.length = (model.blocks[3].moments.centroid - model.blocks[0].moments.centroid).norm();
+    for (const double longer : {0.0, 1e-3}) {
+        Model tied = model;
+        bar.length -= longer;
+        tied.bars = {bar};
+        State now = state;
+        now.bars = initial_state(tied).bars;
+        EXPECT_EQ(held_by_sliding_joints(tied, now, least),
+                  longer > 0 ? (std::vector{1, 2}) : (std::vector{1, 2, 3}));
+    }
 }
 
 }  // namespace voussoir::testing
