@@ -37,6 +37,7 @@ constexpr double no_slower = 0.7;  // of the acceleration, at least
 constexpr double let_go = 1e-4;  // of a stone's size, since the stage began: more than what settles by elasticity
 constexpr double nearly_balanced = 1e-5;  // unbalanced force / load
 constexpr double motionless = 1e-6;       // of a stone's size in a step of the nominal length
+constexpr double rounding = 1e-12;  // of a stone's size: what is unbalanced without moving more drowns in rounding
 constexpr double longer = 100;  // times that, at most, in steps so much longer: what falls goes with their square
 constexpr int enough_idle = 5;  // negligible steps, after which contacts that still take turns do not matter
 constexpr double longest_time = 1e4;  // times the nominal time step: of steps of stones on one way
@@ -88,8 +89,9 @@ void note_step(const Stage& stage, const StepReport& step, RunProgress& progress
     }
     course.steady = goes_on ? course.steady + 1 : 0;
     const double length = std::clamp(step.time_step / stage.control.time_step, 1.0, longer);
-    const bool idle =
-        step.inertia_ratio <= stage.unbalanced_tolerance && largest_share(model, last) <= motionless * length;
+    const double moved = largest_share(model, last);
+    const bool idle = (step.inertia_ratio <= stage.unbalanced_tolerance && moved <= motionless * length) ||
+                      (step.time_step >= stage.control.time_step && moved <= rounding);
     course.idle = idle ? course.idle + 1 : 0;
     course.acceleration = acceleration;
     course.before = progress.before.coordinates;
@@ -186,14 +188,26 @@ bool may_ask(const RunProgress& progress)
     return asked < 0 || largest_share(progress.model, gone_in_stage(progress)) > asked_again * asked + far;
 }
 
+/// Whether no forces within friction balance the stones where they are. @param slid far by now: then also whether
+/// none do that joints bear which slide without opening. Stones held at rest from step to step would creep the
+/// whole way that they slide.
+bool nothing_balances(const Stage& loaded, const RunProgress& progress, bool slid)
+{
+    using limit::Standing;
+    const Model& model = progress.model;
+    const Standing any = limit::balance_in(model, progress.state, loaded.gravity, fall_reach).standing;
+    if (any != Standing::balanced || !slid) return any == Standing::mechanism;
+    return limit::sliding_in(model, progress.state, loaded.gravity, fall_reach) == Standing::mechanism;
+}
+
 /// Asks whether anything balances the stones where they are. If nothing does they fall, and are let go in steps
 /// that are short enough to follow them.
 void look_for_balance(const Stage& loaded, RunProgress& progress)
 {
     RunPosition& at = progress.position;
+    const bool again = at.course.asked_at >= 0;
     at.course.asked_at = largest_share(progress.model, gone_in_stage(progress));
-    const auto balance = limit::balance_in(progress.model, progress.state, loaded.gravity, fall_reach);
-    at.course.falls = balance.standing == limit::Standing::mechanism;
+    at.course.falls = nothing_balances(loaded, progress, again);
     if (!at.course.falls) return;
     const double fall = 2 * first_fall * smallest_stone(progress.model) / loaded.gravity.norm();
     progress.state.next_time_step = std::min(loaded.control.time_step, std::sqrt(fall));

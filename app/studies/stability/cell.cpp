@@ -15,7 +15,7 @@ std::vector<StabilityScene> stability_scenes(const CaseReader& read)
             column_scene(),  density_scene(), size_scene(),       shape_scene(),    needle_scene(),
             point_scene(),   face_scene(),    fit_scene(),        friction_scene(), coordinate_scene(read),
             gravity_scene(), shaking_scene(), impact_scene(),     uplift_scene(),   landing_scene(),
-            ground_scene(),  bar_scene(),     many_scene(),       heap_scene()};
+            ground_scene(),  bar_scene(),     verdict_scene(),    many_scene(),     heap_scene()};
 }
 
 std::string in_words(const CellParameter& parameter)

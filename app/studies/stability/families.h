@@ -39,6 +39,8 @@ StabilityScene ground_scene();  // waves through boundaries, damped ground
 
 StabilityScene bar_scene();  // rods and dowels
 
+StabilityScene verdict_scene();  // at rest, on both sides of a limit
+
 StabilityScene many_scene();  // 1,000 blocks stand
 StabilityScene heap_scene();  // hundreds fall
 

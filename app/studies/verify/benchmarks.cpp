@@ -43,6 +43,7 @@ std::vector<Benchmark> all_benchmarks(std::uint64_t seed)
     add(cross_vault_benchmarks());
     add(made_planar(opening_benchmarks(), false));
     add(limit_state_benchmarks());
+    add(verdict_benchmarks());
     return all;
 }
 

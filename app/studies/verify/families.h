@@ -73,6 +73,9 @@ std::vector<Benchmark> opening_benchmarks();
 /// Lateral capacities, a least thickness and a bridge that stays closed, beside limit analysis.
 std::vector<Benchmark> limit_state_benchmarks();
 
+/// What is said of random structures on both sides of their limit.
+std::vector<Benchmark> verdict_benchmarks();
+
 /// A mass under a constant force with damping per step and per second. Source: [YagodaBiranHatzor2017], 4.2.2.
 std::vector<Benchmark> kinetic_damping_benchmarks();
 

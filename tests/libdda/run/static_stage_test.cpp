@@ -38,9 +38,10 @@ JointMaterial stiff(double friction_degrees)
 }
 
 /// A block of half width b and half height h on a floor. @param courses it is cut into, one upon another
-Model block_on_floor(Kinematics kinematics, double b, double h, double friction_degrees, int courses = 1)
+Model block_on_floor(Kinematics kinematics, double b, double h, double friction_degrees, int courses = 1,
+                     double young = 3e9)
 {
-    Model model = make_model(kinematics, {"stone", 2000, 3e9, 0.2}, stiff(friction_degrees));
+    Model model = make_model(kinematics, {"stone", 2000, young, 0.2}, stiff(friction_degrees));
     hold(model, add_box(model, "floor", {-20, -1, -1}, {20, 1, 0}));
     const double course = 2 * h / courses;
     for (int i = 0; i < courses; ++i)
@@ -249,6 +250,18 @@ TEST_P(StaticStage, WhetherPointsRestAtTheirBoundOrJustBelowDecidesNothing)
     EXPECT_GT(from_below.time, 0);
     EXPECT_EQ(from_below.coordinates, from_bound.coordinates);
     EXPECT_EQ(from_below.velocities, from_bound.velocities);
+}
+
+// The last digit of where stones are is worth a millionth of their weight in joints so stiff.
+TEST_P(StaticStage, StonesRestWhoseWeightDrownsInRounding)
+{
+    const Model model = block_on_floor(GetParam(), 0.5, 1, 35, 5, 1e16);
+    State state = initial_state(model);
+    const RunReport report = run_quietly(model, {static_stage(1, leaning(0.45))}, state);
+    EXPECT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);
+    EXPECT_LT(report.steps, 40);
+    State falling = initial_state(model);
+    EXPECT_EQ(run_quietly(model, {static_stage(1, leaning(0.55))}, falling).outcome, Outcome::collapsed);
 }
 
 }  // namespace voussoir::testing
