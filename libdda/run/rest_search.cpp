@@ -188,26 +188,14 @@ bool may_ask(const RunProgress& progress)
     return asked < 0 || largest_share(progress.model, gone_in_stage(progress)) > asked_again * asked + far;
 }
 
-/// Whether no forces within friction balance the stones where they are. @param slid far by now: then also whether
-/// none do that joints bear which slide without opening. Stones held at rest from step to step would creep the
-/// whole way that they slide.
-bool nothing_balances(const Stage& loaded, const RunProgress& progress, bool slid)
-{
-    using limit::Standing;
-    const Model& model = progress.model;
-    const Standing any = limit::balance_in(model, progress.state, loaded.gravity, fall_reach).standing;
-    if (any != Standing::balanced || !slid) return any == Standing::mechanism;
-    return limit::sliding_in(model, progress.state, loaded.gravity, fall_reach) == Standing::mechanism;
-}
-
 /// Asks whether anything balances the stones where they are. If nothing does they fall, and are let go in steps
 /// that are short enough to follow them.
 void look_for_balance(const Stage& loaded, RunProgress& progress)
 {
     RunPosition& at = progress.position;
-    const bool again = at.course.asked_at >= 0;
     at.course.asked_at = largest_share(progress.model, gone_in_stage(progress));
-    at.course.falls = nothing_balances(loaded, progress, again);
+    const auto balance = limit::balance_in(progress.model, progress.state, loaded.gravity, fall_reach);
+    at.course.falls = balance.standing == limit::Standing::mechanism;
     if (!at.course.falls) return;
     const double fall = 2 * first_fall * smallest_stone(progress.model) / loaded.gravity.norm();
     progress.state.next_time_step = std::min(loaded.control.time_step, std::sqrt(fall));
@@ -267,6 +255,12 @@ bool is_falling(const RunProgress& progress, const std::vector<BlockShift>& gone
            (gathers_speed(course, long_steady) && share > creeping) || gathers_speed(course, endless_steady);
 }
 
+/// Whether stones lie still where they have fallen to.
+bool has_fallen(const RunProgress& progress, const std::vector<BlockShift>& gone)
+{
+    return largest_share(progress.model, gone) > overturned && !settle_by_strain(progress.model, progress.state);
+}
+
 /// After the last step that the stage allows, or one that could not be made. @returns false
 bool end_unbalanced(RunProgress& progress)
 {
@@ -274,7 +268,7 @@ bool end_unbalanced(RunProgress& progress)
     const StaticCourse& course = progress.position.course;
     const double share = largest_share(progress.model, gone);
     const bool goes_on = (share > settled && course.steady > 0) || gathers_speed(course, long_steady);
-    if (share > overturned || (goes_on && !are_pressed_apart(progress))) collapse(progress, gone);
+    if (has_fallen(progress, gone) || (goes_on && !are_pressed_apart(progress))) collapse(progress, gone);
     return false;
 }
 
@@ -371,7 +365,7 @@ bool step_at_rest(const Stage& stage, Stage& loaded, RunProgress& progress)
     progress.state.next_time_step = next_step(step, share, at.course, stage.control.time_step);
     if (progress.observer.step) progress.observer.step(progress.state, step, progress.report);
     const auto gone = gone_in_stage(progress);
-    if (is_falling(progress, gone) || (is_at_rest(at) && largest_share(progress.model, gone) > overturned)) {
+    if (is_falling(progress, gone) || (is_at_rest(at) && has_fallen(progress, gone))) {
         collapse(progress, gone);
         return false;
     }
