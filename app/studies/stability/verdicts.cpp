@@ -93,6 +93,7 @@ StabilityScene verdict_scene()
         "held base, under its weight and a share of it sideways, with the joints of a case without motion, over "
         "its size, weight, modulus, place, friction, flatness and number of blocks.";
     scene.reference = "closed form: the smaller of friction and width / height";
+    scene.tolerance = 0.02;  // no verdict may be wrong: one of two is 50 %
     const auto add = [&](const std::string& name, const std::string& unit, double value, const auto& change) {
         Stack stack;
         change(stack, value);
