@@ -15,12 +15,12 @@ from pathlib import Path
 
 # Room of libdda: lines, constants.
 BUDGET = {
-    "block": (920, 7),
-    "forces": (2335, 18),
-    "problem": (436, 2),
+    "block": (944, 7),
+    "forces": (2338, 18),
+    "problem": (438, 2),
     "iterate": (825, 17),
-    "impact": (580, 8),
-    "step": (750, 1),
+    "impact": (750, 13),
+    "step": (751, 1),
 }
 LITERAL = re.compile(r"(?<![\w.])(?:0x[0-9a-fA-F]+|\d[\d']*\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)[uUlLfFzZ]*(?![\w.])")
 FREE = (0, 1, 2, 0.5)

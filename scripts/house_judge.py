@@ -91,7 +91,9 @@ def run_in_words_of_ensembles(figures):
     """The summary of a single run with the names that the runs of ensembles have."""
     energy = figures["energy"]
     put_in = sum(energy[f"{source}_work_J"] for source in ("gravity", "foundation", "boundary", "load"))
-    losses = sum(energy[f"{loss}_J"] for loss in ("algorithmic", "algorithmic_rotation", "redetection"))
+    # Figures of engines before had what closing contacts take in `algorithmic_J`.
+    losses = energy.get("closing_J", 0) + sum(
+        energy[f"{loss}_J"] for loss in ("algorithmic", "algorithmic_rotation", "redetection"))
     # What coming to rest under the weight takes is none of the motion.
     damped = sum(energy[f"damping_{kind}_J"] for kind in ("kinetic", "contact"))
     # Of nothing put in there is no fraction: null, which meets no criterion.
@@ -165,7 +167,7 @@ def sound_figures():
              "energy_residual": 1e-5, "algorithmic_fraction": 0.1, "damping_fraction": 1e-9, "warnings": ["3 joints ..."]}
             for setting in range(3) for member in range(5)]
     measures = [{"measure": "largest opening", "medians": [9.0, 9.1, 8.0], "allowed": 1.0, "agrees": True}]
-    energy = {f"{name}_J": 0.0 for name in ("gravity_work", "boundary_work", "load_work", "algorithmic_rotation", "redetection",
+    energy = {f"{name}_J": 0.0 for name in ("gravity_work", "boundary_work", "load_work", "closing", "algorithmic_rotation", "redetection",
                                             "damping_kinetic", "damping_contact")}
     energy.update({"foundation_work_J": 100.0, "algorithmic_J": 9.0, "residual": 1e-5})
     found = {"many": {"study": {"command": "many", "case": "0a", "behaviour": "e1", "wall_time_s": 1800},

@@ -144,10 +144,10 @@ void print_report(const Case& the_case, const Ended& ended, double wall_time)
         report.max_penetration, e.relative_residual()));
     say(fmt::format(
         "  energy: {:.4g} kJ put in; {:.4g} stored, {:.4g} removed in static stages, {:.4g} friction, {:.4g} "
-        "impacts, {:.4g} damping, {:.4g} loss of the integrator",
+        "impacts, {:.4g} damping, {:.4g} joints that closed within steps, {:.4g} loss of the integrator",
         e.input() / 1e3, e.stored_change() / 1e3, e.damping_static / 1e3, e.friction / 1e3, e.impact / 1e3,
         (e.damping_kinetic + e.damping_contact + e.damping_material + e.fracture + e.yielding) / 1e3,
-        (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3));
+        e.closing / 1e3, (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3));
     print_joints(ended.joints);
     print_bars(report);
     const std::vector<std::string> doubts = print_trust(the_case, ended.trust, report.energy);

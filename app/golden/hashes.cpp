@@ -45,6 +45,7 @@ void add(const EnergyLedger& energy, Hash& hash)
         hash.add(joules);
     if (energy.damping_material != 0) hash.add(energy.damping_material);  // scenes without it keep their hashes
     if (energy.yielding != 0) hash.add(energy.yielding);
+    if (energy.closing != 0) hash.add(energy.closing);
 }
 
 }  // namespace

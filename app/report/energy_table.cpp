@@ -51,6 +51,7 @@ constexpr Term terms[] = {
     {"fracture_J", lost, "bonds that broke", damped},
     {"yielding_J", lost, "bars that yielded", damped},
     {"damping_static_J", lost, "on the way to rest in static stages", damped},
+    {"closing_J", lost, "joints that closed or opened within a step", computed},
     {"algorithmic_J", lost, "integrator", computed},
     {"algorithmic_rotation_J", lost, "integrator: turns and stretches of stones", computed},
     {"redetection_J", lost, "contacts that were found anew", computed},
@@ -119,6 +120,7 @@ std::string energy_in_words(const std::string& summary)
     EnergyShares shares;
     shares.put_in = of("put_in_J");
     shares.integrator = of("integrator");
+    shares.closing = of("closing");
     shares.contacts = of("redetection");
     shares.friction = of("friction");
     shares.impact = of("impact");

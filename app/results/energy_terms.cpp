@@ -20,6 +20,7 @@ std::vector<std::pair<std::string, double>> energy_terms(const EnergyLedger& ene
             {"fracture_J", energy.fracture},
             {"yielding_J", energy.yielding},
             {"impact_J", energy.impact},
+            {"closing_J", energy.closing},
             {"algorithmic_J", energy.algorithmic},
             {"algorithmic_rotation_J", energy.algorithmic_rotation},
             {"redetection_J", energy.redetection},

@@ -28,7 +28,9 @@ bool is_sound(const RunReport& report)
                             report.factor_entries,
                             report.acted.relaxed,
                             report.acted.whole_tangents,
-                            report.acted.shortened};
+                            report.acted.shortened,
+                            report.blows.solved,
+                            report.blows.unfinished};
     return report.outcome >= Outcome::completed && report.outcome <= Outcome::interrupted &&
            std::all_of(counts.begin(), counts.end(), is_count) &&
            (!report.diagnosis || is_whole(*report.diagnosis)) &&

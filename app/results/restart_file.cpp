@@ -15,7 +15,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 24\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 25\n";  // its number rises when the layout changes
 constexpr const char* what = "a restart file";
 constexpr std::size_t head_bytes = 1 + 8 + 8;  // whether it ended, its time, the bytes of what follows
 
@@ -25,13 +25,13 @@ template <typename Archive, typename Ledger>
 void ledger_fields(Archive& archive, Ledger& ledger)
 {
     auto& [kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
-           damping_static, damping_contact, damping_material, fracture, yielding, impact, algorithmic,
+           damping_static, damping_contact, damping_material, fracture, yielding, impact, closing, algorithmic,
            algorithmic_rotation, redetection, start_kinetic, start_strain, start_contact, peak_stored, peak_taken,
            peak_given] = ledger;
     archive.fields(kinetic, strain, contact, gravity, foundation, boundary, load, friction, damping_kinetic,
-                   damping_static, damping_contact, damping_material, fracture, yielding, impact, algorithmic,
-                   algorithmic_rotation, redetection, start_kinetic, start_strain, start_contact, peak_stored,
-                   peak_taken, peak_given);
+                   damping_static, damping_contact, damping_material, fracture, yielding, impact, closing,
+                   algorithmic, algorithmic_rotation, redetection, start_kinetic, start_strain, start_contact,
+                   peak_stored, peak_taken, peak_given);
 }
 
 template <typename Archive, typename SomeDiagnosis>
@@ -47,14 +47,14 @@ template <typename Archive, typename Report>
 void report_fields(Archive& archive, Report& report)
 {
     auto& [outcome, diagnosis, steps, step_cuts, unconverged_steps, divided_steps, refused_steps,
-           open_close_iterations, factorisations, linear_iterations, factor_entries, acted, simulated_time,
+           open_close_iterations, factorisations, linear_iterations, factor_entries, acted, blows, simulated_time,
            max_penetration, deepest, static_unbalanced, energy, fallen, crushed, joints, bars, seconds, warnings] =
         report;
     archive.fields(outcome, steps, step_cuts, unconverged_steps, divided_steps, refused_steps,
                    open_close_iterations, factorisations, linear_iterations, factor_entries, simulated_time,
                    max_penetration, static_unbalanced, seconds);
     auto& [relaxed, whole_tangents, shortened] = acted;
-    archive.fields(relaxed, whole_tangents, shortened);
+    archive.fields(relaxed, whole_tangents, shortened, blows.solved, blows.unfinished);
     ledger_fields(archive, energy);
     auto& [share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn] = deepest;
     archive.fields(share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn);

@@ -181,6 +181,7 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
     json["iteration_acted"] = {{"stones_relaxed", report.acted.relaxed},
                                {"whole_tangents", report.acted.whole_tangents},
                                {"shortened_directions", report.acted.shortened}};
+    json["blows"] = {{"solved", report.blows.solved}, {"unfinished", report.blows.unfinished}};
     json["factorisations"] = report.factorisations;
     json["linear_iterations"] = report.linear_iterations;
     json["simulated_time_s"] = report.simulated_time;

@@ -49,9 +49,10 @@ Json modes(const NaturalModes& found)
 
 Json shares(const EnergyShares& shares)
 {
-    return {{"put_in_J", shares.put_in},   {"integrator", shares.integrator}, {"redetection", shares.contacts},
-            {"friction", shares.friction}, {"impact", shares.impact},         {"damping", shares.damping},
-            {"dashpots", shares.dashpots}, {"fracture", shares.fracture},     {"yielding", shares.yielding}};
+    return {{"put_in_J", shares.put_in},      {"integrator", shares.integrator}, {"closing", shares.closing},
+            {"redetection", shares.contacts}, {"friction", shares.friction},     {"impact", shares.impact},
+            {"damping", shares.damping},      {"dashpots", shares.dashpots},     {"fracture", shares.fracture},
+            {"yielding", shares.yielding}};
 }
 
 }  // namespace

@@ -97,14 +97,18 @@ std::string in_words(const TrustFinding& finding, const Trust& trust, const std:
                 "{:.2g} "
                 "Hz; give the joints face: points, or take no frequency from this run",
                 finding.frequency, finding.frequency / (1 + finding.value));
+        case Kind::closing_energy:
+            return fmt::format(
+                "joints that closed or opened within a step took {} of the energy put in {}: what impacts loses "
+                "too much; give {}",
+                percent(finding.value), limit, step_for(stages[trust.stage], 1 / finding.worst));
         case Kind::integrator_energy:
             break;
     }
-    return fmt::format(
-        "the integrator took {} of the energy put in {}: what vibrates or impacts loses too much; give {}",
-        percent(finding.value), limit,
-        is_newmark(stages[trust.stage]) ? "integrator: energy_decaying, or a smaller time_step"
-                                        : "a smaller time_step");
+    return fmt::format("the integrator took {} of the energy put in {}: what vibrates loses too much; give {}",
+                       percent(finding.value), limit,
+                       is_newmark(stages[trust.stage]) ? "integrator: energy_decaying, or a smaller time_step"
+                                                       : "a smaller time_step");
 }
 
 std::string frequencies_in_words(const Trust& trust)
@@ -170,10 +174,15 @@ std::string shares_in_words(const EnergyShares& shares)
 {
     if (!(shares.put_in > 0)) return "";
     std::string words = fmt::format("of {:.4g} kJ put in by the motion:", shares.put_in / 1e3);
-    const std::pair<const char*, double> terms[] = {
-        {"integrator", shares.integrator}, {"friction", shares.friction},           {"impacts", shares.impact},
-        {"damping", shares.damping},       {"dashpots", shares.dashpots},           {"fracture", shares.fracture},
-        {"yielding", shares.yielding},     {"contacts found anew", shares.contacts}};
+    const std::pair<const char*, double> terms[] = {{"integrator", shares.integrator},
+                                                    {"closing joints", shares.closing},
+                                                    {"friction", shares.friction},
+                                                    {"impacts", shares.impact},
+                                                    {"damping", shares.damping},
+                                                    {"dashpots", shares.dashpots},
+                                                    {"fracture", shares.fracture},
+                                                    {"yielding", shares.yielding},
+                                                    {"contacts found anew", shares.contacts}};
     for (const auto& [name, share] : terms)
         if (share >= worth_naming || name == terms[0].first)
             words += fmt::format(" {} {},", name, share >= worth_naming ? percent(share) : "< 0.01 %");

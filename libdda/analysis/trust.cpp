@@ -134,6 +134,7 @@ EnergyShares shares_of(const EnergyLedger& now, const TrustStart& start)
     const auto share = [&](double EnergyLedger::*term) { return (now.*term - then.*term) / shares.put_in; };
     shares.integrator =
         std::abs(share(&EnergyLedger::algorithmic)) + std::abs(share(&EnergyLedger::algorithmic_rotation));
+    shares.closing = std::abs(share(&EnergyLedger::closing));
     shares.contacts = std::abs(share(&EnergyLedger::redetection));
     shares.friction = share(&EnergyLedger::friction);
     shares.impact = share(&EnergyLedger::impact);
@@ -159,9 +160,10 @@ Trust trust_in(const TrustStart& start, const std::vector<Stage>& stages, const 
     }
     judge_joints(trust);
     judge_stones(trust);
-    TrustFinding taken{TrustFinding::Kind::integrator_energy};
+    TrustFinding taken{TrustFinding::Kind::integrator_energy}, closing{TrustFinding::Kind::closing_energy};
     note(0, trust.shares.integrator, most_taken_by_integrator, taken);
-    add_if_found(taken, trust);
+    note(0, trust.shares.closing, most_taken_by_closing, closing);
+    for (const TrustFinding& finding : {taken, closing}) add_if_found(finding, trust);
     return trust;
 }
 

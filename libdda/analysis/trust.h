@@ -20,6 +20,7 @@ constexpr double most_period_error = 0.01;         // of the first mode
 constexpr double most_lowering = 0.02;             // of a frequency, by joints whose stiffness is a rule
 constexpr double most_raising = 0.5;               // of a frequency, by stones that do not bend
 constexpr double most_taken_by_integrator = 0.05;  // of the energy put in
+constexpr double most_taken_by_closing = 0.05;     // the same
 constexpr double fastest_that_matters = 33;        // Hz: beyond it a structure follows the ground as a rigid one
 constexpr double least_mass_share = 0.05;          // of a mode that matters, along some axis; the first one always
 
@@ -44,6 +45,7 @@ struct DampingAt {
 struct EnergyShares {
     double put_in = 0;      // J: the work done on the blocks, what they lost, or what they had stored: the largest
     double integrator = 0;  // algorithmic and algorithmic_rotation, each by its size
+    double closing = 0;     // by contacts that close or open within a step
     double contacts = 0;    // redetection, by its size
     double friction = 0;    // in joints
     double impact = 0;      // of stones that land
@@ -63,6 +65,7 @@ struct TrustFinding {
         soft_joints,          // that follow from a rule
         stiff_stones,         // that do not bend
         integrator_energy,    // taken
+        closing_energy,       // taken by contacts that close or open within a step
     };
     Kind kind = Kind::algorithmic_damping;  // of limit
     double frequency = 0;  // Hz, of the slowest vibration that is beyond the limit, if it is about vibrations

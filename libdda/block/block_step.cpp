@@ -82,7 +82,7 @@ void add_elastic_stiffness(const Elasticity& e, const MatrixIn<D>& map, double b
 
 template <class K>
 void begin_block(const Model& model, const Stage& stage, const State& state, int block, double h, double end_time,
-                 const Jump<K>* jump, BlockStep<K>& step)
+                 std::span<const Jump<K>> jumps, BlockStep<K>& step)
 {
     constexpr int dimension = K::dimension;
     step.mass = model.mass(block);
@@ -92,7 +92,7 @@ void begin_block(const Model& model, const Stage& stage, const State& state, int
     const HeldComponents<K> components = held_components<K>(model, block, step.is_foundation);
     step.held = components.held;
     step.sides_tied = components.sides_tied;
-    predict(state, block, h, jump, step);
+    predict(state, block, h, jumps, step);
     follow_ground(model, stage, state, block, end_time, step);
     find_flow(step);
 
@@ -191,6 +191,27 @@ InternalForce<K> internal_force(const BlockStep<K>& step, const typename K::Unkn
 }
 
 template <class K>
+typename K::Matrix ballistic_turn(const BlockStep<K>& step, double h)
+{
+    if (!step.turns) return K::Matrix::Zero();
+    return h * K::gradient(step.velocity) - step.chord;
+}
+
+template <class K>
+typename K::Unknowns blended_velocity(const BlockStep<K>& step, double end, double h)
+{
+    typename K::Unknowns result = step.velocity;
+    if (!step.jumps) return result;
+    result.template head<K::dimension>() -= (1 - end) / h * step.ballistic;
+    const typename K::Matrix turn = (1 - end) / h * ballistic_turn(step, h);
+    if constexpr (K::deformable)
+        Eigen::Map<typename K::Matrix>(result.data() + K::dimension) -= turn;
+    else
+        result.template tail<K::spins>() -= 0.5 * axial(turn);
+    return result;
+}
+
+template <class K>
 void update_block(const BlockStep<K>& step, const typename K::Unknowns& d, const typename K::Spin& moment,
                   double h, int block, State& state)
 {
@@ -254,10 +275,12 @@ typename K::Matrix rotation_of_step(const BlockStep<K>& step, const typename K::
 #define VOUSSOIR_INSTANTIATE(K)                                                                               \
     template struct BlockStep<K>;                                                                             \
     template void take_elasticity_at_end(BlockStep<K>&);                                                      \
-    template void begin_block(const Model&, const Stage&, const State&, int, double, double, const Jump<K>*,  \
-                              BlockStep<K>&);                                                                 \
+    template void begin_block(const Model&, const Stage&, const State&, int, double, double,                  \
+                              std::span<const Jump<K>>, BlockStep<K>&);                                       \
     template void add_body_accelerations(const Stage&, double, double, std::vector<BlockStep<K>>&);           \
     template InternalForce<K> internal_force(const BlockStep<K>&, const K::Unknowns&);                        \
+    template K::Matrix ballistic_turn(const BlockStep<K>&, double);                                           \
+    template K::Unknowns blended_velocity(const BlockStep<K>&, double, double);                               \
     template void update_block(const BlockStep<K>&, const K::Unknowns&, const K::Spin&, double, int, State&); \
     template double kinetic_energy_of(const BlockStep<K>&, const State&, int);                                \
     template K::Matrix rotation_of_step(const BlockStep<K>&, const K::Unknowns&)

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "libdda/block/kinematics_traits.h"
@@ -99,17 +100,17 @@ bool is_motion(const Stage& stage);
 double end_share(const Stage& stage);
 
 /// Prepares one block for a step of length h, body accelerations aside. @param end_time stage time at its end [s];
-/// @param jump its own in this step, or null
+/// @param jumps its own in this step, ascending in time
 template <class K>
 void begin_block(const Model& model, const Stage& stage, const State& state, int block, double h, double end_time,
-                 const Jump<K>* jump, BlockStep<K>& step);
+                 std::span<const Jump<K>> jumps, BlockStep<K>& step);
 
 /// The same for a block that does not land.
 template <class K>
 void begin_block(const Model& model, const Stage& stage, const State& state, int block, double h, double end_time,
                  BlockStep<K>& step)
 {
-    begin_block<K>(model, stage, state, block, h, end_time, nullptr, step);
+    begin_block<K>(model, stage, state, block, h, end_time, std::span<const Jump<K>>(), step);
 }
 
 /// Adds the body accelerations of the stage to the blocks, which are prepared; each once, however many blocks.
@@ -122,6 +123,15 @@ void take_elasticity_at_end(BlockStep<K>& step);
 
 template <class K>
 InternalForce<K> internal_force(const BlockStep<K>& step, const typename K::Unknowns& d);
+
+/// The rotation of a block that nothing turns, as its velocity has it less as it is done: relative to a lever [-].
+template <class K>
+typename K::Matrix ballistic_turn(const BlockStep<K>& step, double h);
+
+/// Velocity of a block that nothing moves, of the mean of the step and by a share of its end; the two differ where
+/// it jumps. @param end share
+template <class K>
+typename K::Unknowns blended_velocity(const BlockStep<K>& step, double end, double h);
 
 /// Puts the accepted unknowns into the state. @param moment of the external forces about the centroid [Nm]
 template <class K>

@@ -105,7 +105,7 @@ double kinetic_energy(const BlockStep<K>& step, const typename K::Vector& veloci
 }
 
 template <class K>
-void predict(const State& state, int block, double h, const Jump<K>* jump, BlockStep<K>& step)
+void predict(const State& state, int block, double h, std::span<const Jump<K>> jumps, BlockStep<K>& step)
 {
     constexpr int dimension = K::dimension;
     const typename K::Matrix rate = read_velocities(state, block, step);
@@ -118,27 +118,27 @@ void predict(const State& state, int block, double h, const Jump<K>* jump, Block
         const double* x = state.coordinates.data() + block * coordinates_per_block(K::kinematics);
         flight.orientation = OrientationIn<dimension>::read(x + dimension);
     }
-    step.jumps = jump != nullptr;
+    step.jumps = !jumps.empty();
     step.impact = step.ground_work = 0;
-    double left = h;
-    if (jump) {
-        fly(step, jump->fraction * h, flight);
-        left -= jump->fraction * h;
-        step.impact = kinetic_energy(step, flight);
-        flight.velocity += jump->velocity;
-        flight.momentum += jump->momentum;
+    double flown = 0;
+    for (const Jump<K>& jump : jumps) {
+        fly(step, jump.fraction * h - flown, flight);
+        flown = jump.fraction * h;
+        double taken = kinetic_energy(step, flight);
+        flight.velocity += jump.velocity;
+        flight.momentum += jump.momentum;
         flight.spin = spin_of<dimension>(spread_of(flight.pose.map, step.density_second), flight.momentum);
-        step.impact -= kinetic_energy(step, flight);
-        step.start_kinetic -= step.impact;
+        taken -= kinetic_energy(step, flight);
+        step.start_kinetic -= taken;
         // What the ground gave is in the kinetic energy afterwards: the impulses took that much more.
-        step.ground_work = jump->ground_work;
-        step.impact += step.ground_work;
+        step.ground_work += jump.ground_work;
+        step.impact += taken + jump.ground_work;
     }
-    fly(step, left, flight);
+    fly(step, h - flown, flight);
 
     step.momentum = flight.momentum;
     step.step_rotation = flight.rotation;
-    step.half_rotation = jump ? half_of(flight.rotation) : rotation_by(typename K::Spin(0.5 * flight.turn));
+    step.half_rotation = step.jumps ? half_of(flight.rotation) : rotation_by(typename K::Spin(0.5 * flight.turn));
     step.stretching = flight.stretching;
     step.predicted = flight.pose;
     step.predicted_orientation = flight.orientation;
@@ -146,7 +146,7 @@ void predict(const State& state, int block, double h, const Jump<K>* jump, Block
     step.predicted_spin = flight.spin;
     step.predicted_velocity = flight.velocity;
     step.ballistic.setZero();
-    if (jump) step.ballistic = h * flight.velocity - (flight.pose.centroid - step.start.centroid);
+    if (step.jumps) step.ballistic = h * flight.velocity - (flight.pose.centroid - step.start.centroid);
     const typename K::Matrix predicted_rate = skew(step.predicted_spin) * step.predicted.map + step.stretching;
     step.predicted_kinetic = kinetic_energy(step, step.predicted_velocity, predicted_rate);
     step.velocity.template head<dimension>() = step.predicted_velocity;
@@ -158,7 +158,7 @@ void predict(const State& state, int block, double h, const Jump<K>* jump, Block
 
 #define VOUSSOIR_INSTANTIATE(K)                                                                                \
     template double kinetic_energy(const BlockStep<K>&, const typename K::Vector&, const typename K::Matrix&); \
-    template void predict(const State&, int, double, const Jump<K>*, BlockStep<K>&)
+    template void predict(const State&, int, double, std::span<const Jump<K>>, BlockStep<K>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

@@ -1,6 +1,8 @@
 // Where a block would be at the end of the step if no force acted on it.
 #pragma once
 
+#include <span>
+
 #include "libdda/block/block_step.h"
 
 namespace voussoir::step
@@ -19,8 +21,8 @@ double kinetic_energy(const BlockStep<K>& step, const typename K::Vector& veloci
                       const typename K::Matrix& rate);
 
 /// Predicts the free flight of a block over the step, and its landing.
-/// @param jump of a block that lands in the step, else none
+/// @param jumps of a block that lands in the step, one after the other
 template <class K>
-void predict(const State& state, int block, double h, const Jump<K>* jump, BlockStep<K>& step);
+void predict(const State& state, int block, double h, std::span<const Jump<K>> jumps, BlockStep<K>& step);
 
 }  // namespace voussoir::step

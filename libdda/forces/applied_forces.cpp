@@ -27,7 +27,7 @@ AppliedForce<K> mass_damping(const Stage& stage, int block, double rate, double 
     typename K::Unknowns ground = K::Unknowns::Zero();
     ground.template head<K::dimension>() = 0.5 * (1 - end) * (ground_start + ground_end) + end * ground_end;
     force.resistance = (1 + end) * rate / h * mass;
-    force.constant = -rate * (mass * (step.velocity - ground));
+    force.constant = -rate * (mass * (blended_velocity(step, end, h) - ground));
     force.ground_move = 0.5 * h * (ground_start + ground_end);
     return force;
 }

@@ -53,9 +53,12 @@ ContactEnergies contact_energies(int threads, const ContactStep<K>& step)
         sum.stored += normal_end + shear_end;
         sum.dashpot += (p.normal - p.elastic_normal) * closing;
         sum.friction += p.shear.dot(move - elastic);
-        sum.loss += p.elastic_normal * closing - (normal_end - normal_start);
+        // What closes or opens within the step is pressed for a part of it only, of which the law knows the end.
+        const bool switches = !patch.intact && (p.gap_start < 0) != (p.gap < 0);
+        double& loss = switches ? sum.closing : sum.loss;
+        loss += p.elastic_normal * closing - (normal_end - normal_start);
         // Rubbed away where friction is more than the spring gives, else lost.
-        (rubs_beyond_spring(p) ? sum.friction : sum.loss) += p.shear.dot(elastic) - (shear_end - shear_start);
+        (rubs_beyond_spring(p) ? sum.friction : loss) += p.shear.dot(elastic) - (shear_end - shear_start);
     };
     ContactEnergies sum;
     add_patches_in_order(
@@ -75,6 +78,7 @@ ContactEnergies contact_energies(int threads, const ContactStep<K>& step)
             sum.dashpot += share.dashpot;
             sum.friction += share.friction;
             sum.loss += share.loss;
+            sum.closing += share.closing;
         });
     return sum;
 }

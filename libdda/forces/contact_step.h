@@ -151,7 +151,7 @@ bool switch_published(ContactStep<K>& step);
 
 /// Contact terms of the energy audit of an accepted step.
 struct ContactEnergies {
-    double stored = 0, friction = 0, dashpot = 0, loss = 0;
+    double stored = 0, friction = 0, dashpot = 0, loss = 0, closing = 0;
 };
 template <class K>
 ContactEnergies contact_energies(int threads, const ContactStep<K>& step);

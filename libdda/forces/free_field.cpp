@@ -53,13 +53,14 @@ typename K::Square add_free_field(const Model& model, const FaceIn<K::dimension>
     const Vector apart = from_space<D>(
         Eigen::Vector3d(model.blocks[force.block].moments.centroid - model.blocks[column].moments.centroid));
     const Traction<K> traction = traction_of<K>(field, (own.predicted.map.transpose() * face.normal).normalized());
+    const typename K::Unknowns flight = blended_velocity(field, end, h);
     typename K::Square coupling = K::Square::Zero();
     for (const auto& point : face.points) {
         // A column that goes on for ever sideways knows heights alone.
         Vector height = back * point.lever + apart;
         height.template head<D - 1>().setZero();
         const Vector lever = field.predicted.map * height;
-        const Vector pull = traction.steady + impedance * K::displacement(field.velocity, lever);
+        const Vector pull = traction.steady + impedance * K::displacement(flight, lever);
         K::add_force(force.constant, point.lever, Vector(point.weight * pull));
         for (int k = 0; k < K::unknowns; ++k) {
             const Vector moved = K::displacement(K::Unknowns::Unit(k), lever);

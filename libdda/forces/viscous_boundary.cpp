@@ -105,7 +105,7 @@ AppliedForce<K> dashpot_force(const typename K::Square& dashpots, const BlockFac
     AppliedForce<K> force;
     force.block = face.block;
     force.resistance = (1 + end) / h * dashpots;
-    force.constant = -(dashpots * block.velocity);
+    force.constant = -(dashpots * blended_velocity(block, end, h));
     return force;
 }
 

@@ -12,13 +12,14 @@ namespace voussoir::step
 namespace
 {
 
-constexpr int max_sweeps = 200;  // over the contacts that impulses have reached
+constexpr int max_sweeps = 2000;  // over the contacts that impulses have reached
 // What is left of a blow then is answered by the springs: of one that runs through a whole house a third to a half
 // of what impulses could take (numerics.md 4).
-constexpr std::size_t max_impulses = 40;      // at each contact, on the average
-constexpr std::size_t few_impulses = 6000;    // in all: few contacts may have more
-constexpr std::size_t so_few_contacts = 100;  // are left to sweeps alone
-constexpr double still = 1e-6;   // of the largest approach speed: a smaller change has not reached a block
+constexpr std::size_t max_impulses = 40;     // at each contact, on the average
+constexpr std::size_t few_impulses = 20000;  // in all: few contacts may have more
+// Of what would stop the slip at a point: with the whole of it a stone that slides on some goes round in circles.
+constexpr double cautious = 0.7;
+constexpr double settled = 0.1;  // of what is negligible: changes that sweeps go on making add up
 constexpr double slight = 0.02;  // of the speed that a step at rest may gain: the same among many contacts
 constexpr double unmoved = 0.5;  // of such a change: a point whose stones moved less need not act again
 
@@ -73,16 +74,15 @@ int Impulses<K>::body(int block)
 }
 
 template <class K>
-Meeting<K> Impulses<K>::meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double flight)
+Meeting<K> Impulses<K>::meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double time)
 {
     Meeting<K> m;
     m.a = body(patch.block_a);
     m.b = body(patch.block_b);
     const Body<K>&a = bodies_[m.a], &b = bodies_[m.b];
     const Vector from_a = point.position - a.centroid, from_b = point.position - b.centroid;
-    const Vector flown = flight * a.start_velocity_at(from_a);
-    const Vector lever_a = from_a + flown - flight * a.start_velocity,
-                 lever_b = from_b + flown - flight * b.start_velocity;
+    const Vector flown = a.path(from_a, time), centre = Vector::Zero();
+    const Vector lever_a = from_a + flown - a.path(centre, time), lever_b = from_b + flown - b.path(centre, time);
     m.arm_a = arm_at<K>(lever_a);
     m.arm_b = arm_at<K>(lever_b);
     m.normal = patch.normal;
@@ -90,11 +90,17 @@ Meeting<K> Impulses<K>::meeting(const ContactPatchIn<D>& patch, const ContactPoi
     m.friction = m.law.at_rest;
     m.bonded = patch.intact;
     const Vector velocity = start_velocity(a, b, point.position);
-    m.target = patch.normal.dot(velocity);
-    m.start_slip = velocity - m.target * patch.normal;
+    const double parting = patch.normal.dot(velocity);
+    m.start_slip = velocity - parting * patch.normal;
     m.target_slip.setZero();
-    // Friction opposes what slip there is, also that of a joint that slides already.
-    if (patch.intact) m.target_slip = m.start_slip;
+    // A joint is not closed any further, and one that opens may be stopped: what kept it opening would add energy,
+    // while impulses that bring velocities into a convex set with rest in it cannot.
+    m.target = std::min(parting, 0.0);
+    // Friction opposes what slip there is, also that of a joint that slides already; a bond is not changed.
+    if (patch.intact) {
+        m.target = parting;
+        m.target_slip = m.start_slip;
+    }
     m.yielding = a.mobility(lever_a) + b.mobility(lever_b);
     m.parting = m.yielding * patch.normal;
     m.mobility = patch.normal.dot(m.parting);
@@ -130,12 +136,54 @@ void Impulses<K>::reach(int index)
         if (takes_part_[k]) continue;
         takes_part_[k] = 1;
         const ContactPatchIn<D>& patch = contacts_.patches[k];
-        for (const ContactPointIn<D>& point : corners_of(contacts_, patch)) {
-            if (point.gap >= 0 && !patch.intact) continue;
-            const Meeting<K> m = meeting(patch, point, 0);
+        for (int i = patch.first_point, behind = end_of_corners(contacts_, patch); i < behind; ++i) {
+            const ContactPointIn<D>& point = contacts_.points[i];
+            if (!is_closed(patch, point)) continue;
+            const Meeting<K> m = meeting(patch, point, last_blow(patch));
             if (m.mobility > 0) meetings_.push_back(m);
         }
     }
+}
+
+/// When the later of the bodies of a patch was struck last, in this step [s]
+template <class K>
+double Impulses<K>::last_blow(const ContactPatchIn<D>& patch)
+{
+    const int a = body(patch.block_a), b = body(patch.block_b);
+    return std::max(bodies_[a].since, bodies_[b].since);
+}
+
+template <class K>
+double Impulses<K>::gap_of(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double time)
+{
+    const int in_a = body(patch.block_a), in_b = body(patch.block_b);
+    const Body<K>&a = bodies_[in_a], &b = bodies_[in_b];
+    const Vector from_a = point.position - a.centroid, from_b = point.position - b.centroid;
+    return point.gap + patch.normal.dot(a.path(from_a, time) - b.path(from_b, time));
+}
+
+/// Whether the stones of a point press on one another, or have met and stay together.
+template <class K>
+bool Impulses<K>::is_closed(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point)
+{
+    if (patch.intact || point.gap < 0) return true;
+    if (std::abs(gap_of(patch, point, last_blow(patch))) > met * bodies_[body(patch.block_a)].size) return false;
+    const Vector velocity =
+        start_velocity(bodies_[body(patch.block_a)], bodies_[body(patch.block_b)], point.position);
+    return std::abs(patch.normal.dot(velocity)) <= slack * fastest_;
+}
+
+template <class K>
+void Impulses<K>::begin_again(const std::vector<double>& times)
+{
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (bodies_[i].is_struck()) bodies_[i].fly_on(times[i]);
+        bodies_[i].reached = false;
+        bodies_[i].moved = 0;
+    }
+    takes_part_.assign(contacts_.patches.size(), 0);
+    meetings_.clear();
+    fastest_ = 0;
 }
 
 /// A change of velocity that need not be passed on [m/s].
@@ -175,7 +223,7 @@ bool Impulses<K>::act(Meeting<K>& m)
     const Vector before = m.rubbed;
     const double square = slip.squaredNorm();
     const double yielding = slip.dot(m.yielding * slip);  // times the square
-    if (yielding > 0) m.rubbed -= square / yielding * slip;
+    if (yielding > 0) m.rubbed -= cautious * square / yielding * slip;
     // As in a step, friction is that of the mean of the speeds before and after.
     if (m.law.joint) m.friction = m.law.at(0.5 * (m.start_slip + slip).norm());
     if (!m.bonded) m.rubbed *= share_within(m.friction * m.pressed, m.rubbed);
@@ -213,6 +261,7 @@ void Impulses<K>::remember()
 {
     for (Meeting<K>& m : meetings_) m.before = m.pressed * m.normal + m.rubbed;
     remembered_ = meetings_.size();
+    for (Body<K>& body : bodies_) body.swept_velocity = body.velocity, body.swept_spin = body.spin;
 }
 
 /// Goes on where the sweeps there and back led, with what they did before in it, as a gradient after Fletcher and
@@ -243,20 +292,36 @@ void Impulses<K>::accelerate()
     }
 }
 
+/// Whether sweeps there and back changed the motion of no body: what impulses share among more points than stones
+/// need may go on changing for ever.
 template <class K>
-void Impulses<K>::solve()
+bool Impulses<K>::is_done() const
+{
+    return std::all_of(bodies_.begin(), bodies_.end(), [&](const Body<K>& body) {
+        const double slower = (body.velocity - body.swept_velocity).norm(),
+                     turned = body.size * (body.spin - body.swept_spin).norm();
+        return slower + turned <= settled * negligible();
+    });
+}
+
+template <class K>
+bool Impulses<K>::solve()
 {
     impulses_ = 0;
     last_square_ = 0;
     for (int i = 0; i < max_sweeps; ++i) {
         const bool back = i % 2 == 1;
-        if (!back) remember();
+        if (!back) {
+            if (i > 0 && is_done()) return true;
+            remember();
+        }
         // There and back, so that what is left of a symmetrical blow is nearly so.
-        if (!sweep(back)) return;
-        if (impulses_ > std::max(max_impulses * meetings_.size(), few_impulses)) return;
+        if (!sweep(back)) return true;
+        if (impulses_ > std::max(max_impulses * meetings_.size(), few_impulses)) return false;
         // Not among few: what it leaves unfinished depends on rounding, and so on the frame and the units.
         if (back && meetings_.size() > so_few_contacts) accelerate();
     }
+    return false;
 }
 
 #define VOUSSOIR_INSTANTIATE(K)                                \

@@ -10,6 +10,10 @@
 namespace voussoir::step
 {
 
+constexpr double still = 1e-6;  // of the largest approach speed: a smaller change has not reached a block
+constexpr double met = 1e-6;    // of a stone's size: stones that are apart by less have met
+constexpr double slack = 1e-4;  // of the largest approach speed: stones that have met and part more slowly stay
+
 template <class K>
 using TurningIn = Eigen::Matrix<double, K::Spin::RowsAtCompileTime, K::dimension>;
 
@@ -36,12 +40,35 @@ struct Body {
     Eigen::Matrix<double, Spin::RowsAtCompileTime, Spin::RowsAtCompileTime> inverse_inertia;  // 1/(kg m2)
     Vector start_velocity;
     Spin start_spin;
-    double size = 0;       // m
-    bool reached = false;  // by an impulse: its joints take part
-    double moved = 0;      // m/s, sum of the most that impulses did to the velocity of its points
+    // Until the blow before in the same step, if there was one:
+    bool has_jumped = false;
+    double since = 0;                        // s, when
+    Vector gone = Vector::Zero();            // m, of the centroid
+    Spin turned = Spin::Zero();              // rad
+    double size = 0;                         // m
+    bool reached = false;                    // by an impulse: its joints take part
+    Vector swept_velocity = Vector::Zero();  // when the sweeps there and back began
+    Spin swept_spin = Spin::Zero();
+    double moved = 0;  // m/s, sum of the most that impulses did to the velocity of its points
 
     /// Before any impulse.
     Vector start_velocity_at(const Vector& lever) const { return start_velocity + velocity_by(start_spin, lever); }
+    /// Way of a point from the start of the step on [m]. @param time [s] not before the last blow
+    Vector path(const Vector& lever, double time) const
+    {
+        return gone + velocity_by(turned, lever) + (time - since) * start_velocity_at(lever);
+    }
+    /// Begins anew after a blow at a time [s].
+    void fly_on(double time)
+    {
+        gone += (time - since) * start_velocity;
+        turned += (time - since) * start_spin;
+        since = time;
+        has_jumped = true;
+        start_velocity = velocity;
+        start_spin = spin;
+    }
+    bool is_struck() const { return velocity != start_velocity || spin != start_spin; }
     /// Spins that unit impulses along the axes at a lever give, as columns [1/(kg m)].
     TurningIn<K> turning(const Vector& lever) const
     {
@@ -133,16 +160,25 @@ class Impulses
 
     /// @returns the index of a block's body, which is made when first asked for
     int body(int block);
-    /// @param flight until they meet [s]: both blows act where the point of a is then, or angular momentum would
+    /// @param time when they meet [s]: both blows act where the point of a is then, or angular momentum would
     /// be lost
-    Meeting<K> meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double flight);
+    Meeting<K> meeting(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double time);
     /// Adds one that lands.
     void add(const Meeting<K>& meeting);
     /// Lets impulses act until every landing point has its speed and no joint is closed any further. May be called
-    /// again when more points land: it goes on from the impulses so far.
-    void solve();
+    /// again when more points land: it goes on from the impulses so far. @returns whether it came to its end
+    bool solve();
+
+    /// Goes on after these blows, to others in the same step. @param times of those of each body [s]
+    void begin_again(const std::vector<double>& times);
+
+    /// How far a point is open after the last blow of its bodies [m]; their places at `time` [s], no earlier.
+    double gap_of(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point, double time);
 
     const std::vector<Body<K>>& bodies() const { return bodies_; }
+    bool knows(int block) const { return body_of_[block] >= 0; }
+    /// Whether a blow runs through so many contacts that impulses are accelerated.
+    bool is_large() const { return meetings_.size() > so_few_contacts; }
     const std::vector<Meeting<K>>& meetings() const { return meetings_; }
     int block_of(int body) const { return blocks_[body]; }
 
@@ -154,7 +190,13 @@ class Impulses
     void push(const Meeting<K>& meeting, const Vector& impulse);
     bool sweep(bool back);
     void remember();
+    bool is_done() const;
     void accelerate();
+
+    double last_blow(const ContactPatchIn<D>& patch);
+    bool is_closed(const ContactPatchIn<D>& patch, const ContactPointIn<D>& point);
+
+    static constexpr std::size_t so_few_contacts = 100;  // are left to sweeps alone
 
     const Model& model_;
     const State& state_;

@@ -41,22 +41,33 @@ class Landings
     /// those found so far. @returns the jumps by all of them
     std::vector<Jump<K>> find_also(const std::vector<ClosingPoint>& missed);
 
+    /// Whether a point has landed, at first or in a blow that followed others in the step.
+    bool has_landed(const ClosingPoint& closing) const;
+
+    const BlowCounts& counts() const { return counts_; }
+
  private:
-    struct Blow {
-        double fraction = 1;  // of the step
-        double approach = 0;  // m/s, of the fastest landing
+    /// A point at which stones come together after a blow of the same step.
+    struct Closing {
+        ClosingPoint at;
+        double fraction = 0;  // of the step, when
+        double approach = 0;  // m/s
     };
-    void add(const ClosingPoint& closing, double approach);
+    void add(const Closing& closing, Impulses<K>& impulses);
     double approach_of(const ClosingPoint& closing);
-    std::vector<Jump<K>> solve();
-    std::vector<Blow> blows() const;
-    std::vector<double> ground_works() const;
+    void solve(Impulses<K>& impulses);
+    std::vector<Jump<K>> jumps();
+    void follow(std::vector<Jump<K>>& jumps, std::vector<double> times);
+    std::vector<Closing> look_for_more(Impulses<K>& impulses, double fastest) const;
 
     const Model& model_;
     const ContactSetIn<D>& contacts_;
-    double h_;     // s
-    double slow_;  // m/s: slower landings are left to the springs
-    Impulses<K> impulses_;
+    double h_;                 // s
+    double slow_;              // m/s: slower landings are left to the springs
+    Impulses<K> impulses_;     // of the first blows
+    BlowCounts counts_;        // of all
+    int blow_ = 1;             // that is being solved, of those that follow one another
+    std::vector<int> landed_;  // by point: in which of them it landed last, 0: in none
 };
 
 /// The part of a step that may be done before the first of the jumps, so that what presses until then does so for

@@ -32,6 +32,13 @@ IterationCounts& IterationCounts::operator+=(const IterationCounts& other)
     return *this;
 }
 
+BlowCounts& BlowCounts::operator+=(const BlowCounts& other)
+{
+    solved += other.solved;
+    unfinished += other.unfinished;
+    return *this;
+}
+
 std::string_view name_of(Part part)
 {
     switch (part) {

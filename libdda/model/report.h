@@ -31,6 +31,7 @@ struct EnergyLedger {
     double fracture = 0;              // elastic energy lost when an intact joint breaks
     double yielding = 0;              // dissipated by bars that yield
     double impact = 0;                // taken by the impulses of landing stones
+    double closing = 0;               // taken by contacts that close or open within a step
     double algorithmic = 0;           // loss of the integrator, from its own identity
     double algorithmic_rotation = 0;  // of the finite rotation and shape update
     double redetection = 0;           // spring energy that changed when contacts were found anew
@@ -46,7 +47,7 @@ struct EnergyLedger {
     double dissipated() const
     {
         return friction + damping_kinetic + damping_static + damping_contact + damping_material + fracture +
-               yielding + impact + algorithmic + algorithmic_rotation + redetection;
+               yielding + impact + closing + algorithmic + algorithmic_rotation + redetection;
     }
     /// What kinetic, strain and contact energy have grown by since the start [J].
     double stored_change() const
@@ -106,12 +107,22 @@ struct IterationCounts {
     IterationCounts& operator+=(const IterationCounts& other);
 };
 
+/// Blows of stones that land.
+struct BlowCounts {
+    std::int64_t solved = 0;      // of all stones that land at once or together
+    std::int64_t unfinished = 0;  // impulses were given up before they came to an end, or more blows would follow
+
+    /// Adds those of another step.
+    BlowCounts& operator+=(const BlowCounts& other);
+};
+
 /// What one step did.
 struct StepReport {
     StepOutcome outcome = StepOutcome::converged;  // how it ended
     double time_step = 0;                          // s, of the accepted step
     int open_close_iterations = 0;                 // of all attempts
     IterationCounts acted;                         // in them
+    BlowCounts blows;                              // of the accepted attempt
     int cuts = 0;                                  // attempts that failed
     int refused = 0;                               // attempts whose error was larger than step_error
     bool divided = false;                          // ended just before stones land
@@ -190,6 +201,7 @@ struct RunReport {
     std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;  // counts
     std::int64_t factor_entries = 0;                              // of the last factorisation
     IterationCounts acted;                                        // in the open-close iterations
+    BlowCounts blows;                                             // of stones that landed
     double simulated_time = 0;                                    // s, dynamic stages only
     double max_penetration = 0;                                   // m, as note_overlap counts it
     DeepestOverlap deepest;                                       // by its share

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <span>
 
 #include "libdda/forces/contact_stiffness.h"
 #include "libdda/model/parallel.h"
@@ -65,8 +66,10 @@ void assemble_blocks(const Model& model, const Stage& stage, const State& state,
         };
         auto jump = std::lower_bound(jumps.begin(), jumps.end(), first, earlier);
         for (int b = static_cast<int>(first); b < static_cast<int>(end); ++b) {
-            const bool lands = jump != jumps.end() && jump->block == b;
-            begin_block(model, stage, state, b, h, end_time, lands ? &*jump++ : nullptr, problem.blocks[b]);
+            const auto own = jump;
+            while (jump != jumps.end() && jump->block == b) ++jump;
+            begin_block(model, stage, state, b, h, end_time, std::span<const Jump<K>>(own, jump),
+                        problem.blocks[b]);
         }
     });
     for (int b = 0; b < count; ++b) {

@@ -25,6 +25,7 @@ void add_step(const StepReport& step, RunReport& report)
     report.refused_steps += step.refused;
     report.open_close_iterations += step.open_close_iterations;
     report.acted += step.acted;
+    report.blows += step.blows;
     report.factorisations += step.factorisations;
     report.linear_iterations += step.linear_iterations;
     if (step.factor_entries > 0) report.factor_entries = step.factor_entries;

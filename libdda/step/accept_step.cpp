@@ -31,10 +31,12 @@ template <class K>
 void book_with_what_the_stage_takes(const StepProblem<K>& problem, const EnergyLedger& before,
                                     EnergyLedger& energy)
 {
-    energy.damping_static += energy.algorithmic - before.algorithmic + energy.algorithmic_rotation -
-                             before.algorithmic_rotation - problem.residual.dot(problem.d);
-    energy.algorithmic = before.algorithmic;
-    energy.algorithmic_rotation = before.algorithmic_rotation;
+    energy.damping_static -= problem.residual.dot(problem.d);
+    for (double EnergyLedger::*term :
+         {&EnergyLedger::closing, &EnergyLedger::algorithmic, &EnergyLedger::algorithmic_rotation}) {
+        energy.damping_static += energy.*term - before.*term;
+        energy.*term = before.*term;
+    }
 }
 
 void advance_clocks(const Stage& stage, double h, State& state)

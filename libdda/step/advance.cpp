@@ -81,10 +81,13 @@ bool attempt(const Model& model, const Stage& stage, const State& state, double&
             landings.emplace(model, stage, state, work.contacts, h);
         }
     if (!solve(model, stage, state, h, work, report)) return false;
-    const std::vector<step::ClosingPoint> missed =
+    report.blows = landings->counts();
+    std::vector<step::ClosingPoint> missed =
         step::missed_landings(model, stage, state, work.contacts, work.problem);
+    std::erase_if(missed, [&](const step::ClosingPoint& closing) { return landings->has_landed(closing); });
     if (missed.empty()) return true;
     work.jumps = landings->find_also(missed);
+    report.blows = landings->counts();
     return solve(model, stage, state, h, work, report);
 }
 

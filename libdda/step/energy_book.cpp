@@ -134,14 +134,6 @@ struct PatchShare {
     bool jumps = false;
 };
 
-/// The rotation of a block that nothing turns, as its velocity has it less as it is done: relative to a lever [-].
-template <class K>
-typename K::Matrix ballistic_turn(const BlockStep<K>& block, double h)
-{
-    if (!block.turns) return K::Matrix::Zero();
-    return h * K::gradient(block.velocity) - block.chord;
-}
-
 /// Work of the forces of a patch on the displacements that the momentum knows, beyond that on the finite ones.
 template <class K>
 PatchShare gain_of_patch(const StepProblem<K>& problem, std::size_t k, const ContactPatchIn<K::dimension>& found)
@@ -177,6 +169,7 @@ void book_step(const State& state, const StepProblem<K>& problem, const ContactS
     energy.friction += contact.friction;
     energy.damping_contact += contact.dashpot;
     energy.algorithmic += contact.loss;
+    energy.closing += contact.closing;
     energy.fracture += problem.fracture;
     energy.foundation_work += foundation_work(problem, contacts);
     energy.kinetic = energy.strain = 0;

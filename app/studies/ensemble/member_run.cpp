@@ -24,7 +24,8 @@ EnergyShares shares_of(const EnergyLedger& energy)
         shares.algorithmic = shares.friction = shares.damping = std::numeric_limits<double>::quiet_NaN();
         return shares;
     }
-    shares.algorithmic = (energy.algorithmic + energy.algorithmic_rotation + energy.redetection) / shares.input;
+    shares.algorithmic =
+        (energy.closing + energy.algorithmic + energy.algorithmic_rotation + energy.redetection) / shares.input;
     shares.friction = energy.friction / shares.input;
     // What coming to rest under the weight takes is none of the motion.
     shares.damping = (energy.damping_kinetic + energy.damping_contact + energy.damping_material + energy.fracture +

@@ -16,7 +16,7 @@ namespace voussoir::app::studies::ensemble
 struct EnergyShares {
     double residual = 0;  // -, EnergyLedger::relative_residual
     // NaN when nothing was put in:
-    double algorithmic = 0;  // -, (algorithmic + algorithmic_rotation + redetection) / (input + start)
+    double algorithmic = 0;  // -, (closing + algorithmic + algorithmic_rotation + redetection) / (input + start)
     double friction = 0;     // -
     double damping = 0;      // -, kinetic, static and contact damping
     double input = 0;        // J

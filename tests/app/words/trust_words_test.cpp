@@ -100,10 +100,13 @@ TEST(TrustWords, NameTheLimitAndTheRemedy)
     EXPECT_EQ(said({Kind::stiff_stones, 10.6, 2.4, 0.5, 4.8}),
               "on face: corners stones do not bend: if these did, the vibration of 10.6 Hz would have some 3.1 "
               "Hz; give the joints face: points, or take no frequency from this run");
+    EXPECT_EQ(said({Kind::integrator_energy, 0, 0.64, 0.05, 12.8}),
+              "the integrator took 64 % of the energy put in (limit 5 %): what vibrates loses too much; give "
+              "a smaller time_step");
     EXPECT_EQ(
-        said({Kind::integrator_energy, 0, 0.64, 0.05, 12.8}),
-        "the integrator took 64 % of the energy put in (limit 5 %): what vibrates or impacts loses too much; give "
-        "a smaller time_step");
+        said({Kind::closing_energy, 0, 0.1, 0.05, 2}),
+        "joints that closed or opened within a step took 10 % of the energy put in (limit 5 %): what impacts "
+        "loses too much; give a time_step of 1 ms");
     trust.of_modes = false;
     EXPECT_EQ(
         said({Kind::algorithmic_damping, 10, 0.031, 0.012, 2.6}),

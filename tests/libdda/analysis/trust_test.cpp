@@ -228,6 +228,20 @@ TEST(Trust, SaysWhenTheIntegratorTookTheEnergy)
     }
 }
 
+TEST(Trust, SaysWhenClosingContactsTookTheEnergy)
+{
+    Stage stage = dynamic_stage(1, 1e-3);
+    EnergyLedger energy;
+    energy.foundation_work = 100;
+    for (const double taken : {4.0, 6.0}) {
+        energy.closing = taken;
+        const Trust trust = trust_in({}, {stage}, energy);
+        EXPECT_EQ(has(trust, Kind::closing_energy), taken > 5);
+        EXPECT_FALSE(has(trust, Kind::integrator_energy));
+        EXPECT_NEAR(trust.shares.closing, taken / 100, 1e-12);
+    }
+}
+
 TEST(Trust, MeasuresDampingAgainstWhatWasAskedFor)
 {
     const Model model = layer(Kinematics::planar_deformable, 300);

@@ -167,7 +167,7 @@ TEST_P(Determinism, AnInterruptedRunGoesOnAsIfNothingHadBeen)
 {
     const FewBlocks scene(GetParam(), {});
     Stage stage = shaking(0.12, 2e-3);
-    stage.control.max_open_close = 3;  // so that impacts cut steps
+    stage.control.max_open_close = 2;  // so that impacts cut steps
     State whole = scene.state, part = scene.state;
     const RunReport report = run_quietly(scene.model, {stage}, whole);
     ASSERT_EQ(report.outcome, Outcome::completed) << ::testing::PrintToString(report.diagnosis);

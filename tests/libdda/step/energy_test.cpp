@@ -132,6 +132,34 @@ TEST_P(Energy, OfSpringsThatArePressedAtTheStart)
 }
 
 // Blocks that rock, slide and knock, shaken: the balance of everything, and how it reacts to a falsified term.
+// A contact that closes within a step presses with the force of its end all the while, over the gap and the depth,
+// and stores k d^2 / 2: it takes k d (g + d / 2). The integrator takes nothing.
+TEST_P(Energy, OfAContactThatClosesWithinAStep)
+{
+    constexpr double gap = 4e-4, speed = 1, stiffness = 1e9;  // m, m/s, Pa/m
+    JointMaterial joint = dry(30);
+    joint.restitution.reset();
+    joint.face = FaceLaw::corners;
+    joint.stiffness = {ContactStiffness::Kind::per_area, stiffness};
+    Model model = make_model(GetParam(), stone(), joint);
+    hold(model, add_box(model, "floor", {-1, -1, -1}, {1, 1, 0}));
+    const int box = add_box(model, "box", {-0.5, -0.5, gap}, {0.5, 0.5, gap + 1});
+    State state = initial_state(model);
+    set_velocity(model, state, box, {0, 0, -speed});
+    Stage stage = dynamic_stage(1e-3, 1e-3, {0, 0, 0});
+    stage.control.dissipation = 0;
+    const RunReport report = run(model, {stage}, state, {});
+    ASSERT_EQ(report.steps, 1);
+    const EnergyLedger& energy = report.energy;
+    const double depth = std::sqrt(2 * energy.contact / stiffness);  // on an area of 1 m2
+    EXPECT_GT(depth, 1e-5);
+    const double share = is_deformable(GetParam()) ? 1e-4 : 1e-6;  // what is elastic changes its shape as well
+    EXPECT_NEAR(energy.closing, stiffness * depth * (gap + depth / 2), share * energy.closing);
+    EXPECT_NEAR(energy.algorithmic, 0, 1e-6 * energy.closing);
+    EXPECT_EQ(energy.impact, 0);
+    EXPECT_LT(energy.relative_residual(), 1e-9);
+}
+
 TEST_P(Energy, ResidualIsSmallAndNoticesAMissingTerm)
 {
     for (const Integrator integrator : {Integrator::newmark, Integrator::energy_decaying}) {
