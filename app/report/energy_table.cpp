@@ -31,7 +31,7 @@ constexpr const char* lost = "lost";
 constexpr const char* at_end = "at the end";
 constexpr const char* no_term = "no term has it";
 constexpr const char* damped = "damping, fracture, yielding";
-constexpr const char* computed = "integrator, contacts found anew";
+constexpr const char* computed = "integrator, closing joints, contacts found anew";
 constexpr const char* stored = "strain, springs of joints";
 constexpr double negligible = 1e-9;  // of the whole
 
