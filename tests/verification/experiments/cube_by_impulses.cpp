@@ -18,14 +18,17 @@ struct Corner {
     Vector3d lever = Vector3d::Zero();    // m
     Vector3d impulse = Vector3d::Zero();  // Ns, so far in this step
     double before = 0;                    // m/s, normal speed before the step
+    Vector3d slip = Vector3d::Zero();     // m/s, before the step
+    double least = 0;                     // Ns, along the normal: what a compression gives back
 };
 
 /// Its inertia is the same about every axis, so nothing turns the spin in flight.
 class Cube
 {
  public:
-    Cube(const Toss& toss, const CubeSetting& setting)
+    Cube(const Toss& toss, const CubeSetting& setting, const ImpactLaw& law)
         : setting_(setting),
+          law_(law),
           centre_(toss.measured.centres[0]),
           turn_(toss.measured.turns[0]),
           velocity_(toss.velocity),
@@ -70,33 +73,60 @@ class Cube
         for (int i = 0; i < 8; ++i) {
             Corner corner;
             corner.lever = turn_ * (half * Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
-            corner.before = speed_at(velocity_old_, spin_old_, corner.lever).z();
+            corner.slip = speed_at(velocity_old_, spin_old_, corner.lever);
+            corner.before = corner.slip.z();
+            corner.slip.z() = 0;
             if (centre_.z() + corner.lever.z() + h / 2 * corner.before <= setting_.table)
                 corners[count++] = corner;
         }
-        for (int sweep = 0; count > 0 && sweep < 200; ++sweep) {
+        const auto end = corners.begin() + static_cast<std::ptrdiff_t>(count);
+        const bool gives_back = law_.restitution == ImpactLaw::Restitution::of_the_impulse;
+        sweep(corners.begin(), end, !gives_back);
+        if (!gives_back) return;
+        for (auto corner = corners.begin(); corner != end; ++corner)
+            corner->least = (1 + restitution_of(*corner)) * corner->impulse.z();
+        sweep(corners.begin(), end, false);
+    }
+
+    template <class Iterator>
+    void sweep(Iterator begin, Iterator end, bool rebounds)
+    {
+        for (int i = 0; begin != end && i < 200; ++i) {
             double most = 0;
-            for (std::size_t i = 0; i < count; ++i) most = std::max(most, act(corners[i]));
+            for (Iterator corner = begin; corner != end; ++corner) most = std::max(most, act(*corner, rebounds));
             if (most < 1e-10) break;
         }
     }
 
+    bool strikes(const Corner& corner) const { return -corner.before > law_.slowest; }
+
+    double restitution_of(const Corner& corner) const
+    {
+        const double whole = setting_.restitution.value_or(0), approach = -std::min(corner.before, 0.0);
+        return law_.half_speed > 0 ? whole * law_.half_speed / (law_.half_speed + approach) : whole;
+    }
+
+    /// @param rebounds whether its speed afterwards is restitution times its approach
     /// @returns the change of velocity [m/s]
-    double act(Corner& corner)
+    double act(Corner& corner, bool rebounds)
     {
         const Vector3d old = corner.impulse;
         const Vector3d up = Vector3d::UnitZ();
-        const double wanted = -setting_.restitution.value_or(0) * std::min(corner.before, 0.0);
+        const double wanted = rebounds ? -restitution_of(corner) * std::min(corner.before, 0.0) : 0;
         const Vector3d now = speed_at(velocity_, spin_, corner.lever);
-        corner.impulse.z() = std::max(0.0, corner.impulse.z() + (wanted - now.z()) / mobility(corner.lever, up));
+        corner.impulse.z() =
+            std::max(corner.least, corner.impulse.z() + (wanted - now.z()) / mobility(corner.lever, up));
         push(corner, corner.impulse - old);
         const Vector3d middle = corner.impulse;
         Vector3d slip = speed_at(velocity_, spin_, corner.lever);
         slip.z() = 0;
+        if (strikes(corner)) slip += law_.tangential * corner.slip;
         if (slip.norm() > 0) {
             Vector3d rub = corner.impulse - slip / mobility(corner.lever, slip.normalized());
             rub.z() = 0;
-            const double bound = setting_.friction * corner.impulse.z();
+            const double friction =
+                strikes(corner) ? law_.friction.value_or(setting_.friction) : setting_.friction;
+            const double bound = friction * corner.impulse.z();
             if (rub.norm() > bound) rub *= bound / rub.norm();
             corner.impulse.head<2>() = rub.head<2>();
         }
@@ -105,6 +135,7 @@ class Cube
     }
 
     CubeSetting setting_;
+    ImpactLaw law_;
     Vector3d centre_;  // m
     Quaterniond turn_;
     Vector3d velocity_, spin_;                                                // m/s, rad/s
@@ -113,9 +144,9 @@ class Cube
 
 }  // namespace
 
-TrackedMotion cube_by_impulses(const Toss& toss, const CubeSetting& setting, double step)
+TrackedMotion cube_by_impulses(const Toss& toss, const CubeSetting& setting, double step, const ImpactLaw& law)
 {
-    Cube cube(toss, setting);
+    Cube cube(toss, setting, law);
     TrackedMotion predicted;
     double time = 0;
     for (const double row : toss.measured.times) {

@@ -38,6 +38,22 @@ double median_of(std::vector<double> values);
 /// What lies above a share of the values, 0 to 1.
 double quantile_of(std::vector<double> values, double share);
 
+/// One half of some cases to fit on, the other to judge by.
+template <class Case>
+struct Halves {
+    std::vector<Case> fitted, judged;
+};
+
+/// Every second case.
+template <class Case>
+Halves<Case> halves_of(const std::vector<Case>& cases)
+{
+    Halves<Case> halves;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        (i % 2 == 0 ? halves.fitted : halves.judged).push_back(cases[i]);
+    return halves;
+}
+
 /// Draws a figure into the folder that VOUSSOIR_EXPERIMENT_FIGURES names, if it does.
 void draw_if_asked(const app::plots::Figure& figure);
 

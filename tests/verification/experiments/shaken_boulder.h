@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,6 +76,8 @@ std::vector<BoulderEnd> ends_of(const BoulderShape& shape, const std::vector<Tab
 struct BoulderFigures {
     int right = 0, false_overturnings = 0, misses = 0, stopped = 0, tests = 0;
     double accuracy() const { return tests > 0 ? static_cast<double>(right) / tests : 0; }
+    /// Binomial standard error of the accuracy.
+    double error() const { return tests > 0 ? std::sqrt(accuracy() * (1 - accuracy()) / tests) : 0; }
 };
 BoulderFigures figures_of(const std::vector<TableMotion>& tests, const std::vector<BoulderEnd>& ends);
 

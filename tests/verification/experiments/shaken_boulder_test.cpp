@@ -26,13 +26,54 @@ struct BoulderRuns {
 
 void print_line(const std::string& name, const BoulderFigures& f)
 {
-    fmt::print("| {} | {:.2f} | {} of {} | {} | {} |\n", name, f.accuracy(), f.right, f.tests,
+    fmt::print("| {} | {:.2f} ± {:.2f} | {} of {} | {} | {} |\n", name, f.accuracy(), f.error(), f.right, f.tests,
                f.false_overturnings, f.misses);
+}
+
+void print_head()
+{
+    fmt::print("| Boulder | accuracy | right | false overturnings | misses |\n|---|---|---|---|---|\n");
 }
 
 std::string name_of(const BoulderSetting& setting)
 {
     return fmt::format("friction {:g}, {}x", setting.friction, setting.sign > 0 ? '+' : '-');
+}
+
+std::string restitution_of(const BoulderSetting& setting)
+{
+    return setting.restitution ? fmt::format("restitution {:g}", *setting.restitution) : "springs alone";
+}
+
+/// The six settings of what is not known.
+std::vector<BoulderSetting> settings_with(std::optional<double> restitution)
+{
+    std::vector<BoulderSetting> settings;
+    for (const double friction : {0.4, 0.6, 0.8})
+        for (const double sign : {1.0, -1.0}) {
+            settings.emplace_back();
+            settings.back().friction = friction;
+            settings.back().sign = sign;
+            settings.back().restitution = restitution;
+        }
+    return settings;
+}
+
+void add(const BoulderFigures& figures, BoulderFigures& all)
+{
+    all.right += figures.right;
+    all.false_overturnings += figures.false_overturnings;
+    all.misses += figures.misses;
+    all.tests += figures.tests;
+}
+
+enum class Half { fitted, judged };
+
+BoulderFigures figures_of_half(const std::vector<TableMotion>& tests, const BoulderRuns& runs, Half half)
+{
+    const Halves<TableMotion> parts = halves_of(tests);
+    const Halves<BoulderEnd> ends = halves_of(runs.ends);
+    return half == Half::judged ? figures_of(parts.judged, ends.judged) : figures_of(parts.fitted, ends.fitted);
 }
 
 /// How many of the runs end as the test did.
@@ -110,27 +151,20 @@ class ShakenBoulder : public ::testing::Test
 
 TEST_F(ShakenBoulder, FallsAboutAsOftenRightAsAThresholdOnVelocityFoundWithTheAnswers)
 {
-    fmt::print("| Boulder | accuracy | right | false overturnings | misses |\n|---|---|---|---|---|\n");
+    print_head();
     const BoulderFigures threshold = figures_of_threshold(tests, published_threshold);
     print_line("falls if the peak velocity exceeds 0.123 m/s", threshold);
     EXPECT_NEAR(threshold.accuracy(), 0.83, 0.005) << "as published: the tests were read";
     std::vector<BoulderRuns> runs;
     BoulderFigures all;
-    for (const double friction : {0.4, 0.6, 0.8})
-        for (const double sign : {1.0, -1.0}) {
-            BoulderSetting setting;
-            setting.friction = friction;
-            setting.sign = sign;
-            runs.push_back(runs_with(setting));
-            const BoulderFigures figures = figures_of(tests, runs.back().ends);
-            print_line(name_of(setting), figures);
-            EXPECT_EQ(figures.stopped, 0) << name_of(setting);
-            EXPECT_GE(figures.right, 42) << name_of(setting);
-            all.right += figures.right;
-            all.false_overturnings += figures.false_overturnings;
-            all.misses += figures.misses;
-            all.tests += figures.tests;
-        }
+    for (const BoulderSetting& setting : settings_with(0)) {
+        runs.push_back(runs_with(setting));
+        const BoulderFigures figures = figures_of(tests, runs.back().ends);
+        print_line(name_of(setting), figures);
+        EXPECT_EQ(figures.stopped, 0) << name_of(setting);
+        EXPECT_GE(figures.right, 42) << name_of(setting);
+        add(figures, all);
+    }
     print_line("all six", all);
     const BoulderFigures majority = majority_of(tests, runs);
     print_line("falls in most of the six", majority);
@@ -149,6 +183,40 @@ TEST_F(ShakenBoulder, FallsAsOftenRightAtOtherSteps)
         EXPECT_EQ(figures.stopped, 0);
         EXPECT_GE(figures.right, 42);
     }
+}
+
+/// What is missed is missed as well where impacts take nothing: it is not their law that holds the boulder.
+TEST_F(ShakenBoulder, MissesAreNotOwedToTheLawOfImpact)
+{
+    print_head();
+    BoulderRuns best;
+    std::vector<BoulderFigures> by_law;
+    std::vector<int> falls(tests.size(), 0);  // in all settings of all laws
+    for (const std::optional<double> restitution :
+         {std::optional(0.0), std::optional(0.3), std::optional<double>()}) {
+        by_law.emplace_back();
+        for (const BoulderSetting& setting : settings_with(restitution)) {
+            const BoulderRuns runs = runs_with(setting);
+            add(figures_of(tests, runs.ends), by_law.back());
+            for (std::size_t i = 0; i < tests.size(); ++i) falls[i] += runs.ends[i].overturned ? 1 : 0;
+            if (best.ends.empty() || figures_of_half(tests, runs, Half::fitted).right >
+                                         figures_of_half(tests, best, Half::fitted).right)
+                best = runs;
+        }
+        print_line("all six, " + restitution_of(settings_with(restitution)[0]), by_law.back());
+    }
+    const std::string fitted = name_of(best.setting) + ", " + restitution_of(best.setting);
+    print_line(fitted + ", the best of these 18 on this half", figures_of_half(tests, best, Half::fitted));
+    print_line(fitted + ", on the other half", figures_of_half(tests, best, Half::judged));
+    int never = 0;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        if (!tests[i].overturned || falls[i] > 0) continue;
+        ++never;
+        fmt::print("T{:03} fell at {:.3f} m/s and {:.2f} g, and falls in none of the 18\n", tests[i].number,
+                   tests[i].peak_velocity, tests[i].peak_acceleration);
+    }
+    for (const BoulderFigures& law : by_law) EXPECT_GT(by_law[0].accuracy(), law.accuracy() - law.error());
+    EXPECT_GE(never, 1) << "docs/experiments.md says that some falls are missed whatever the law";
 }
 
 }  // namespace

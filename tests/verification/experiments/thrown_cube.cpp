@@ -138,9 +138,9 @@ TossScore score_of(const Toss& toss, const CubeSetting& setting, const CubeModel
 
 }  // namespace
 
-std::vector<Toss> read_tosses()
+std::vector<Toss> read_tosses(const std::filesystem::path& file)
 {
-    const LaboratoryTable table = read_laboratory_table(laboratory_folder("cube") / "tosses.csv.gz");
+    const LaboratoryTable table = read_laboratory_table(file);
     std::vector<Toss> tosses;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         if (tosses.empty() || tosses.back().number != static_cast<int>(table.number(row, "toss")))
@@ -193,6 +193,8 @@ CubeFigures figures_of(const std::vector<TossScore>& scores)
         figures.stopped += score.ran ? 0 : 1;
         figures.mean_position += score.position / static_cast<double>(scores.size());
     }
+    const double right = figures.right_faces;
+    figures.right_faces_error = std::sqrt(right * (1 - right) / static_cast<double>(scores.size()));
     figures.position = median_of(position);
     figures.position_low = quantile_of(position, 0.25);
     figures.position_high = quantile_of(position, 0.75);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -61,8 +62,9 @@ struct TossScore {
     bool ran = false;               // to the end
 };
 
-/// Of all 60 tosses. Velocities are taken to row 0: they are differences to the row before.
-std::vector<Toss> read_tosses();
+/// Of a table. Velocities are taken to row 0: they are differences to the row before.
+/// @throws InputError when it cannot be read
+std::vector<Toss> read_tosses(const std::filesystem::path& file);
 
 TrackedMotion predicted_toss(const Toss& toss, const CubeSetting& setting, bool& ran);
 
@@ -77,7 +79,7 @@ std::vector<TossScore> scores_of(const std::vector<Toss>& tosses, const CubeSett
 struct CubeFigures {
     double position = 0, position_low = 0, position_high = 0;  // m: median, quarter, three quarters
     double rotation = 0;                                       // degrees, median
-    double right_faces = 0;                                    // share
+    double right_faces = 0, right_faces_error = 0;             // share, and its binomial standard error
     double travel = 0, travel_bias = 0;                        // m, medians
     double mean_position = 0;                                  // m
     int stopped = 0;                                           // tosses that did not run to the end
