@@ -73,9 +73,9 @@ int run_program(int argument_count, char** arguments)
     program.set_version_flag("--version", "voussoir " + app::version::in_words(app::version::engine_version()));
     program.require_subcommand(1);
     program.footer(
-        "Exit codes: 0 done, 1 failure, 2 bad input, 3 the analysis failed to converge, 4 interrupted, 5 it is "
-        "undecided\n"
-        "whether the structure stands.");
+        "Exit codes: 0 done, 1 failure, 2 bad input, 3 the analysis failed to converge, 4 interrupted, 5 of run: "
+        "the structure\n"
+        "does not stand, or it is undecided whether it does.");
     std::function<int()> chosen;
     app::command_line::add_case_commands(program, chosen);
     app::command_line::add_picture_commands(program, chosen);

@@ -52,6 +52,8 @@ void add_run(CLI::App& program, std::function<int()>& chosen)
         ->add_flag("--other-engine", arguments->other_engine,
                    "With --resume: continue a run that another build of the program began; the results say so")
         ->needs("--resume");
+    command->add_flag("--accept-collapse", arguments->accept_collapse,
+                      "A structure that falls is what was expected: exit code 0, not 5");
     command
         ->add_option(
             "--save-every", arguments->save_every,

@@ -19,17 +19,18 @@ enum ExitCode {
     exit_bad_input = 2,
     exit_gave_up = 3,
     exit_interrupted = 4,
-    exit_undecided = 5
+    exit_not_standing = 5  // of `run` alone: it has fallen, has lost stones, or it is undecided whether it stands
 };
 
 struct RunArguments {
     std::filesystem::path case_file;
     std::filesystem::path folder;  // empty: results/<case name>
     std::vector<std::string> overrides;
-    std::optional<int> threads;  // none: as many as the scene is worth
-    bool resume = false;         // go on with the run that was interrupted in the folder
-    bool other_engine = false;   // even if another build of the program began it
-    double save_every = 2;       // s of computing between two savings; 0: with every frame
+    std::optional<int> threads;    // none: as many as the scene is worth
+    bool resume = false;           // go on with the run that was interrupted in the folder
+    bool other_engine = false;     // even if another build of the program began it
+    bool accept_collapse = false;  // a structure that falls is what was expected: exit_done
+    double save_every = 2;         // s of computing between two savings; 0: with every frame
     bool quiet = false;
     bool verbose = false;  // every repair of a mesh, not one line a kind
 };

@@ -24,6 +24,7 @@
 #include "app/results/results_writer.h"
 #include "app/results/run_lock.h"
 #include "app/words/diagnosis_words.h"
+#include "app/words/verdict_words.h"
 #include "importers/process/program_start.h"
 #include "libdda/analysis/joint_openings.h"
 #include "libdda/errors.h"
@@ -133,6 +134,7 @@ void print_bars(const RunReport& report)
 void print_report(const Case& the_case, const Ended& ended, double wall_time)
 {
     const RunReport& report = ended.report;
+    if (report.verdict) say(words::in_words(*report.verdict, the_case.model));
     say(fmt::format("{}: {} steps for {:g} s of motion in {:.1f} s of wall time", name_of(report.outcome),
                     report.steps, report.simulated_time, wall_time));
     say(fmt::format("  {} steps cut, {} not converged, {} open-close iterations, {} factorisations",
@@ -165,11 +167,21 @@ void print_files(const std::filesystem::path& folder, const std::vector<std::fil
     for (const std::filesystem::path& picture : pictures) say(fmt::format("  {}", picture.string()));
 }
 
-int exit_code_of(Outcome outcome)
+int exit_code_of(Outcome outcome, bool accept_collapse)
 {
-    if (outcome == Outcome::gave_up) return exit_gave_up;
-    if (outcome == Outcome::undecided) return exit_undecided;
-    return outcome == Outcome::interrupted ? exit_interrupted : exit_done;
+    switch (outcome) {
+        case Outcome::gave_up:
+            return exit_gave_up;
+        case Outcome::interrupted:
+            return exit_interrupted;
+        case Outcome::undecided:
+            return exit_not_standing;
+        case Outcome::collapsed:
+            return accept_collapse ? exit_done : exit_not_standing;
+        case Outcome::completed:
+            break;
+    }
+    return exit_done;
 }
 
 /// "gave_up: stage 'earthquake' gave up at ..."
@@ -211,7 +223,7 @@ int run_from(const Case& the_case, const std::filesystem::path& folder,
     if (report.diagnosis)
         complain(fmt::format("{}{}", outcome_in_words(report, the_case),
                              goes_on ? "; run the same command with --resume to continue" : ""));
-    const int code = exit_code_of(report.outcome);
+    const int code = exit_code_of(report.outcome, arguments.accept_collapse);
     return code == exit_done && !after.complete ? exit_failure : code;
 }
 
@@ -254,7 +266,7 @@ int run_command(const RunArguments& arguments)
     if (restart && restart->ended) {
         say(fmt::format("{}: there is nothing to resume, the run has ended: {}", folder.string(),
                         outcome_in_words(restart->position.report, the_case)));
-        return exit_code_of(restart->position.report.outcome);
+        return exit_code_of(restart->position.report.outcome, arguments.accept_collapse);
     }
     if (restart)
         for (const std::string& remark : restart->remarks) {

@@ -159,10 +159,7 @@ Document document_of(const RunRecord& a, const RunRecord& b, const fs::path& fol
     document.title = label_a + " and " + label_b;
     document.outcome = a.end.outcome == b.end.outcome ? a.end.outcome : a.end.outcome + ", " + b.end.outcome;
     document.first_line = "A: " + first_line_of(a) + " B: " + first_line_of(b);
-    const auto alarming = [](const RunRecord& record) {
-        return record.end.outcome != "completed" || record.mechanism.kind != MechanismKind::stands;
-    };
-    document.alarm = alarming(a) || alarming(b);
+    document.alarm = is_alarming(a) || is_alarming(b);
     document.mechanism = std::string(name_of(a.mechanism.kind)) + ", " + name_of(b.mechanism.kind);
     document.mechanism_line = "A: " + a.results.model.title + ". B: " + b.results.model.title + ".";
     const Both both{a,

@@ -115,7 +115,7 @@ Document document_of(const RunRecord& record, const fs::path& folder, bool film,
     document.title = record.results.model.title.empty() ? record.case_file : record.results.model.title;
     document.outcome = record.end.outcome.empty() ? "unfinished" : record.end.outcome;
     document.first_line = first_line_of(record);
-    document.alarm = document.outcome != "completed" || record.mechanism.kind != MechanismKind::stands;
+    document.alarm = is_alarming(record);
     document.mechanism = name_of(record.mechanism.kind);
     document.mechanism_line = words_of(record.mechanism, record.results.model, record.course).headline;
     document.sections.push_back(key_results(record));

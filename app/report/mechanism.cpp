@@ -221,11 +221,11 @@ MechanismKind kind_of(const results::RecordedModel& model, const Mechanism& mech
 
 }  // namespace
 
-Mechanism mechanism_in(const results::ResultsReader& results, const Course& course, bool failed)
+Mechanism mechanism_in(const results::ResultsReader& results, const Course& course, std::optional<bool> known)
 {
     const results::RecordedModel& model = results.model;
     const double far = 0.25 * typical_size(model);
-    failed = failed || (!course.displacement.empty() && course.displacement.back() > far);
+    const bool failed = known.value_or(!course.displacement.empty() && course.displacement.back() > far);
     Mechanism mechanism;
     mechanism.frame = failed ? frame_of_the_beginning(course, far) : frame_of_the_most(course);
     mechanism.time = course.times[mechanism.frame];

@@ -1,6 +1,7 @@
 // How a structure moved, or failed: which joints turned, slid or parted, and which stones moved as one.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/report/course.h"
@@ -47,12 +48,14 @@ struct Mechanism {
     std::vector<Body> bodies;                 // the resting ones first, then the largest first
     double opening = 0, slip = 0;             // m, sums over those joints
     int hinges = 0, sliding = 0, parted = 0;  // pairs of bodies that turn on each other, slide, have come apart
+    bool goes_on = false;                     // nothing has come off, but stones moved when the run ended
 };
 
 /// A structure that stands is described at the moment of its largest opening or slip; one that does not while it
 /// begins to go: the last frame in which no stone has moved further than a quarter of its size. Of joints those
 /// count that moved more than 0.1 mm and more than a tenth of what moved most.
-/// @param results with a frame; @param failed the run said that the structure collapsed or is a mechanism
-Mechanism mechanism_in(const results::ResultsReader& results, const Course& course, bool failed);
+/// @param results with a frame; @param failed by the run's verdict, or as it ended; nothing: not known, and what
+/// has gone further than a quarter of a stone has failed
+Mechanism mechanism_in(const results::ResultsReader& results, const Course& course, std::optional<bool> failed);
 
 }  // namespace voussoir::app::report

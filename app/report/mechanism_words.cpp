@@ -58,17 +58,17 @@ std::string of_what_stands(const Mechanism& mechanism, const results::RecordedMo
     int opened = 0, slid = 0;
     for (const Peak& peak : course.joint_opening) opened += peak.value > noteworthy_opening;
     for (const Peak& peak : course.joint_slip) slid += peak.value > noteworthy_opening;
-    if (opened + slid == 0) return "The structure stands; no joint opened or slid by more than 0.1 mm.";
+    const char* state = mechanism.goes_on ? "Nothing has come off by the end of the run" : "The structure stands";
+    if (opened + slid == 0) return fmt::format("{}; no joint opened or slid by more than 0.1 mm.", state);
     if (mechanism.joints.empty())
-        return fmt::format("The structure stands. Of {} joints {} opened and {} slid by more than 0.1 mm.",
+        return fmt::format("{}. Of {} joints {} opened and {} slid by more than 0.1 mm.", state,
                            model.joints.size(), opened, slid);
     const MovedJoint& most = mechanism.joints.front();
     const WatchedJoint& joint = model.joints[most.joint];
     return fmt::format(
-        "The structure stands. Of {} joints {} opened and {} slid by more than 0.1 mm, most at t = {:.3g} s "
-        "between {} and "
+        "{}. Of {} joints {} opened and {} slid by more than 0.1 mm, most at t = {:.3g} s between {} and "
         "{}: {} open, {} of slip. At the end {} remain open and {} slid.",
-        model.joints.size(), opened, slid, mechanism.time, model.block_names[joint.block_a],
+        state, model.joints.size(), opened, slid, mechanism.time, model.block_names[joint.block_a],
         model.block_names[joint.block_b], length_in_words(most.opening), length_in_words(most.slip),
         length_in_words(course.opening.back()), length_in_words(course.slip.back()));
 }
@@ -161,14 +161,6 @@ std::string stress_in_words(double pascals)
 {
     const bool small = std::abs(pascals) < 1e5;
     return fmt::format("{:.3g} {}", pascals / (small ? 1e3 : 1e6), small ? "kPa" : "MPa");
-}
-
-std::string length_in_words(double metres)
-{
-    const double size = std::abs(metres);
-    if (size == 0) return "0 mm";
-    if (size < 5e-5) return fmt::format("{:.3g} µm", metres * 1e6);
-    return size < 1 ? fmt::format("{:.3g} mm", metres * 1e3) : fmt::format("{:.3g} m", metres);
 }
 
 const char* name_of(MechanismKind kind)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/report/mechanism.h"
+#include "app/words/figures_in_words.h"
 
 namespace voussoir::app::report
 {
@@ -17,8 +18,7 @@ struct MechanismWords {
 
 MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course);
 
-/// "12.3 mm", "1.23 m", "45 µm".
-std::string length_in_words(double metres);
+using words::length_in_words;
 
 /// "1.67 MPa", "52.2 kPa".
 std::string stress_in_words(double pascals);

@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "app/report/mechanism_words.h"
 #include "app/report/sections.h"
+#include "libdda/model/verdict.h"
 
 namespace voussoir::app::report
 {
@@ -216,6 +218,22 @@ std::string figure(double value)
     return large ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
+namespace
+{
+
+/// "COLLAPSED: the structure has fallen: ..."
+std::string verdict_line(const RunRecord& record)
+{
+    const std::string why = record.end.message.empty() ? "" : " (" + record.end.message + ")";
+    if (record.failed.value_or(false)) return fmt::format("COLLAPSED: {}{}.", record.verdict, why);
+    if (record.standing == name_of(Standing::moves)) return fmt::format("UNDECIDED: {}.", record.verdict);
+    std::string sentence = record.verdict + ".";
+    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+    return sentence;
+}
+
+}  // namespace
+
 std::string first_line_of(const RunRecord& record)
 {
     const results::RunEnd& end = record.end;
@@ -224,6 +242,7 @@ std::string first_line_of(const RunRecord& record)
         return fmt::format(
             "UNFINISHED: the run was killed or is still going on; this report covers {:.3g} of {:g} s.",
             end.reached, end.planned);
+    if (!record.verdict.empty()) return verdict_line(record);
     if (end.outcome == "collapsed") return "COLLAPSED" + why;
     if (end.outcome == "gave_up")
         return fmt::format("FAILED: the computation gave up at t = {:.3g} of {:g} s{}", end.reached, end.planned,
@@ -231,11 +250,17 @@ std::string first_line_of(const RunRecord& record)
     if (end.outcome == "undecided") return "UNDECIDED" + why;
     if (end.outcome == "interrupted")
         return fmt::format("INTERRUPTED at t = {:.3g} of {:g} s{}", end.reached, end.planned, why);
-    if (record.mechanism.kind != MechanismKind::stands)
+    if (record.mechanism.kind != MechanismKind::stands)  // of a program that had no verdict yet
         return fmt::format("DID NOT STAND: the run went to its end at {:g} s, but stones have moved off.",
                            end.reached);
     return end.planned > 0 ? fmt::format("Completed: the run went to its end at {:g} s.", end.reached)
                            : "Completed: the structure came to rest.";
+}
+
+bool is_alarming(const RunRecord& record)
+{
+    return record.end.outcome != "completed" || record.standing == name_of(Standing::moves) ||
+           record.mechanism.kind != MechanismKind::stands;
 }
 
 Section key_results(const RunRecord& record)

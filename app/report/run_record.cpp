@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "libdda/errors.h"
+#include "libdda/model/verdict.h"
 
 namespace voussoir::app::report
 {
@@ -73,8 +74,13 @@ void read_summary(const Hdf5File& file, RunRecord& record)
         const bool fell = summary.contains("fallen_blocks") && !summary.at("fallen_blocks").empty();
         const bool mechanism =
             record.end.outcome == "gave_up" && record.end.message.find("mechanism") != std::string::npos;
-        record.failed =
-            record.end.outcome == "collapsed" || mechanism || (fell && record.end.outcome != "completed");
+        if (record.end.outcome == "collapsed" || mechanism || (fell && record.end.outcome != "completed"))
+            record.failed = true;
+        if (!summary.contains("verdict")) return;
+        record.standing = summary.at("verdict").at("standing").get<std::string>();
+        record.verdict = summary.at("verdict").at("in_words").get<std::string>();
+        if (record.standing != name_of(Standing::moves))
+            record.failed = record.standing != name_of(Standing::stands);
     } catch (const nlohmann::json::exception&) {
         throw InputError(record.file.string(), "a summary that cannot be read",
                          "the file is damaged: run the case again");
@@ -123,6 +129,7 @@ RunRecord::RunRecord(const std::filesystem::path& results_file)
     motions = results::recorded_motions(results_file);
     course = course_of(results);
     mechanism = mechanism_in(results, course, failed);
+    mechanism.goes_on = standing == name_of(Standing::moves);
 }
 
 }  // namespace voussoir::app::report

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,9 @@ struct RunRecord {
     std::filesystem::path file;
     results::ResultsReader results;
     results::RunEnd end;
-    bool failed = false;  // it collapsed, or gave up at a mechanism
-    std::string summary;  // JSON text; "{}" of a run that was killed
+    std::optional<bool> failed;  // by its verdict, or it collapsed or gave up at a mechanism; nothing: not known
+    std::string standing, verdict;  // as the summary names and words it; empty: it has none
+    std::string summary;            // JSON text; "{}" of a run that was killed
     std::string case_file, case_text, engine, settings;
     std::vector<std::string> overrides, defaults, warnings, left_out;
     std::vector<std::string> groups;

@@ -13,6 +13,9 @@ std::string figure(double value);
 /// What became of the run, in one sentence; what did not go as planned says so.
 std::string first_line_of(const RunRecord& record);
 
+/// Whether that line is no good news.
+bool is_alarming(const RunRecord& record);
+
 Section key_results(const RunRecord& record);
 Section mechanism_section(const RunRecord& record);
 Section what_was_analysed(const RunRecord& record);

@@ -31,6 +31,10 @@ bool is_sound(const RunReport& report)
                             report.acted.shortened,
                             report.blows.solved,
                             report.blows.unfinished};
+    const auto& verdict = report.verdict;
+    if (verdict && (verdict->standing < Standing::stands || verdict->standing > Standing::fallen ||
+                    verdict->damage < DamageLevel::none || verdict->damage > DamageLevel::significant_damage))
+        return false;
     return report.outcome >= Outcome::completed && report.outcome <= Outcome::interrupted &&
            std::all_of(counts.begin(), counts.end(), is_count) &&
            (!report.diagnosis || is_whole(*report.diagnosis)) &&
@@ -62,7 +66,7 @@ bool is_sound(const RunPosition& at)
                                              at.divisions,   at.load_increments, at.static_steps,
                                              at.quiet_steps, at.course.steady,   at.course.idle};
     return is_sound(at.report) && are_finite(at.pace.accelerations) && std::isfinite(at.pace.time_step) &&
-           is_sound(at.course) && std::all_of(counts.begin(), counts.end(), is_count);
+           is_sound(at.course) && are_finite(at.reference) && std::all_of(counts.begin(), counts.end(), is_count);
 }
 
 /// The clock of the stage is where its grid is, and the counters of a static stage are within its own.
@@ -73,7 +77,7 @@ bool fits(const State& state, const RunPosition& at, const Stage& stage)
     const auto is_place = [&](const std::vector<double>& place) {
         return place.empty() || place.size() == state.coordinates.size();
     };
-    if (!is_place(at.course.before)) return false;
+    if (!is_place(at.course.before) || !is_place(at.reference)) return false;
     if (!at.pace.accelerations.empty() && at.pace.accelerations.size() != state.velocities.size()) return false;
     if (stage.type == StageType::static_equilibrium)
         return at.load_increments <= stage.gravity_increments * driver::most_times_the_increments &&
@@ -108,11 +112,22 @@ bool are_joints_of(const std::vector<JointPeaks>& peaks, const Model& model)
                       });
 }
 
+bool fits(const Verdict& verdict, const Model& model)
+{
+    const auto count = static_cast<int>(model.blocks.size());
+    const auto is_block = [&](int block) { return block >= 0 && block < count; };
+    const auto is_maybe_block = [&](int block) { return block >= -1 && block < count; };
+    return std::all_of(verdict.lost.begin(), verdict.lost.end(), is_block) && is_maybe_block(verdict.fastest) &&
+           verdict.blocks.size() == model.blocks.size() && is_maybe_block(verdict.worst.block_a) &&
+           is_maybe_block(verdict.worst.block_b);
+}
+
 bool fits(const RunReport& report, const Model& model)
 {
     const auto is_block = [&](int block) {
         return block >= 0 && static_cast<std::size_t>(block) < model.blocks.size();
     };
+    if (report.verdict && !fits(*report.verdict, model)) return false;
     const DeepestOverlap& deepest = report.deepest;
     const bool no_overlap = deepest.share == 0 && deepest.block_a == -1 && deepest.block_b == -1;
     if (!no_overlap && (!is_block(deepest.block_a) || !is_block(deepest.block_b))) return false;

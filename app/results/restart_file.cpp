@@ -15,7 +15,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 25\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 26\n";  // its number rises when the layout changes
 constexpr const char* what = "a restart file";
 constexpr std::size_t head_bytes = 1 + 8 + 8;  // whether it ended, its time, the bytes of what follows
 
@@ -43,13 +43,27 @@ void diagnosis_fields(Archive& archive, SomeDiagnosis& diagnosis)
     archive.list(values);
 }
 
+template <typename Archive, typename SomeVerdict>
+void verdict_fields(Archive& archive, SomeVerdict& verdict)
+{
+    auto& [standing, lost, mass, lost_share, fastest, speed, go_on, blocks, damage, worst] = verdict;
+    archive.fields(standing, mass, lost_share, fastest, speed, go_on, damage);
+    archive.list(lost);
+    archive.list(blocks, [](auto& to, auto& entry) {
+        auto& [displacement, turn] = entry;
+        to.fields(displacement, turn);
+    });
+    auto& [block_a, block_b, opening, slip, share] = worst;
+    archive.fields(block_a, block_b, opening, slip, share);
+}
+
 template <typename Archive, typename Report>
 void report_fields(Archive& archive, Report& report)
 {
     auto& [outcome, diagnosis, steps, step_cuts, unconverged_steps, divided_steps, refused_steps,
            open_close_iterations, factorisations, linear_iterations, factor_entries, acted, blows, simulated_time,
-           max_penetration, deepest, static_unbalanced, energy, fallen, crushed, joints, bars, seconds, warnings] =
-        report;
+           max_penetration, deepest, static_unbalanced, energy, fallen, crushed, joints, bars, seconds, warnings,
+           verdict] = report;
     archive.fields(outcome, steps, step_cuts, unconverged_steps, divided_steps, refused_steps,
                    open_close_iterations, factorisations, linear_iterations, factor_entries, simulated_time,
                    max_penetration, static_unbalanced, seconds);
@@ -84,16 +98,18 @@ void report_fields(Archive& archive, Report& report)
     const auto told = [](auto& to, auto& entry) { diagnosis_fields(to, entry); };
     archive.maybe(diagnosis, told);
     archive.list(warnings, told);
+    archive.maybe(verdict, [](auto& to, auto& entry) { verdict_fields(to, entry); });
 }
 
 template <typename Archive, typename Position>
 void position_fields(Archive& archive, Position& position)
 {
-    auto& [report, frames, stage_done, multiples, divisions, parts, pace, load_increments, static_steps,
+    auto& [report, frames, reference, stage_done, multiples, divisions, parts, pace, load_increments, static_steps,
            quiet_steps, step_unbalanced, course] = position;
     report_fields(archive, report);
     archive.fields(frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
                    step_unbalanced);
+    archive.list(reference);
     auto& [accelerations, time_step] = pace;
     archive.list(accelerations);
     archive.field(time_step);

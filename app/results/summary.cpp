@@ -8,6 +8,7 @@
 #include "app/results/results_writer.h"
 #include "app/results/settings.h"
 #include "app/results/trust_json.h"
+#include "app/results/verdict_json.h"
 #include "app/version/version.h"
 #include "app/words/diagnosis_words.h"
 #include "app/words/trust_words.h"
@@ -194,6 +195,7 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
     json["energy"] = energy(report.energy);
     if (quality.trust) json["trust"] = Json::parse(trust_json(*quality.trust, the_case.stages));
     if (quality.estimate) json["error_estimate"] = Json::parse(estimate_json(*quality.estimate));
+    if (report.verdict) json["verdict"] = Json::parse(verdict_json(*report.verdict, model));
     json["fallen_blocks"] = fallen_blocks(model, report.fallen);
     if (has_compressive_strength(model)) json["crushed_joints"] = crushed_joints(model, report.crushed);
     const std::vector<JointNow> now = joints_now(model, joints, state, joint_resultants(model, state));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace voussoir::app::words
 {
 
@@ -14,6 +16,14 @@ std::string error_in_words(double error)
 std::string step_in_words(double time_step)
 {
     return time_step < 1 ? fmt::format("{:.4g} ms", 1e3 * time_step) : fmt::format("{:.6g} s", time_step);
+}
+
+std::string length_in_words(double metres)
+{
+    const double size = std::abs(metres);
+    if (size == 0) return "0 mm";
+    if (size < 5e-5) return fmt::format("{:.3g} µm", metres * 1e6);
+    return size < 1 ? fmt::format("{:.3g} mm", metres * 1e3) : fmt::format("{:.3g} m", metres);
 }
 
 }  // namespace voussoir::app::words

@@ -1,4 +1,4 @@
-// Errors and time steps in words, the same in every table.
+// Errors, time steps and lengths in words, the same in every table.
 #pragma once
 
 #include <string>
@@ -11,5 +11,8 @@ std::string error_in_words(double error);
 
 /// "1 ms", "0.1 ms". @param time_step [s]
 std::string step_in_words(double time_step);
+
+/// "12.3 mm", "1.23 m", "45 µm".
+std::string length_in_words(double metres);
 
 }  // namespace voussoir::app::words

@@ -131,13 +131,22 @@ void note_fallen(const Model& model, const CollapseWatch& watch, const Vector3d&
     report.fallen.insert(report.fallen.end(), more.begin(), more.end());
 }
 
-bool structure_has_fallen(const Model& model, const State& state, const RunReport& report)
+std::vector<int> blocks_that_fell(const Model& model, const State& state, const RunReport& report)
 {
-    if (report.fallen.empty()) return false;
+    std::vector<int> blocks;
+    if (report.fallen.empty()) return blocks;
     const std::vector<bool> flew = in_flight_at_start(model), lies = supported(model, state);
-    return std::any_of(report.fallen.begin(), report.fallen.end(), [&](const FallenBlock& fallen) {
-        return fallen.left || !flew[fallen.block] || !lies[fallen.block];
-    });
+    for (const FallenBlock& fallen : report.fallen)
+        if (fallen.left || !flew[fallen.block] || !lies[fallen.block]) blocks.push_back(fallen.block);
+    return blocks;
+}
+
+void note_lost(const std::vector<int>& blocks, double time, RunReport& report)
+{
+    for (const int block : blocks)
+        if (std::none_of(report.fallen.begin(), report.fallen.end(),
+                         [&](const FallenBlock& fallen) { return fallen.block == block; }))
+            report.fallen.push_back({block, time, false});
 }
 
 bool all_have_left(const Model& model, const RunReport& report)

@@ -30,11 +30,14 @@ struct CollapseWatch {
 void note_fallen(const Model& model, const CollapseWatch& watch, const Eigen::Vector3d& gravity,
                  const State& state, RunReport& report);
 
-/// Whether one of the blocks that have fallen shows that the structure has: one that hangs in the air, has left,
-/// or stood on something at the start. A stone that was in flight then, moving of its own or touching nothing, and
+/// The blocks of report.fallen that show that the structure has fallen: those that hang in the air, have left, or
+/// stood on something at the start. A stone that was in flight then, moving of its own or touching nothing, and
 /// lies on the ground or on what stands on it by now, has only landed.
 /// @param state as it is now
-bool structure_has_fallen(const Model& model, const State& state, const RunReport& report);
+std::vector<int> blocks_that_fell(const Model& model, const State& state, const RunReport& report);
+
+/// Adds blocks to report.fallen that are not there yet. @param time s since the run's start
+void note_lost(const std::vector<int>& blocks, double time, RunReport& report);
 
 /// Whether every block that could fall has left the domain: nothing more can happen.
 bool all_have_left(const Model& model, const RunReport& report);

@@ -9,6 +9,7 @@
 
 #include "libdda/model/bar.h"
 #include "libdda/model/diagnosis.h"
+#include "libdda/model/verdict.h"
 
 namespace voussoir
 {
@@ -156,10 +157,11 @@ inline bool has_no_answer(Outcome outcome)
     return outcome == Outcome::gave_up || outcome == Outcome::undecided;
 }
 
-/// A block that has lost all support and fallen by more than its own size, or left the domain.
+/// A block that has lost all support and fallen by more than its own size, or left the domain; or that a structure
+/// has lost otherwise, as the verdict at the end of the run finds.
 struct FallenBlock {
     int block = 0;      // index into Model::blocks
-    double time = 0;    // s since the run's start
+    double time = 0;    // s since the run's start; of the latter its end
     bool left = false;  // the domain, by now
 };
 
@@ -213,6 +215,7 @@ struct RunReport {
     std::vector<BarPeaks> bars;                                   // in the order of Model::bars
     std::array<double, static_cast<int>(Part::count)> seconds{};  // wall time by part
     std::vector<Diagnosis> warnings;                              // in the order in which they arose
+    std::optional<Verdict> verdict;                               // once it was completed, or collapsed
 };
 
 }  // namespace voussoir

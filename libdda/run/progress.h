@@ -29,6 +29,7 @@ struct RunProgress {
     CollapseWatch watch = {};
     OverlapWatch overlaps = {};
     std::vector<WatchedJoint> joints = {};
+    std::vector<double> start = {};  // State::coordinates at the start of the run
     bool judges_crushing = false;
     bool shown = false;  // the state as it is has its frame
     State before = {};   // of the step, to go back to

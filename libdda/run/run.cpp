@@ -8,6 +8,7 @@
 #include "libdda/analysis/diagnosis.h"
 #include "libdda/analysis/dry_joints.h"
 #include "libdda/analysis/energies.h"
+#include "libdda/analysis/verdict.h"
 #include "libdda/run/dynamic_stage.h"
 #include "libdda/run/static_stage.h"
 
@@ -16,6 +17,8 @@ namespace voussoir
 
 namespace
 {
+
+using Eigen::Vector3d;
 
 /// Makes ready to go on from `progress.position`, or to begin.
 void begin_run(driver::RunProgress& progress)
@@ -27,6 +30,7 @@ void begin_run(driver::RunProgress& progress)
     const State start = is_new ? progress.state : initial_state(model);
     progress.watch = CollapseWatch(model, start);
     progress.joints = joints_at_start(model, start);
+    progress.start = start.coordinates;
     if (report.joints.size() != progress.joints.size()) report.joints = no_peaks(progress.joints);
     report.bars.resize(model.bars.size());
     const bool has_moved = progress.state.step > 0;
@@ -100,20 +104,34 @@ void enter_stage(int stage, const std::vector<Stage>& stages, driver::RunProgres
     RunPosition fresh;
     fresh.report = std::move(progress.report);
     fresh.frames = progress.position.frames;
+    fresh.reference = std::move(progress.position.reference);
+    const bool moves = entered.type == StageType::dynamic || !entered.motions.empty();
+    if (moves && fresh.reference.empty()) fresh.reference = progress.state.coordinates;
     progress.position = std::move(fresh);
 }
 
-/// A structure of which stones have fallen has collapsed, whatever came afterwards. Where the numerics failed in
-/// the ruins, that is told beside it. @returns whether it has
-bool settle_outcome(driver::RunProgress& progress)
+/// Judges the structure. One of which stones have fallen has collapsed, whatever came afterwards; where the
+/// numerics failed in the ruins, that is told beside it. @returns whether that is news
+bool settle_outcome(const Stage& stage, driver::RunProgress& progress)
 {
     RunReport& report = progress.report;
-    const bool open = report.outcome == Outcome::completed || report.outcome == Outcome::gave_up;
-    if (!open || !structure_has_fallen(progress.model, progress.state, report)) return false;
-    if (report.diagnosis) report.warnings.push_back(std::move(*report.diagnosis));
-    report.outcome = Outcome::collapsed;
-    report.diagnosis = diagnosis_of_fallen(report);
-    return true;
+    const State& state = progress.state;
+    if (report.outcome == Outcome::undecided || report.outcome == Outcome::interrupted) return false;
+    const Vector3d gravity = mean_gravity(stage.gravity_ramp, stage.gravity, state.stage_time, state.stage_time);
+    Verdict verdict =
+        verdict_of(progress.model, progress.joints, {progress.start, progress.position.reference}, gravity, state);
+    add_lost(progress.model, blocks_that_fell(progress.model, state, report), verdict);
+    if (report.outcome == Outcome::collapsed && report.diagnosis)
+        add_lost(progress.model, report.diagnosis->blocks, verdict);
+    const bool is_news = report.outcome != Outcome::collapsed && !verdict.lost.empty();
+    if (is_news) {
+        note_lost(verdict.lost, state.time, report);
+        if (report.diagnosis) report.warnings.push_back(std::move(*report.diagnosis));
+        report.outcome = Outcome::collapsed;
+        report.diagnosis = diagnosis_of_fallen(report);
+    }
+    if (report.outcome != Outcome::gave_up) report.verdict = std::move(verdict);
+    return is_news;
 }
 
 /// Runs a stage to its end; false when the run ends in it.
@@ -132,7 +150,7 @@ bool run_stage(const Stage& stage, driver::RunProgress& progress)
         driver::show(progress);
     }
     if (!done) {
-        settle_outcome(progress);
+        settle_outcome(stage, progress);
         driver::show_end(progress);
     }
     return done;
@@ -176,7 +194,9 @@ RunReport run(const Model& model, const std::vector<Stage>& stages, State& state
         if (s != state.stage || state.stage_time == 0) enter_stage(s, stages, progress);
         if (!run_stage(stages[s], progress)) break;
     }
-    if (progress.report.outcome == Outcome::completed && settle_outcome(progress)) driver::show_end(progress);
+    if (progress.report.outcome == Outcome::completed && !stages.empty() &&
+        settle_outcome(stages.back(), progress))
+        driver::show_end(progress);
     add_last_warnings(progress.report);
     return std::move(progress.report);
 }

@@ -21,8 +21,9 @@ struct StepPace {
 
 /// Where a run stands: with its State, all that is needed to go on as if nothing had happened.
 struct RunPosition {
-    RunReport report;         // so far
-    std::int64_t frames = 0;  // calls of RunObserver::frame so far, that of an interruption not counted
+    RunReport report;               // so far
+    std::int64_t frames = 0;        // calls of RunObserver::frame so far, that of an interruption not counted
+    std::vector<double> reference;  // State::coordinates when the first motion began; empty: it has not yet
     // Of the stage under way:
     bool stage_done = false;
     std::int64_t multiples = 0;  // dynamic: of RunObserver::every that had their frame

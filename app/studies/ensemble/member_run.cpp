@@ -7,6 +7,7 @@
 #include "app/words/diagnosis_words.h"
 #include "importers/process/thread_time.h"
 #include "libdda/analysis/joint_openings.h"
+#include "libdda/analysis/verdict.h"
 #include "libdda/run/run.h"
 
 namespace voussoir::app::studies::ensemble
@@ -79,6 +80,13 @@ std::vector<converge::Quantity> drifts_of(const Case& member)
     return drifts;
 }
 
+bool has_lost_stones(const Case& member, const std::vector<WatchedJoint>& joints, const State& now)
+{
+    const Stage& stage = member.stages[static_cast<std::size_t>(now.stage)];
+    const RunStart from{initial_state(member.model).coordinates, {}};
+    return !verdict_of(member.model, joints, from, stage.gravity, now).lost.empty();
+}
+
 }  // namespace
 
 MemberRun run_member(const Case& member, const converge::ConvergeSetting& setting, double limit,
@@ -97,12 +105,18 @@ MemberRun run_member(const Case& member, const converge::ConvergeSetting& settin
     double rest = start;
     RunObserver observer;
     observer.every = changed.output.every;
-    observer.frame = [&](const State& now, const RunReport&) { openings.look(now, result); };
+    // What has gone far may stand all the same: at the next frame the verdict says.
+    const std::vector<WatchedJoint> joints = joints_at_start(changed.model, state);
+    observer.frame = [&](const State& now, const RunReport&) {
+        openings.look(now, result);
+        if (recorder.collapse && has_lost_stones(changed, joints, now)) result.collapse = recorder.collapse;
+        recorder.collapse.reset();
+    };
     observer.step = [&](const State& now, const StepReport&, const RunReport&) {
         recorder.step(now);
         if (now.time == 0) rest = importers::process::thread_time();
     };
-    observer.stop = [&] { return (stop && stop()) || recorder.collapse; };
+    observer.stop = [&] { return (stop && stop()) || result.collapse; };
     const RunReport report = run(changed.model, changed.stages, state, observer);
     result.cpu = importers::process::thread_time() - start;
     result.cpu_dynamic = importers::process::thread_time() - rest;
@@ -114,7 +128,10 @@ MemberRun run_member(const Case& member, const converge::ConvergeSetting& settin
     result.simulated = report.simulated_time;
     result.energy = shares_of(report.energy);
     result.recording = std::move(recorder.recording);
-    result.collapse = std::move(recorder.collapse);
+    if (!result.collapse && report.outcome == Outcome::collapsed && !report.fallen.empty()) {
+        const FallenBlock& first = report.fallen.front();
+        result.collapse = converge::Collapse{first.time, changed.model.blocks[first.block].name};
+    }
     return result;
 }
 

@@ -342,7 +342,7 @@ TEST(Program, AMechanismIsNamedAndNotShaken)
     const Ended ended = voussoir(
         folder, {"run", folder.write("case.yaml", two_boxes).string(), "-o", (folder / "results").string(),
                  "--set", "gravity.direction=[0.9, 0, -0.1]", "--set", "joints.dry.friction=80 deg"});
-    EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+    EXPECT_EQ(ended.exit_code, 5) << ended.errors;
     const auto summary = nlohmann::json::parse(contents(folder / "results" / "summary.json"));
     EXPECT_EQ(summary["outcome"].get<std::string>(), "collapsed");
     EXPECT_EQ(summary["simulated_time_s"].get<double>(), 0);

@@ -37,7 +37,8 @@ Ended started(const TemporaryFolder& folder, const std::vector<std::string>& arg
 
 std::string outcome_of(int exit_code)
 {
-    const std::map<int, std::string> outcomes{{0, "completed collapsed"}, {3, "gave_up"}, {4, "interrupted"}};
+    const std::map<int, std::string> outcomes{
+        {0, "completed"}, {3, "gave_up"}, {4, "interrupted"}, {5, "collapsed undecided"}};
     const auto found = outcomes.find(exit_code);
     return found == outcomes.end() ? "" : found->second;
 }

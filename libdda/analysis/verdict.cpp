@@ -1,0 +1,323 @@
+#include "libdda/analysis/verdict.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "libdda/analysis/bar_forces.h"
+#include "libdda/contact/initial_contacts.h"
+#include "libdda/model/disjoint_sets.h"
+
+namespace voussoir
+{
+
+namespace
+{
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Pair = std::pair<int, int>;
+
+constexpr double near = 0.5;  // of the size of the smaller stone: what has moved by less is where it was
+constexpr double half = 0.5;  // of the mass
+constexpr double bed =
+    0.5;  // cosine, normal and weight: on what is less steep a stone slides, along the rest it falls
+
+/// Where the ground is and how it moves: the mean of what is held, or of the blocks at which the model ends.
+struct Ground {
+    Vector3d displacement = Vector3d::Zero(), velocity = Vector3d::Zero();  // m, m/s
+};
+
+/// Blocks at a given time, and the rotations that brought them there from those of the reference.
+struct Places {
+    std::vector<PlacedBlock> start, reference, now;
+    std::vector<Matrix3d> turned;  // since the start
+
+    Places(const Model& model, const RunStart& from, const State& state) : now(placed_blocks(model, state))
+    {
+        State before;
+        before.coordinates = from.start;
+        start = placed_blocks(model, before);
+        reference = start;
+        if (!from.reference.empty()) {
+            before.coordinates = from.reference;
+            reference = placed_blocks(model, before);
+        }
+        for (std::size_t b = 0; b < now.size(); ++b) turned.push_back(rotation(now[b], start[b]));
+    }
+
+    static Matrix3d rotation(const PlacedBlock& to, const PlacedBlock& from)
+    {
+        const Eigen::JacobiSVD<Matrix3d> parts(to.pose.map * from.pose.map.inverse(),
+                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
+        return parts.matrixU() * parts.matrixV().transpose();
+    }
+};
+
+double angle_between(const Vector3d& one, const Vector3d& other)
+{
+    return std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
+std::vector<int> ground_blocks(const Model& model)
+{
+    std::vector<int> blocks;
+    for (const Foundation& foundation : model.foundations) blocks.push_back(foundation.block);
+    if (!blocks.empty()) return blocks;
+    for (const ViscousBoundary& boundary : model.boundaries)
+        for (const BlockFace& face : boundary.faces) blocks.push_back(face.block);
+    return blocks;
+}
+
+Ground ground_of(const Model& model, const Places& places, const State& state)
+{
+    Ground ground;
+    const std::vector<int> blocks = ground_blocks(model);
+    for (const int b : blocks) {
+        const double share = 1 / static_cast<double>(blocks.size());
+        ground.displacement += share * (places.now[b].pose.centroid - places.reference[b].pose.centroid);
+        ground.velocity += share * velocity_of(model.kinematics, state, b);
+    }
+    return ground;
+}
+
+template <int D>
+std::set<Pair> touching(const ContactSetIn<D>& contacts, bool closed)
+{
+    std::set<Pair> pairs;
+    for (const ContactPatchIn<D>& patch : contacts.patches)
+        for (int i = patch.first_point; i < patch.first_point + patch.point_count; ++i)
+            if (!closed || contacts.points[i].status != ContactStatus::open)
+                pairs.insert(std::minmax(patch.block_a, patch.block_b));
+    return pairs;
+}
+
+std::set<Pair> touching(const Model& model, const State& state, bool closed)
+{
+    return is_planar(model.kinematics) ? touching(state.planar_contacts, closed)
+                                       : touching(state.contacts, closed);
+}
+
+/// Which joints of the start hold.
+class Joints
+{
+ public:
+    Joints(const Model& model, const std::vector<WatchedJoint>& watched, const std::vector<double>& from,
+           const Vector3d& down, const Places& places, const State& state)
+        : model_(model), down_(down), places_(places), touch_(touching(model, state, true))
+    {
+        State start = initial_state(model);
+        start.coordinates = from;
+        find_initial_contacts(model, start);
+        for (const Pair& pair : touching(model, start, false)) pairs_[pair] = nullptr;
+        for (const WatchedJoint& joint : watched) pairs_[{joint.block_a, joint.block_b}] = &joint;
+    }
+
+    const std::map<Pair, const WatchedJoint*>& all() const { return pairs_; }
+
+    bool holds(const Pair& pair, const WatchedJoint* joint) const
+    {
+        const auto& [a, b] = pair;
+        const Vector3d normal = joint != nullptr ? joint->normal : down_;
+        if (angle_between(places_.turned[a] * normal, places_.turned[b] * normal) > overturning_tilt) return false;
+        const double enough = near * smaller(a, b);
+        if (joint != nullptr) {
+            const JointMotion motion = motion_of(*joint, places_.now);
+            if (std::hypot(motion.opening, motion.largest_slip) < enough) return true;
+        }
+        if (!touch_.contains(pair)) return false;
+        const bool is_bed = std::abs(normal.dot(down_)) > bed;
+        return is_bed || std::abs(down_.dot(gone(a) - gone(b))) < enough;
+    }
+
+ private:
+    double smaller(int a, int b) const { return std::min(size_of(model_, a), size_of(model_, b)); }
+    Vector3d gone(int b) const { return places_.now[b].pose.centroid - places_.start[b].pose.centroid; }
+
+    const Model& model_;
+    Vector3d down_;
+    const Places& places_;
+    std::set<Pair> touch_;                       // now
+    std::map<Pair, const WatchedJoint*> pairs_;  // of the start; those that touch at edges have no joint
+};
+
+/// Blocks that the ground carries through these joints and bars.
+template <class Holds>
+std::vector<bool> carried(const Model& model, const Joints& joints, const Holds& holds,
+                          const std::vector<BarNow>& bars)
+{
+    DisjointSets sets(model.blocks.size());
+    for (const auto& [pair, joint] : joints.all())
+        if (holds(pair, joint)) sets.join(pair.first, pair.second);
+    for (std::size_t i = 0; i < model.bars.size(); ++i)
+        if (bars.empty() || !bars[i].is_out) sets.join(model.bars[i].block_a, model.bars[i].block_b);
+    std::vector<bool> is_ground(model.blocks.size(), false), result(is_ground);
+    for (const int b : ground_blocks(model)) is_ground[sets.root_of(b)] = true;
+    for (std::size_t b = 0; b < result.size(); ++b) result[b] = is_ground[sets.root_of(static_cast<int>(b))];
+    return result;
+}
+
+/// Foundations, and blocks of the materials of which blocks at the ends of the model, or with tied sides, are.
+std::vector<bool> ground_marks(const Model& model)
+{
+    std::set<int> materials;
+    for (const ViscousBoundary& boundary : model.boundaries)
+        for (const BlockFace& face : boundary.faces) materials.insert(model.blocks[face.block].material);
+    for (const int b : model.tied_sides) materials.insert(model.blocks[b].material);
+    std::vector<bool> result;
+    for (const Block& block : model.blocks) result.push_back(materials.contains(block.material));
+    for (const Foundation& foundation : model.foundations) result[foundation.block] = true;
+    return result;
+}
+
+void find_lost(const Model& model, const Joints& joints, const Vector3d& down, const Places& places,
+               const State& state, Verdict& verdict)
+{
+    const auto always = [](const Pair&, const WatchedJoint*) { return true; };
+    const auto now = [&](const Pair& pair, const WatchedJoint* joint) { return joints.holds(pair, joint); };
+    std::vector<bool> before = carried(model, joints, always, {});
+    for (const InitialMotion& motion : model.initial_motions) before[motion.block] = false;  // it is thrown
+    const std::vector<bool> after = carried(model, joints, now, bars_now(model, state));
+    const std::vector<bool> is_ground = ground_marks(model);
+    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
+        if (!before[b]) continue;
+        if (!is_ground[b]) verdict.mass += model.mass(b);
+        const bool leans = angle_between(places.turned[b] * down, down) > overturning_tilt;
+        if (!is_ground[b] && (!after[b] || leans)) verdict.lost.push_back(b);
+    }
+}
+
+/// By what is lost and what moves.
+void judge(const Model& model, Verdict& verdict)
+{
+    double gone = 0;
+    for (const int b : verdict.lost) gone += model.mass(b);
+    verdict.lost_share = gone > 0 ? std::min(1.0, gone / std::max(gone, verdict.mass)) : 0;
+    verdict.standing = verdict.lost_share >= half ? Standing::fallen
+                       : !verdict.lost.empty()    ? Standing::lost_stones
+                       : verdict.fastest >= 0     ? Standing::moves
+                                                  : Standing::stands;
+}
+
+/// The fastest of the blocks that are not lost, by its speed over that which is slow for its size.
+void find_fastest(const Model& model, double gravity, const Ground& ground, const State& state, Verdict& verdict)
+{
+    std::vector<bool> leave(model.blocks.size(), false);
+    for (const Foundation& foundation : model.foundations) leave[foundation.block] = true;
+    for (const int b : verdict.lost) leave[b] = true;
+    double most = 1;
+    for (int b = 0; b < static_cast<int>(leave.size()); ++b) {
+        if (leave[b]) continue;
+        const double size = size_of(model, b);
+        const double speed = (velocity_of(model.kinematics, state, b) - ground.velocity).norm() +
+                             half * size * angular_velocity_of(model, state, b).norm();
+        if (speed <= most * slow_end * std::sqrt(gravity * size)) continue;
+        most = speed / (slow_end * std::sqrt(gravity * size));
+        verdict.fastest = b;
+        verdict.speed = speed;
+    }
+}
+
+/// Twice the time in which something as high as the scene falls over.
+double time_to_see(const Model& model, const Vector3d& down, double gravity, const Places& places)
+{
+    double low = 0, high = 0;
+    for (std::size_t b = 0; b < places.start.size(); ++b) {
+        const double at = down.dot(places.start[b].pose.centroid);
+        const double reach = half * size_of(model, static_cast<int>(b));
+        low = b == 0 ? at - reach : std::min(low, at - reach);
+        high = b == 0 ? at + reach : std::max(high, at + reach);
+    }
+    return std::max(1.0, std::ceil(4 * std::sqrt((high - low) / gravity)));
+}
+
+void find_worst_joint(const Model& model, const std::vector<WatchedJoint>& joints, const Places& places,
+                      Verdict& verdict)
+{
+    std::vector<bool> lost(model.blocks.size(), false);
+    for (const int b : verdict.lost) lost[b] = true;
+    for (const WatchedJoint& joint : joints) {
+        if (lost[joint.block_a] || lost[joint.block_b]) continue;
+        const JointMotion now = motion_of(joint, places.now), before = motion_of(joint, places.reference);
+        const double opening = std::max(0.0, now.opening - before.opening),
+                     slip = std::max(0.0, now.largest_slip - before.largest_slip);
+        const double share =
+            std::max(opening, slip) / std::min(size_of(model, joint.block_a), size_of(model, joint.block_b));
+        if (share > verdict.worst.share) verdict.worst = {joint.block_a, joint.block_b, opening, slip, share};
+    }
+    const double share = verdict.worst.share;
+    verdict.damage = share < limited_deformation  ? DamageLevel::none
+                     : share < light_damage       ? DamageLevel::limited_deformation
+                     : share < significant_damage ? DamageLevel::light_damage
+                                                  : DamageLevel::significant_damage;
+}
+
+}  // namespace
+
+std::string_view name_of(Standing standing)
+{
+    switch (standing) {
+        case Standing::stands:
+            return "stands";
+        case Standing::moves:
+            return "moves";
+        case Standing::lost_stones:
+            return "lost_stones";
+        case Standing::fallen:
+            return "fallen";
+    }
+    return "";
+}
+
+std::string_view name_of(DamageLevel damage)
+{
+    switch (damage) {
+        case DamageLevel::none:
+            return "none";
+        case DamageLevel::limited_deformation:
+            return "limited_deformation";
+        case DamageLevel::light_damage:
+            return "light_damage";
+        case DamageLevel::significant_damage:
+            return "significant_damage";
+    }
+    return "";
+}
+
+Verdict verdict_of(const Model& model, const std::vector<WatchedJoint>& joints, const RunStart& from,
+                   const Vector3d& gravity, const State& state)
+{
+    Verdict verdict;
+    const Places places(model, from, state);
+    const Ground ground = ground_of(model, places, state);
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        const Vector3d gone = places.now[b].pose.centroid - places.reference[b].pose.centroid;
+        const Matrix3d turned = Places::rotation(places.now[b], places.reference[b]);
+        verdict.blocks.push_back(
+            {(gone - ground.displacement).norm(), std::abs(Eigen::AngleAxisd(turned).angle())});
+    }
+    const double g = gravity.norm();
+    if (g == 0 || ground_blocks(model).empty()) return verdict;
+    const Vector3d down = gravity / g;
+    find_lost(model, {model, joints, from.start, down, places, state}, down, places, state, verdict);
+    find_fastest(model, g, ground, state, verdict);
+    if (verdict.fastest >= 0) verdict.go_on = time_to_see(model, down, g, places);
+    find_worst_joint(model, joints, places, verdict);
+    judge(model, verdict);
+    return verdict;
+}
+
+void add_lost(const Model& model, const std::vector<int>& blocks, Verdict& verdict)
+{
+    const std::vector<bool> is_ground = ground_marks(model);
+    for (const int b : blocks)
+        if (!is_ground[b] && !std::binary_search(verdict.lost.begin(), verdict.lost.end(), b))
+            verdict.lost.insert(std::lower_bound(verdict.lost.begin(), verdict.lost.end(), b), b);
+    judge(model, verdict);
+}
+
+}  // namespace voussoir
