@@ -12,6 +12,8 @@ namespace voussoir::step
 namespace
 {
 
+constexpr double hardly = 0.01;     // of what presses a face: whether so little slides may be rounding
+constexpr double noticeable = 0.1;  // of what a joint turns about its normal: so much stones must twist to matter
 constexpr double least_sliding = 0.1;  // of the speed that friction takes in a step
 // (omega h)^2 of the shear vibration of two stones, between which a step is about a quarter of its period: the
 // joint turns round by its own spring. In shorter steps both are exact, in longer ones the joint is as good as
@@ -86,7 +88,7 @@ typename K::Matrix place_patch(const BlockStep<K>& a, const BlockStep<K>& b, Pat
 /// How the stones beside a face are bent when the step begins.
 template <class K>
 void begin_stones(const Model& model, const ContactPatchIn<K::dimension>& found, const BlockStep<K>& a,
-                  const BlockStep<K>& b, double blend, std::span<const PointStep<K::dimension>> points,
+                  const BlockStep<K>& b, double blend, std::span<PointStep<K::dimension>> points,
                   PatchStep<K>& patch)
 {
     constexpr int D = K::dimension;
@@ -107,18 +109,30 @@ void begin_stones(const Model& model, const ContactPatchIn<K::dimension>& found,
     stones.twist.flexibility(0, 0) = contact::twist_flexibility(model, of_a, of_b, patch.normal, area);
     stones.acts = stones.bending.flexibility.trace() > 0;
     if (!stones.acts) return;
-    bool presses = found.intact, sticks = true;
+    bool presses = found.intact;
+    double pressing = 0, sliding = 0, stiffness_about_normal = 0;
     for (const PointStep<D>& p : points) {
         const VectorIn<D> place = p.lever - stones.centre;
-        sticks = sticks && p.shear_blend == blend;
-        if constexpr (contact::twists<D>)
-            stones.twist.moment_start[0] += p.shear_stiffness * patch.normal.cross(place).dot(p.slip_start);
+        if constexpr (contact::twists<D>) {
+            const VectorIn<D> around = patch.normal.cross(place);
+            stones.twist.moment_start[0] += p.shear_stiffness * around.dot(p.slip_start);
+            stiffness_about_normal += p.shear_stiffness * around.squaredNorm();
+        }
         if (p.gap_start >= 0 && !found.intact) continue;
         presses = true;
-        stones.bending.moment_start -= p.normal_stiffness * p.gap_start * place;
+        const double force = p.normal_stiffness * p.gap_start;
+        pressing += std::abs(force);
+        if (p.shear_blend != blend) sliding += std::abs(force);
+        stones.bending.moment_start -= force * place;
     }
     stones.bending.begin(presses ? blend : 1);
-    stones.twist.begin(sticks ? blend : 1);
+    // Where stones twist, one blend for all points: else the couple at the end, by which they are twisted then, is
+    // not that of the slips there, and each step begins with another energy than the one before had left.
+    const bool twist = stones.twist.flexibility(0, 0) * stiffness_about_normal > noticeable;
+    const double of_shear = presses && sliding <= hardly * pressing ? blend : 1;
+    if (twist)
+        for (PointStep<D>& p : points) p.shear_blend = of_shear;
+    stones.twist.begin(of_shear);
     stones.energy_start = found.bending_energy;
 }
 

@@ -124,7 +124,8 @@ records::Channel strong_part(const Shaking& shaking)
 /// equation itself answers 1 % of scale with less than 3 %: nothing else can be compared.
 std::optional<double> scale_of(const records::Channel& record)
 {
-    for (double scale = 0.8; scale < 25; scale *= 1.08) {
+    for (int k = 0; k < 45; ++k) {
+        const double scale = 0.8 * std::pow(1.08, k);
         const double peak = RockingEquation::peak(record, scale);
         if (peak >= 1) return std::nullopt;
         bool is_steady = peak > 0.1;

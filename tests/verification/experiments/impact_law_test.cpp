@@ -67,11 +67,11 @@ FittedLaw fitted_to(const std::vector<Toss>& tosses, const LawOfImpact& kind)
     FittedLaw best;
     double least = 1e300;
     for (const double value : kind.values)
-        for (double friction = 0.12; friction < 0.25; friction += 0.02)
-            for (double restitution = 0; restitution < 0.45; restitution += 0.1) {
+        for (int mu = 12; mu <= 24; mu += 2)
+            for (int e = 0; e <= 4; ++e) {
                 FittedLaw trial{{}, {}, value};
-                trial.setting.friction = friction;
-                trial.setting.restitution = restitution;
+                trial.setting.friction = 0.01 * mu;
+                trial.setting.restitution = 0.1 * e;
                 kind.set(trial.law, value);
                 const double error =
                     figures_of(scores_of(tosses, trial.setting, model_of(trial.law))).mean_position;
