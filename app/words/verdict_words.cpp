@@ -37,27 +37,28 @@ std::string percent(double share)
     return share >= 0.995 ? fmt::format("{:.0f} %", 100 * share) : fmt::format("{:.2g} %", 100 * share);
 }
 
-/// "with limited deformation: the joint of 'a' and 'b' is left 3 mm open, 1.2 % of a stone"
+/// ", with limited deformation: the joint of 'a' and 'b' is left 3 mm open, 1.2 % of a stone"; empty where no
+/// motion was there to do any.
 std::string damage_of(const Verdict& verdict, const Model& model)
 {
     const Dislocation& worst = verdict.worst;
     const bool opened = worst.opening >= worst.slip;
-    if (worst.block_a < 0) return "undamaged: no joint is left open or has slid";
+    if (worst.block_a < 0) return "";
     const std::string joint =
         fmt::format("the joint of {} and {} {} most, by {}, {} of a stone's size", quoted(model, worst.block_a),
                     quoted(model, worst.block_b), opened ? "is left open" : "has slid",
                     length_in_words(opened ? worst.opening : worst.slip), percent(worst.share));
     switch (verdict.damage) {
         case DamageLevel::none:
-            return "undamaged: " + joint;
+            return ", undamaged: " + joint;
         case DamageLevel::limited_deformation:
-            return "with limited deformation: " + joint;
+            return ", with limited deformation: " + joint;
         case DamageLevel::light_damage:
-            return "with light damage: " + joint;
+            return ", with light damage: " + joint;
         case DamageLevel::significant_damage:
             break;
     }
-    return "with significant damage: " + joint;
+    return ", with significant damage: " + joint;
 }
 
 /// The stone that has gone furthest and the one that has turned most, where that is much.
@@ -95,7 +96,7 @@ std::string in_words(const Verdict& verdict, const Model& model)
 {
     switch (verdict.standing) {
         case Standing::stands:
-            return "the structure stands, " + damage_of(verdict, model) + whereabouts(verdict, model);
+            return "the structure stands" + damage_of(verdict, model) + whereabouts(verdict, model);
         case Standing::moves:
             return fmt::format(
                 "the structure has not come to rest, and how it ends is not known: {} at the end; go on for {:g} "

@@ -306,7 +306,7 @@ Verdict verdict_of(const Model& model, const std::vector<WatchedJoint>& joints, 
     find_lost(model, {model, joints, from.start, down, places, state}, down, places, state, verdict);
     find_fastest(model, g, ground, state, verdict);
     if (verdict.fastest >= 0) verdict.go_on = time_to_see(model, down, g, places);
-    find_worst_joint(model, joints, places, verdict);
+    if (!from.reference.empty()) find_worst_joint(model, joints, places, verdict);
     judge(model, verdict);
     return verdict;
 }

@@ -15,7 +15,7 @@ namespace voussoir
 /// Where a run began, as State::coordinates.
 struct RunStart {
     std::vector<double> start;      // of the run
-    std::vector<double> reference;  // when the first motion began; empty: there was none
+    std::vector<double> reference;  // when the first motion began; empty: there was none, and damage is not judged
 };
 
 /// Judges what is, whatever led there. A joint of the start holds while its stones are near (they have moved apart

@@ -57,7 +57,7 @@ Verdict verdict_of_placed(const Model& model, int block, const Eigen::Vector3d& 
 {
     State state = initial_state(model);
     const std::vector<WatchedJoint> joints = joints_at_start(model, state);
-    const RunStart from{state.coordinates, {}};
+    const RunStart from{state.coordinates, state.coordinates};
     set_pose(model, state, block, centroid, map);
     return verdict_of(model, joints, from, {0, 0, -gravity}, state);
 }
@@ -181,6 +181,18 @@ TEST_P(VerdictOf, WithoutGroundOrGravityNothingFalls)
     Model free = make_model(GetParam(), stone(), dry(35));
     add_box(free, "stone", {0, 0, 0}, {1, 1, 1});
     EXPECT_EQ(verdict_after(free, {dynamic_stage(1, 1e-2)}).standing, Standing::stands);
+}
+
+// What settles under its own weight is no damage.
+TEST_P(VerdictOf, OfARunThatOnlyComesToRestNoDamageIsTold)
+{
+    Model model = floor_model(GetParam());
+    model.joints[0].stiffness.factor = 0.001;
+    add_stack(model, 3, 0.5, 0.3);
+    const Verdict verdict = verdict_after(model, {static_stage(0.1)});
+    EXPECT_EQ(verdict.standing, Standing::stands);
+    EXPECT_EQ(verdict.worst.block_a, -1);
+    EXPECT_EQ(verdict.damage, DamageLevel::none);
 }
 
 TEST_P(VerdictOf, LevelsOfDamageAreThoseOfTheScale)
