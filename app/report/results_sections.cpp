@@ -250,17 +250,13 @@ std::string first_line_of(const RunRecord& record)
     if (end.outcome == "undecided") return "UNDECIDED" + why;
     if (end.outcome == "interrupted")
         return fmt::format("INTERRUPTED at t = {:.3g} of {:g} s{}", end.reached, end.planned, why);
-    if (record.mechanism.kind != MechanismKind::stands)  // of a program that had no verdict yet
-        return fmt::format("DID NOT STAND: the run went to its end at {:g} s, but stones have moved off.",
-                           end.reached);
     return end.planned > 0 ? fmt::format("Completed: the run went to its end at {:g} s.", end.reached)
                            : "Completed: the structure came to rest.";
 }
 
 bool is_alarming(const RunRecord& record)
 {
-    return record.end.outcome != "completed" || record.standing == name_of(Standing::moves) ||
-           record.mechanism.kind != MechanismKind::stands;
+    return record.end.outcome != "completed" || record.standing == name_of(Standing::moves);
 }
 
 Section key_results(const RunRecord& record)

@@ -18,6 +18,11 @@ std::string step_in_words(double time_step)
     return time_step < 1 ? fmt::format("{:.4g} ms", 1e3 * time_step) : fmt::format("{:.6g} s", time_step);
 }
 
+std::string percent_in_words(double share)
+{
+    return share >= 0.995 ? fmt::format("{:.0f} %", 100 * share) : fmt::format("{:.2g} %", 100 * share);
+}
+
 std::string length_in_words(double metres)
 {
     const double size = std::abs(metres);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/words/figures_in_words.h"
+
 namespace voussoir::app::words
 {
 
@@ -14,12 +16,6 @@ namespace
 constexpr std::size_t most_modes_named = 4;
 constexpr double worth_saying_of_corners = 0.05;  // of a frequency
 constexpr double worth_naming = 1e-4;             // of the energy put in
-
-/// "4.7 %", "0.0012 %".
-std::string percent(double share)
-{
-    return share >= 0.995 ? fmt::format("{:.0f} %", 100 * share) : fmt::format("{:.2g} %", 100 * share);
-}
 
 /// A figure of at most one digit that is no larger.
 double rounded_down(double value)
@@ -68,21 +64,22 @@ double stiffer_by(const TrustFinding& finding, bool rigid)
 std::string in_words(const TrustFinding& finding, const Trust& trust, const std::vector<Stage>& stages)
 {
     using Kind = TrustFinding::Kind;
-    const std::string limit = fmt::format("(limit {})", percent(finding.limit));
+    const std::string limit = fmt::format("(limit {})", percent_in_words(finding.limit));
     const std::string vibration =
         fmt::format("{} of {:.3g} Hz", trust.of_modes ? "the vibration" : "vibrations", finding.frequency);
     switch (finding.kind) {
         case Kind::algorithmic_damping:
             return fmt::format("the integrator damps {} by {} of critical {}: {}", vibration,
-                               percent(finding.value), limit, remedy_of_damping(finding, stages[trust.stage]));
+                               percent_in_words(finding.value), limit,
+                               remedy_of_damping(finding, stages[trust.stage]));
         case Kind::dashpots:
             return fmt::format(
                 "the dashpots of joints (relaxation_time) damp {} by {} of critical {}: give a relaxation_time "
                 "{:.2g} times as long",
-                vibration, percent(finding.value), limit, rounded_down(1 / finding.worst));
+                vibration, percent_in_words(finding.value), limit, rounded_down(1 / finding.worst));
         case Kind::period:
             return fmt::format("the computed period of {} is {} too long {}: give {}", vibration,
-                               percent(finding.value), limit,
+                               percent_in_words(finding.value), limit,
                                step_for(stages[trust.stage], std::sqrt(1 / finding.worst)));
         case Kind::soft_joints:
             return fmt::format(
@@ -90,7 +87,8 @@ std::string in_words(const TrustFinding& finding, const Trust& trust, const std:
                 "a "
                 "rule, no measurement; give the measured contact_stiffness in Pa/m, or a "
                 "contact_stiffness_factor {:g} times as large",
-                finding.frequency, percent(finding.value), limit, stiffer_by(finding, trust.start.modes.rigid));
+                finding.frequency, percent_in_words(finding.value), limit,
+                stiffer_by(finding, trust.start.modes.rigid));
         case Kind::stiff_stones:
             return fmt::format(
                 "on face: corners stones do not bend: if these did, the vibration of {:.3g} Hz would have some "
@@ -101,12 +99,12 @@ std::string in_words(const TrustFinding& finding, const Trust& trust, const std:
             return fmt::format(
                 "joints that closed or opened within a step took {} of the energy put in {}: what impacts loses "
                 "too much; give {}",
-                percent(finding.value), limit, step_for(stages[trust.stage], 1 / finding.worst));
+                percent_in_words(finding.value), limit, step_for(stages[trust.stage], 1 / finding.worst));
         case Kind::integrator_energy:
             break;
     }
     return fmt::format("the integrator took {} of the energy put in {}: what vibrates loses too much; give {}",
-                       percent(finding.value), limit,
+                       percent_in_words(finding.value), limit,
                        is_newmark(stages[trust.stage]) ? "integrator: energy_decaying, or a smaller time_step"
                                                        : "a smaller time_step");
 }
@@ -144,7 +142,8 @@ std::string damping_in_words(const Trust& trust)
     if (!worst) return "";
     const std::string which = trust.of_modes ? "them" : fmt::format("{:g} Hz", worst->frequency);
     return fmt::format("; the integrator damps {} by {}{} of critical", which,
-                       trust.of_modes || trust.steps_follow ? "at most " : "", percent(worst->algorithmic));
+                       trust.of_modes || trust.steps_follow ? "at most " : "",
+                       percent_in_words(worst->algorithmic));
 }
 
 /// What springs at the corners do to the first mode, where it is worth a word. Stones beside them do not bend.
@@ -156,7 +155,7 @@ std::string corners_in_words(const std::vector<NaturalMode>& modes)
     return fmt::format(
         "; faces on springs at their corners{} raise the first by {}, with face: points it is some {:.3g} Hz",
         first.raised_by_stones > worth_saying_of_corners ? ", beside which stones do not bend," : "",
-        percent(times - 1), first.frequency / times);
+        percent_in_words(times - 1), first.frequency / times);
 }
 
 }  // namespace
@@ -166,7 +165,7 @@ std::string vibrations_in_words(const Trust& trust)
     std::string words = modes_in_words(trust) + damping_in_words(trust);
     double lowered = 0;
     for (const NaturalMode& mode : trust.start.modes.modes) lowered = std::max(lowered, mode.lowered_by_joints);
-    if (lowered > 0) words += fmt::format("; joints lower them by at most {}", percent(lowered));
+    if (lowered > 0) words += fmt::format("; joints lower them by at most {}", percent_in_words(lowered));
     return words + corners_in_words(trust.start.modes.modes);
 }
 
@@ -185,7 +184,7 @@ std::string shares_in_words(const EnergyShares& shares)
                                                     {"contacts found anew", shares.contacts}};
     for (const auto& [name, share] : terms)
         if (share >= worth_naming || name == terms[0].first)
-            words += fmt::format(" {} {},", name, share >= worth_naming ? percent(share) : "< 0.01 %");
+            words += fmt::format(" {} {},", name, share >= worth_naming ? percent_in_words(share) : "< 0.01 %");
     words.pop_back();
     return words;
 }

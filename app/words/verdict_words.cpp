@@ -31,12 +31,6 @@ std::string names_of(const std::vector<int>& blocks, const Model& model)
     return blocks.size() > named ? fmt::format("{} and {} others", words, blocks.size() - named) : words;
 }
 
-/// "100 %", "0.12 %"
-std::string percent(double share)
-{
-    return share >= 0.995 ? fmt::format("{:.0f} %", 100 * share) : fmt::format("{:.2g} %", 100 * share);
-}
-
 /// ", with limited deformation: the joint of 'a' and 'b' is left 3 mm open, 1.2 % of a stone"; empty where no
 /// motion was there to do any.
 std::string damage_of(const Verdict& verdict, const Model& model)
@@ -47,7 +41,7 @@ std::string damage_of(const Verdict& verdict, const Model& model)
     const std::string joint =
         fmt::format("the joint of {} and {} {} most, by {}, {} of a stone's size", quoted(model, worst.block_a),
                     quoted(model, worst.block_b), opened ? "is left open" : "has slid",
-                    length_in_words(opened ? worst.opening : worst.slip), percent(worst.share));
+                    length_in_words(opened ? worst.opening : worst.slip), percent_in_words(worst.share));
     switch (verdict.damage) {
         case DamageLevel::none:
             return ", undamaged: " + joint;
@@ -94,14 +88,16 @@ std::string moving(const Verdict& verdict, const Model& model)
 
 std::string in_words(const Verdict& verdict, const Model& model)
 {
+    const bool carried = verdict.mass > 0;  // else they were thrown, or fell as the run began
     switch (verdict.standing) {
         case Standing::stands:
-            return "the structure stands" + damage_of(verdict, model) + whereabouts(verdict, model);
+            return (carried ? "the structure stands" + damage_of(verdict, model) : "all stones lie at rest") +
+                   whereabouts(verdict, model);
         case Standing::moves:
             return fmt::format(
-                "the structure has not come to rest, and how it ends is not known: {} at the end; go on for {:g} "
-                "s{}",
-                moving(verdict, model), verdict.go_on, whereabouts(verdict, model));
+                "the {} not come to rest, and how it ends is not known: {} at the end; go on for {:g} s{}",
+                carried ? "structure has" : "stones have", moving(verdict, model), verdict.go_on,
+                whereabouts(verdict, model));
         case Standing::lost_stones:
         case Standing::fallen:
             break;
@@ -109,7 +105,7 @@ std::string in_words(const Verdict& verdict, const Model& model)
     return fmt::format("the structure {}: {} of {} stones ({} of its mass) came off or turned over, {}{}",
                        verdict.standing == Standing::fallen ? "has fallen" : "has lost stones",
                        verdict.lost.size(), model.blocks.size() - model.foundations.size(),
-                       percent(verdict.lost_share), names_of(verdict.lost, model),
+                       percent_in_words(verdict.lost_share), names_of(verdict.lost, model),
                        verdict.fastest >= 0 ? "; what still stands has not come to rest" : "");
 }
 

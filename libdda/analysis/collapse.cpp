@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "libdda/analysis/bar_forces.h"
+#include "libdda/analysis/ground.h"
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/model/disjoint_sets.h"
 
@@ -46,9 +47,7 @@ std::vector<bool> supported(const Model& model, const State& state)
     join(state.planar_contacts, sets);
     join_bars(model, state, sets);
     std::vector<bool> holds(model.blocks.size(), false), result(holds);
-    for (const Foundation& foundation : model.foundations) holds[sets.root_of(foundation.block)] = true;
-    for (const ViscousBoundary& boundary : model.boundaries)
-        for (const BlockFace& face : boundary.faces) holds[sets.root_of(face.block)] = true;
+    for (const int b : blocks_held_by_ground(model)) holds[sets.root_of(b)] = true;
     for (std::size_t b = 0; b < result.size(); ++b) result[b] = holds[sets.root_of(static_cast<int>(b))];
     return result;
 }
@@ -78,20 +77,13 @@ std::vector<bool> in_flight_at_start(const Model& model)
     return touched;
 }
 
-/// How far the ground has moved since the start; where supports moved differently, their mean [m]. Without
-/// foundations it is the blocks at the end of the model that are the ground.
+/// How far the ground has moved since the start; where supports moved differently, their mean [m].
 Vector3d ground_displacement(const Model& model, const CollapseWatch& watch, const State& state)
 {
     Vector3d sum = Vector3d::Zero();
-    std::size_t count = model.foundations.size();
-    const auto add = [&](int block) { sum += centroid(model, state, block) - watch.start[block]; };
-    for (const Foundation& foundation : model.foundations) add(foundation.block);
-    for (const ViscousBoundary& boundary : model.boundaries) {
-        if (!model.foundations.empty()) break;
-        for (const BlockFace& face : boundary.faces) add(face.block);
-        count += boundary.faces.size();
-    }
-    return sum / static_cast<double>(count);
+    const std::vector<int> blocks = blocks_that_are_ground(model);
+    for (const int b : blocks) sum += centroid(model, state, b) - watch.start[b];
+    return sum / static_cast<double>(blocks.size());
 }
 
 }  // namespace

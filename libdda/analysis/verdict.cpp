@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "libdda/analysis/bar_forces.h"
+#include "libdda/analysis/ground.h"
 #include "libdda/contact/initial_contacts.h"
 #include "libdda/model/disjoint_sets.h"
 
@@ -63,20 +64,10 @@ double angle_between(const Vector3d& one, const Vector3d& other)
     return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-std::vector<int> ground_blocks(const Model& model)
-{
-    std::vector<int> blocks;
-    for (const Foundation& foundation : model.foundations) blocks.push_back(foundation.block);
-    if (!blocks.empty()) return blocks;
-    for (const ViscousBoundary& boundary : model.boundaries)
-        for (const BlockFace& face : boundary.faces) blocks.push_back(face.block);
-    return blocks;
-}
-
 Ground ground_of(const Model& model, const Places& places, const State& state)
 {
     Ground ground;
-    const std::vector<int> blocks = ground_blocks(model);
+    const std::vector<int> blocks = blocks_that_are_ground(model);
     for (const int b : blocks) {
         const double share = 1 / static_cast<double>(blocks.size());
         ground.displacement += share * (places.now[b].pose.centroid - places.reference[b].pose.centroid);
@@ -156,7 +147,7 @@ std::vector<bool> carried(const Model& model, const Joints& joints, const Holds&
     for (std::size_t i = 0; i < model.bars.size(); ++i)
         if (bars.empty() || !bars[i].is_out) sets.join(model.bars[i].block_a, model.bars[i].block_b);
     std::vector<bool> is_ground(model.blocks.size(), false), result(is_ground);
-    for (const int b : ground_blocks(model)) is_ground[sets.root_of(b)] = true;
+    for (const int b : blocks_held_by_ground(model)) is_ground[sets.root_of(b)] = true;
     for (std::size_t b = 0; b < result.size(); ++b) result[b] = is_ground[sets.root_of(static_cast<int>(b))];
     return result;
 }
@@ -175,19 +166,18 @@ std::vector<bool> ground_marks(const Model& model)
 }
 
 void find_lost(const Model& model, const Joints& joints, const Vector3d& down, const Places& places,
-               const State& state, Verdict& verdict)
+               const State& state, const std::vector<bool>& is_ground, Verdict& verdict)
 {
     const auto always = [](const Pair&, const WatchedJoint*) { return true; };
     const auto now = [&](const Pair& pair, const WatchedJoint* joint) { return joints.holds(pair, joint); };
     std::vector<bool> before = carried(model, joints, always, {});
     for (const InitialMotion& motion : model.initial_motions) before[motion.block] = false;  // it is thrown
     const std::vector<bool> after = carried(model, joints, now, bars_now(model, state));
-    const std::vector<bool> is_ground = ground_marks(model);
     for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-        if (!before[b]) continue;
-        if (!is_ground[b]) verdict.mass += model.mass(b);
+        if (!before[b] || is_ground[b]) continue;
+        verdict.mass += model.mass(b);
         const bool leans = angle_between(places.turned[b] * down, down) > overturning_tilt;
-        if (!is_ground[b] && (!after[b] || leans)) verdict.lost.push_back(b);
+        if (!after[b] || leans) verdict.lost.push_back(b);
     }
 }
 
@@ -203,20 +193,25 @@ void judge(const Model& model, Verdict& verdict)
                                                   : Standing::stands;
 }
 
-/// The fastest of the blocks that are not lost, by its speed over that which is slow for its size.
-void find_fastest(const Model& model, double gravity, const Ground& ground, const State& state, Verdict& verdict)
+/// Marks what is lost besides the ground.
+std::vector<bool> with_lost(std::vector<bool> marks, const Verdict& verdict)
 {
-    std::vector<bool> leave(model.blocks.size(), false);
-    for (const Foundation& foundation : model.foundations) leave[foundation.block] = true;
-    for (const int b : verdict.lost) leave[b] = true;
+    for (const int b : verdict.lost) marks[b] = true;
+    return marks;
+}
+
+/// The fastest of the blocks, by its speed over that which is slow for its size. @param leave marks of blocks
+void find_fastest(const Model& model, double gravity, const Ground& ground, const State& state,
+                  const std::vector<bool>& leave, Verdict& verdict)
+{
     double most = 1;
     for (int b = 0; b < static_cast<int>(leave.size()); ++b) {
         if (leave[b]) continue;
-        const double size = size_of(model, b);
+        const double size = size_of(model, b), slow = slow_end * std::sqrt(gravity * size);
         const double speed = (velocity_of(model.kinematics, state, b) - ground.velocity).norm() +
-                             half * size * angular_velocity_of(model, state, b).norm();
-        if (speed <= most * slow_end * std::sqrt(gravity * size)) continue;
-        most = speed / (slow_end * std::sqrt(gravity * size));
+                             0.5 * size * angular_velocity_of(model, state, b).norm();
+        if (speed <= most * slow) continue;
+        most = speed / slow;
         verdict.fastest = b;
         verdict.speed = speed;
     }
@@ -228,26 +223,27 @@ double time_to_see(const Model& model, const Vector3d& down, double gravity, con
     double low = 0, high = 0;
     for (std::size_t b = 0; b < places.start.size(); ++b) {
         const double at = down.dot(places.start[b].pose.centroid);
-        const double reach = half * size_of(model, static_cast<int>(b));
+        const double reach = 0.5 * size_of(model, static_cast<int>(b));
         low = b == 0 ? at - reach : std::min(low, at - reach);
         high = b == 0 ? at + reach : std::max(high, at + reach);
     }
     return std::max(1.0, std::ceil(4 * std::sqrt((high - low) / gravity)));
 }
 
+/// @param lost marks of what is lost @param is_ground joints within the ground are no damage
 void find_worst_joint(const Model& model, const std::vector<WatchedJoint>& joints, const Places& places,
-                      Verdict& verdict)
+                      const std::vector<bool>& is_ground, const std::vector<bool>& leave, Verdict& verdict)
 {
-    std::vector<bool> lost(model.blocks.size(), false);
-    for (const int b : verdict.lost) lost[b] = true;
     for (const WatchedJoint& joint : joints) {
-        if (lost[joint.block_a] || lost[joint.block_b]) continue;
+        const int a = joint.block_a, b = joint.block_b;
+        const bool is_within_ground = is_ground[a] && is_ground[b];
+        const bool is_lost = (leave[a] && !is_ground[a]) || (leave[b] && !is_ground[b]);
+        if (is_within_ground || is_lost) continue;
         const JointMotion now = motion_of(joint, places.now), before = motion_of(joint, places.reference);
         const double opening = std::max(0.0, now.opening - before.opening),
                      slip = std::max(0.0, now.largest_slip - before.largest_slip);
-        const double share =
-            std::max(opening, slip) / std::min(size_of(model, joint.block_a), size_of(model, joint.block_b));
-        if (share > verdict.worst.share) verdict.worst = {joint.block_a, joint.block_b, opening, slip, share};
+        const double share = std::max(opening, slip) / std::min(size_of(model, a), size_of(model, b));
+        if (share > verdict.worst.share) verdict.worst = {a, b, opening, slip, share};
     }
     const double share = verdict.worst.share;
     verdict.damage = share < limited_deformation  ? DamageLevel::none
@@ -258,39 +254,12 @@ void find_worst_joint(const Model& model, const std::vector<WatchedJoint>& joint
 
 }  // namespace
 
-std::string_view name_of(Standing standing)
+std::optional<Verdict> verdict_of(const Model& model, const std::vector<WatchedJoint>& joints,
+                                  const RunStart& from, const Vector3d& gravity, const State& state)
 {
-    switch (standing) {
-        case Standing::stands:
-            return "stands";
-        case Standing::moves:
-            return "moves";
-        case Standing::lost_stones:
-            return "lost_stones";
-        case Standing::fallen:
-            return "fallen";
-    }
-    return "";
-}
-
-std::string_view name_of(DamageLevel damage)
-{
-    switch (damage) {
-        case DamageLevel::none:
-            return "none";
-        case DamageLevel::limited_deformation:
-            return "limited_deformation";
-        case DamageLevel::light_damage:
-            return "light_damage";
-        case DamageLevel::significant_damage:
-            return "significant_damage";
-    }
-    return "";
-}
-
-Verdict verdict_of(const Model& model, const std::vector<WatchedJoint>& joints, const RunStart& from,
-                   const Vector3d& gravity, const State& state)
-{
+    const double g = gravity.norm();
+    if (g == 0 || blocks_that_are_ground(model).empty()) return std::nullopt;
+    const Vector3d down = gravity / g;
     Verdict verdict;
     const Places places(model, from, state);
     const Ground ground = ground_of(model, places, state);
@@ -300,13 +269,12 @@ Verdict verdict_of(const Model& model, const std::vector<WatchedJoint>& joints, 
         verdict.blocks.push_back(
             {(gone - ground.displacement).norm(), std::abs(Eigen::AngleAxisd(turned).angle())});
     }
-    const double g = gravity.norm();
-    if (g == 0 || ground_blocks(model).empty()) return verdict;
-    const Vector3d down = gravity / g;
-    find_lost(model, {model, joints, from.start, down, places, state}, down, places, state, verdict);
-    find_fastest(model, g, ground, state, verdict);
+    const std::vector<bool> is_ground = ground_marks(model);
+    find_lost(model, {model, joints, from.start, down, places, state}, down, places, state, is_ground, verdict);
+    const std::vector<bool> leave = with_lost(is_ground, verdict);
+    find_fastest(model, g, ground, state, leave, verdict);
     if (verdict.fastest >= 0) verdict.go_on = time_to_see(model, down, g, places);
-    if (!from.reference.empty()) find_worst_joint(model, joints, places, verdict);
+    if (!from.reference.empty()) find_worst_joint(model, joints, places, is_ground, leave, verdict);
     judge(model, verdict);
     return verdict;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "libdda/analysis/joint_openings.h"
@@ -23,9 +24,10 @@ struct RunStart {
 /// one another by less than that) and have not turned against one another by 30 degrees out of its plane. A block
 /// is lost that joints and bars connected to the ground when the run began and those that hold do no more, or that
 /// leans by 30 degrees. Supports that move are no failure: all is told relative to their mean.
-/// @param joints of the start of the run @param gravity m/s2; without it nothing falls, and nothing is lost
-Verdict verdict_of(const Model& model, const std::vector<WatchedJoint>& joints, const RunStart& from,
-                   const Eigen::Vector3d& gravity, const State& state);
+/// @param joints of the start of the run @param gravity m/s2
+/// @returns nothing where nothing can stand: without gravity, or without ground
+std::optional<Verdict> verdict_of(const Model& model, const std::vector<WatchedJoint>& joints,
+                                  const RunStart& from, const Eigen::Vector3d& gravity, const State& state);
 
 /// Adds blocks that are known otherwise to have come off, and judges anew whether the structure stands.
 void add_lost(const Model& model, const std::vector<int>& blocks, Verdict& verdict);

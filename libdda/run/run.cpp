@@ -118,14 +118,18 @@ bool settle_outcome(const Stage& stage, driver::RunProgress& progress)
     const State& state = progress.state;
     if (report.outcome == Outcome::undecided || report.outcome == Outcome::interrupted) return false;
     const Vector3d gravity = mean_gravity(stage.gravity_ramp, stage.gravity, state.stage_time, state.stage_time);
-    Verdict verdict =
+    std::optional<Verdict> verdict =
         verdict_of(progress.model, progress.joints, {progress.start, progress.position.reference}, gravity, state);
-    add_lost(progress.model, blocks_that_fell(progress.model, state, report), verdict);
+    std::vector<int> lost = blocks_that_fell(progress.model, state, report);
     if (report.outcome == Outcome::collapsed && report.diagnosis)
-        add_lost(progress.model, report.diagnosis->blocks, verdict);
-    const bool is_news = report.outcome != Outcome::collapsed && !verdict.lost.empty();
+        lost.insert(lost.end(), report.diagnosis->blocks.begin(), report.diagnosis->blocks.end());
+    if (verdict) {
+        add_lost(progress.model, lost, *verdict);
+        lost = verdict->lost;
+    }
+    const bool is_news = report.outcome != Outcome::collapsed && !lost.empty();
     if (is_news) {
-        note_lost(verdict.lost, state.time, report);
+        note_lost(lost, state.time, report);
         if (report.diagnosis) report.warnings.push_back(std::move(*report.diagnosis));
         report.outcome = Outcome::collapsed;
         report.diagnosis = diagnosis_of_fallen(report);

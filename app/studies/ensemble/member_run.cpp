@@ -84,7 +84,8 @@ bool has_lost_stones(const Case& member, const std::vector<WatchedJoint>& joints
 {
     const Stage& stage = member.stages[static_cast<std::size_t>(now.stage)];
     const RunStart from{initial_state(member.model).coordinates, {}};
-    return !verdict_of(member.model, joints, from, stage.gravity, now).lost.empty();
+    const std::optional<Verdict> verdict = verdict_of(member.model, joints, from, stage.gravity, now);
+    return verdict && !verdict->lost.empty();
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ Verdict verdict_of_placed(const Model& model, int block, const Eigen::Vector3d& 
     const std::vector<WatchedJoint> joints = joints_at_start(model, state);
     const RunStart from{state.coordinates, state.coordinates};
     set_pose(model, state, block, centroid, map);
-    return verdict_of(model, joints, from, {0, 0, -gravity}, state);
+    return verdict_of(model, joints, from, {0, 0, -gravity}, state).value();
 }
 
 /// Ground that goes to one side and stops: a pulse of acceleration there and back [m/s2], each `part` s long.
@@ -176,11 +176,16 @@ TEST_P(VerdictOf, AStoneThatFliesAndLandsHasNotFallen)
     EXPECT_TRUE(verdict.lost.empty());
 }
 
-TEST_P(VerdictOf, WithoutGroundOrGravityNothingFalls)
+TEST_P(VerdictOf, WithoutGroundOrGravityThereIsNone)
 {
     Model free = make_model(GetParam(), stone(), dry(35));
     add_box(free, "stone", {0, 0, 0}, {1, 1, 1});
-    EXPECT_EQ(verdict_after(free, {dynamic_stage(1, 1e-2)}).standing, Standing::stands);
+    State flying = initial_state(free);
+    EXPECT_FALSE(run_quietly(free, {dynamic_stage(1, 1e-2)}, flying).verdict) << "no ground";
+    Model model = floor_model(GetParam());
+    add_stack(model, 1, 0.5, 0.5);
+    State weightless = initial_state(model);
+    EXPECT_FALSE(run_quietly(model, {dynamic_stage(0.1, 1e-2, {0, 0, 0})}, weightless).verdict) << "no gravity";
 }
 
 // What settles under its own weight is no damage.
@@ -260,7 +265,7 @@ TEST(Verdicts, AStoneThatHangsFromABarIsCarried)
     model.bars.push_back(bar);
     State state = initial_state(model);
     const Verdict verdict =
-        verdict_of(model, joints_at_start(model, state), {state.coordinates, {}}, {0, 0, -gravity}, state);
+        verdict_of(model, joints_at_start(model, state), {state.coordinates, {}}, {0, 0, -gravity}, state).value();
     EXPECT_TRUE(verdict.lost.empty());
     EXPECT_GT(verdict.mass, 0);
 }
