@@ -2,6 +2,7 @@
 // Source: docs/faces.md, "Stones that bend".
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "libdda/contact/placed_part.h"
@@ -23,13 +24,9 @@ class BentGaps
              const std::vector<ContactPointIn<D>>& points)
     {
         if (patch.edge_edge || !is_deformable(model.kinematics)) return;
-        double area = 0;
-        for (const ContactPointIn<D>& p : points) {
-            area += p.area;
-            centre_ += p.area * p.position;
-        }
+        const auto [area, middle] = area_of(points);
         if (!(area > 0)) return;
-        centre_ /= area;
+        centre_ = middle;
         const HalfStone<D> a{incident.block, incident.pose.map, fully_held[incident.block]},
             b{reference.block, reference.pose.map, fully_held[reference.block]};
         flexibility_ = bending_flexibility(model, a, b, patch.normal, area);
@@ -60,6 +57,35 @@ class BentGaps
         if (flexibility_.isZero(0)) return 0;
         return 0.5 * moment_.dot(slope_) + twist_energy(patch, points);
     }
+    /// Couple of the shear of points about their own middle, by which the stones are twisted [Nm].
+    /// @param stiffness of the patch [Pa/m]
+    double couple(double stiffness, const VectorIn<D>& normal, std::span<const ContactPointIn<D>> points) const
+    {
+        double sum = 0;
+        if constexpr (twists<D>) {
+            const VectorIn<D> middle = area_of(points).middle;
+            for (const ContactPointIn<D>& p : points)
+                sum += shear_ * stiffness * p.area * normal.cross(p.position - middle).dot(p.elastic_slip);
+        }
+        return sum;
+    }
+    /// Turns the slips of what presses to a couple. The stones twist far more than the joint does: slips that went
+    /// over to other points would else change what they store.
+    void turn_slips_to(double wanted, const ContactPatchIn<D>& patch, std::vector<ContactPointIn<D>>& points) const
+    {
+        if constexpr (twists<D>) {
+            const auto presses = [&](const ContactPointIn<D>& p) { return p.gap < 0 || patch.intact; };
+            const auto [area, middle] = area_of(points, presses);
+            double second = 0;
+            for (const ContactPointIn<D>& p : points)
+                if (presses(p)) second += p.area * patch.normal.cross(p.position - middle).squaredNorm();
+            const double stiffness = shear_ * patch.stiffness * second;  // Nm
+            if (!(second > least_spread * area * area) || !(twist_ * stiffness > noticeable_twist)) return;
+            const double turn = (wanted - couple(patch.stiffness, patch.normal, points)) / stiffness;
+            for (ContactPointIn<D>& p : points)
+                if (presses(p)) p.elastic_slip += turn * patch.normal.cross(p.position - middle);
+        }
+    }
     /// Gap of a point as the stones are drawn [m].
     double drawn(const ContactPointIn<D>& p) const { return p.gap - slope_.dot(p.position - centre_); }
     /// What bending adds to the gap at a place [m].
@@ -67,16 +93,32 @@ class BentGaps
     const VectorIn<D>& slope() const { return slope_; }
 
  private:
+    static constexpr double least_spread = 1e-3;  // of the second moment of what presses, over its area squared
+
     BentGaps() = default;
+    struct Area {
+        double size = 0;                           // m2
+        VectorIn<D> middle = VectorIn<D>::Zero();  // m
+    };
+    static bool any(const ContactPointIn<D>&) { return true; }
+    /// Of the points that count.
+    template <class Counts = decltype(any)>
+    static Area area_of(std::span<const ContactPointIn<D>> points, const Counts& counts = any)
+    {
+        Area area;
+        for (const ContactPointIn<D>& p : points) {
+            if (!counts(p)) continue;
+            area.size += p.area;
+            area.middle += p.area * p.position;
+        }
+        if (area.size > 0) area.middle /= area.size;
+        return area;
+    }
     /// [J]
     double twist_energy(const ContactPatchIn<D>& patch, const std::vector<ContactPointIn<D>>& points) const
     {
-        double couple = 0;
-        if constexpr (twists<D>)
-            for (const ContactPointIn<D>& p : points)
-                couple += shear_ * patch.stiffness * p.area *
-                          patch.normal.cross(p.position - centre_).dot(p.elastic_slip);
-        return 0.5 * twist_ * couple * couple;
+        const double of_points = couple(patch.stiffness, patch.normal, points);
+        return 0.5 * twist_ * of_points * of_points;
     }
 
     MatrixIn<D> flexibility_ = MatrixIn<D>::Zero();

@@ -19,6 +19,8 @@ namespace voussoir::contact
 template <int D>
 constexpr bool twists = D == 3;
 
+constexpr double noticeable_twist = 0.1;  // of what a joint turns about its normal: so much must stones to matter
+
 /// One of the two stones of a face.
 template <int D>
 struct HalfStone {

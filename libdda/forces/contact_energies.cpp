@@ -26,11 +26,13 @@ typename K::Vector slip_at_end(const PatchStep<K>& patch, const PointStep<K::dim
 namespace
 {
 
-/// Whether a point slides on with more friction than its spring gives.
+/// Whether the friction of a point is not what its spring gives: it slides on with more, or turns round and has
+/// the mean of both ways, of which the springs of the two ends say nothing.
 template <int D>
 bool rubs_beyond_spring(const PointStep<D>& p)
 {
-    return p.status == ContactStatus::sliding && !p.turns_round && p.speed > 0 && p.trial.norm() < p.bound;
+    if (p.turns_round) return true;
+    return p.status == ContactStatus::sliding && p.speed > 0 && p.trial.norm() < p.bound;
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ ContactEnergies contact_energies(int threads, const ContactStep<K>& step)
         const bool switches = !patch.intact && (p.gap_start < 0) != (p.gap < 0);
         double& loss = switches ? sum.closing : sum.loss;
         loss += p.elastic_normal * closing - (normal_end - normal_start);
-        // Rubbed away where friction is more than the spring gives, else lost.
+        // Rubbed away where friction is not what the spring gives, else lost.
         (rubs_beyond_spring(p) ? sum.friction : loss) += p.shear.dot(elastic) - (shear_end - shear_start);
     };
     ContactEnergies sum;

@@ -12,8 +12,7 @@ namespace voussoir::step
 namespace
 {
 
-constexpr double hardly = 0.01;     // of what presses a face: whether so little slides may be rounding
-constexpr double noticeable = 0.1;  // of what a joint turns about its normal: so much stones must twist to matter
+constexpr double hardly = 0.01;        // of what presses a face: whether so little slides may be rounding
 constexpr double least_sliding = 0.1;  // of the speed that friction takes in a step
 // (omega h)^2 of the shear vibration of two stones, between which a step is about a quarter of its period: the
 // joint turns round by its own spring. In shorter steps both are exact, in longer ones the joint is as good as
@@ -128,7 +127,7 @@ void begin_stones(const Model& model, const ContactPatchIn<K::dimension>& found,
     stones.bending.begin(presses ? blend : 1);
     // Where stones twist, one blend for all points: else the couple at the end, by which they are twisted then, is
     // not that of the slips there, and each step begins with another energy than the one before had left.
-    const bool twist = stones.twist.flexibility(0, 0) * stiffness_about_normal > noticeable;
+    const bool twist = stones.twist.flexibility(0, 0) * stiffness_about_normal > contact::noticeable_twist;
     const double of_shear = presses && sliding <= hardly * pressing ? blend : 1;
     if (twist)
         for (PointStep<D>& p : points) p.shear_blend = of_shear;

@@ -77,11 +77,12 @@ double inertia_ratio(const StepProblem<K>& problem)
 }  // namespace
 
 template <class K>
-void accept_step(const Model& model, const Stage& stage, const Work<K>& work, State& state, EnergyLedger& energy,
+void accept_step(const Model& model, const Stage& stage, Work<K>& work, State& state, EnergyLedger& energy,
                  StepReport& report)
 {
     const PartTimer timer(report.seconds, Part::update);
-    const StepProblem<K>& problem = work.problem;
+    StepProblem<K>& problem = work.problem;
+    settle_stones(stage.control.threads, problem.contacts);
     report.time_step = problem.h;
     book_redetection(stage, state, contact::spring_energy(model, work.contacts) - energy.contact, energy);
     update_blocks(problem, state);
@@ -98,7 +99,7 @@ void accept_step(const Model& model, const Stage& stage, const Work<K>& work, St
 }
 
 #define VOUSSOIR_INSTANTIATE(K) \
-    template void accept_step(const Model&, const Stage&, const Work<K>&, State&, EnergyLedger&, StepReport&)
+    template void accept_step(const Model&, const Stage&, Work<K>&, State&, EnergyLedger&, StepReport&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

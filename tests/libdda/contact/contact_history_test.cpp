@@ -167,6 +167,42 @@ TEST(ContactHistory, NewCornersAtTheSameAreaLoseNoShearForce)
     EXPECT_NEAR(force() / before, 1, 0.01) << fewest << " to " << most << " corners";
 }
 
+// The same of the couple of its slips, by which the stones are twisted: they twist twenty times as far as the
+// joint turns here, and would store a part more or less with every corner.
+TEST(ContactHistory, NewCornersLeaveTheCoupleOfTheSlips)
+{
+    BoxOnFloor scene;
+    const auto couple = [&] {
+        Vector3d centre = Vector3d::Zero();
+        double area = 0, sum = 0;
+        for (const ContactPoint& p : scene.state.contacts.points) {
+            centre += p.area * p.position;
+            area += p.area;
+        }
+        centre /= area;
+        for (const ContactPoint& p : scene.state.contacts.points)
+            sum += p.area * (p.position - centre).cross(p.elastic_slip).z();
+        return sum;
+    };
+    const double angle = 0.3, reach = 0.5 * (std::cos(angle) + std::sin(angle));
+    const auto put_to = [&](double beyond) {
+        scene.put({2 - reach + beyond, 0, 1 - 1e-4}, turned(angle, {0, 0, 1}));
+        scene.remember(scene.find());
+    };
+    put_to(-5e-3);
+    for (std::size_t i = 0; i < scene.state.contacts.points.size(); ++i)
+        scene.state.contacts.points[i].elastic_slip = slip_of(i);
+    const double before = couple();
+    std::size_t fewest = 100, most = 0;
+    for (int i = 0; i < 20; ++i) {
+        put_to(i % 2 == 0 ? 5e-3 : -5e-3);
+        fewest = std::min(fewest, scene.state.contacts.points.size());
+        most = std::max(most, scene.state.contacts.points.size());
+    }
+    EXPECT_LT(fewest, most);
+    EXPECT_NEAR(couple() / before, 1, 1e-3) << fewest << " to " << most << " points";
+}
+
 // A box on its edge has the floor as reference. A history in which the box was the reference holds the slip of the
 // floor over the box: the same slip with the other sign.
 TEST(ContactHistory, SlipChangesSignWhenTheBodiesChangePlaces)
