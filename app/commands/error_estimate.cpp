@@ -13,6 +13,7 @@
 #include "app/results/surface_mesh.h"
 #include "app/studies/converge/setting.h"
 #include "app/words/diagnosis_words.h"
+#include "libdda/analysis/ground.h"
 #include "libdda/run/run.h"
 
 namespace voussoir::app::commands
@@ -117,9 +118,14 @@ std::vector<Result> results_of(const Model& model, const RecordedRun& of)
         opening = std::max(opening, joint.opening);
         slip = std::max(slip, joint.slip);
     }
-    const Eigen::Vector3d ground = results::ground_displacement(model, of.state);
-    for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b)
-        moved = std::max(moved, (displacement_of(model, of.state, {b, Eigen::Vector3d::Zero()}) - ground).norm());
+    const std::vector<bool> is_ground = ground_marks(model);
+    for (std::size_t b = 0; b < is_ground.size(); ++b) {
+        if (is_ground[b]) continue;
+        const bool is_judged = of.report.verdict.has_value();  // else nothing can stand: there is no foot
+        moved =
+            std::max(moved, is_judged ? of.report.verdict->blocks[b].displacement
+                                      : displacement_of(model, of.state, {static_cast<int>(b), {0, 0, 0}}).norm());
+    }
     return {{"largest opening of a joint", "m", opening},
             {"largest slip of a joint", "m", slip},
             {"largest displacement at the end", "m", moved},

@@ -69,7 +69,7 @@ std::pair<const char*, const std::vector<drawing::Unit>&> quantity(SnapshotColor
         case SnapshotColor::group:
             break;
     }
-    return {"displacement relative to the ground", drawing::length_units};
+    return {"displacement relative to the foot", drawing::length_units};
 }
 
 }  // namespace

@@ -27,19 +27,33 @@ bool is_hidden(const LookOfRun& look, int block)
     return !look.hidden.empty() && look.hidden[static_cast<std::size_t>(block)];
 }
 
+/// Corners of stones as displacements count from there, seen from the foot [m].
+std::vector<double> places_at_rest(const results::RecordedModel& model, const results::RecordedFrame& frame)
+{
+    const results::SurfaceMesh& mesh = model.mesh;
+    std::vector<double> places = mesh.levers;
+    const bool counts_from_rest = frame.in_motion && !model.rest.state.coordinates.empty();
+    if (counts_from_rest) places = results::positions_of(mesh, model.kinematics, model.rest.state);
+    for (std::size_t v = 0; v < mesh.vertex_block.size(); ++v)
+        Eigen::Map<Vector3d>(places.data() + 3 * v) +=
+            counts_from_rest ? Vector3d(-model.rest.foot) : model.centroids[mesh.vertex_block[v]];
+    return places;
+}
+
 Vertices place_vertices(const results::RecordedModel& model, const results::RecordedFrame& frame,
                         const SceneOptions& options)
 {
     Vertices vertices;
     const results::SurfaceMesh& mesh = model.mesh;
     const std::vector<double> positions = results::positions_of(mesh, model.kinematics, frame.state);
+    const std::vector<double> at_rest = places_at_rest(model, frame);
     std::vector<double> values;
     if (options.color != SnapshotColor::displacement || !options.look.group_names.empty())
         values = stone_values(model, frame, options.color, options.look);
     for (std::size_t v = 0; v < mesh.vertex_block.size(); ++v) {
         const int block = mesh.vertex_block[v];
         const Vector3d actual(positions.data() + 3 * v);
-        const Vector3d reference = model.centroids[block] + Vector3d(mesh.levers.data() + 3 * v);
+        const Vector3d reference(at_rest.data() + 3 * v);
         const Vector3d moved = actual - reference - frame.ground;
         vertices.drawn.push_back(reference + options.deformation_scale * moved);
         vertices.values.push_back(values.empty() ? moved.norm() : values[block]);
@@ -167,7 +181,11 @@ void add_rods(const results::RecordedModel& model, const results::RecordedFrame&
         for (int k = 0; k < 2; ++k) {
             const int block = rod.blocks[k];
             const Pose pose = pose_of(model.kinematics, frame.state, block);
-            const Vector3d reference = model.centroids[block] + rod.anchors[k];
+            Vector3d reference = model.centroids[block] + rod.anchors[k];
+            if (frame.in_motion && !model.rest.state.coordinates.empty()) {
+                const Pose rest = pose_of(model.kinematics, model.rest.state, block);
+                reference = rest.centroid + rest.map * rod.anchors[k] - model.rest.foot;
+            }
             const Vector3d moved = pose.centroid + pose.map * rod.anchors[k] - reference - frame.ground;
             ends[k] = reference + options.deformation_scale * moved;
             hidden = hidden || is_hidden(options.look, block);

@@ -11,6 +11,7 @@
 #include "app/report/curves.h"
 #include "app/report/mechanism_words.h"
 #include "app/report/pages.h"
+#include "app/report/point_history.h"
 #include "app/report/sections.h"
 #include "app/words/lines.h"
 
@@ -81,8 +82,8 @@ Section pictures_of(const Both& both, const fs::path& folder)
     attempt(section, "There are no pictures", [&] {
         for (const fs::path& picture : render::render_snapshots(both.a.file, folder, options, &both.beside)) {
             const std::string name = picture.stem().string();
-            section.pictures.push_back({picture, "Displacement relative to the ground, " +
-                                                     name.substr(std::min(name.find("t="), name.size())) +
+            section.pictures.push_back({picture, "Displacement " + results::counted_from(both.a.results.model) +
+                                                     ", " + name.substr(std::min(name.find("t="), name.size())) +
                                                      ", A on the left, B on the right, one scale for both."});
         }
     });
@@ -119,7 +120,7 @@ NamedFigure courses_of(const RunRecord& a, const RunRecord& b)
     add("joint opening [mm]", &Course::opening, 1e-3);
     add("joint slip [mm]", &Course::slip, 1e-3);
     return {figure_of("courses", "The largest of each at every moment", diagrams), "Histories",
-            "The largest displacement relative to the ground, opening and slip at every stored moment."};
+            "The largest displacement (since the motion began), opening and slip at every stored moment."};
 }
 
 /// Histories of the points that both have, up to six of them.
@@ -128,17 +129,17 @@ NamedFigure histories_of(const RunRecord& a, const RunRecord& b)
     std::vector<plots::Diagram> diagrams;
     for (const std::string& name : a.histories.names) {
         const bool moves = name.find(" ux") != std::string::npos || name.find(" uz") != std::string::npos;
-        if (!moves || name.rfind("ground", 0) == 0 || diagrams.size() == 6) continue;
+        if (!moves || is_of_foot(name) || diagrams.size() == 6) continue;
         if (std::find(b.histories.names.begin(), b.histories.names.end(), name) == b.histories.names.end())
             continue;
         const auto curve = [&](const char* label, const RunRecord& record) {
-            return thinned(label, record.histories.column(record.histories.names.front()),
-                           record.histories.column(name), 1e-3);
+            const PointHistory history = point_history(record, name);
+            return thinned(label, history.times, history.moved, 1e-3);
         };
         diagrams.push_back(over_time(name.substr(0, name.find(" [")) + " [mm]", {curve("A", a), curve("B", b)}));
     }
     return {figure_of("histories", "Displacements of the chosen points", diagrams), "Histories",
-            "Displacements of the points that both have, with the ground's."};
+            "Displacements of the points that both have, " + results::counted_from(a.results.model) + "."};
 }
 
 std::vector<NamedFigure> figures_of(const RunRecord& a, const RunRecord& b)

@@ -161,7 +161,7 @@ Section key_figures_compared(const RunRecord& a, const RunRecord& b)
         table.rows.push_back(compared(quantity, of(a), of(b)));
     };
     add("time computed [s]", [](const RunRecord& r) { return r.end.reached; });
-    add("displacement relative to the ground [mm]",
+    add("largest displacement since the motion began [mm]",
         [](const RunRecord& r) { return 1e3 * largest(r.course.displacement); });
     add("displacement at the end [mm]", [](const RunRecord& r) {
         return 1e3 * largest_of_blocks(r, [](const BlockCourse& block) { return block.residual; });

@@ -30,14 +30,17 @@ void find_highest(const results::RecordedModel& model, const std::vector<bool>& 
     }
 }
 
-void note_joints(const results::RecordedModel& model, const results::RecordedFrame& frame, Course& course)
+/// @param counts: joints that open as the structure comes to rest are no damage
+void note_joints(const results::RecordedModel& model, const results::RecordedFrame& frame, bool counts,
+                 Course& course)
 {
     double opening = 0, slip = 0;
     for (std::size_t i = 0; i < frame.joints.size(); ++i) {
         const JointNow& joint = frame.joints[i];
+        course.joint_normal_force[i].see(joint.normal_force, frame.time);
+        if (!counts) continue;
         course.joint_opening[i].see(joint.motion.opening, frame.time);
         course.joint_slip[i].see(joint.motion.largest_slip, frame.time);
-        course.joint_normal_force[i].see(joint.normal_force, frame.time);
         opening = std::max(opening, joint.motion.opening);
         slip = std::max(slip, joint.motion.largest_slip);
         for (const int block : {model.joints[i].block_a, model.joints[i].block_b}) {
@@ -87,12 +90,8 @@ std::vector<bool> foundation_marks(const results::RecordedModel& model)
 {
     std::vector<bool> marks(model.block_names.size(), false);
     for (const std::int32_t block : model.foundations) marks.at(static_cast<std::size_t>(block)) = true;
+    for (const std::int32_t block : model.soil) marks.at(static_cast<std::size_t>(block)) = true;
     return marks;
-}
-
-Vector3d moved(const results::RecordedModel& model, const results::RecordedFrame& frame, int block)
-{
-    return pose_of(model.kinematics, frame.state, block).centroid - model.centroids[block] - frame.ground;
 }
 
 Course course_of(const results::ResultsReader& results)
@@ -105,19 +104,27 @@ Course course_of(const results::ResultsReader& results)
     course.joint_slip.resize(model.joints.size());
     course.joint_normal_force.resize(model.joints.size());
     find_highest(model, foundation, course);
+    const bool moves =
+        std::find(model.stage_moves.begin(), model.stage_moves.end(), true) != model.stage_moves.end();
     for (std::size_t i = 0; i < results.times.size(); ++i) {
         const results::RecordedFrame frame = results.frame(i);
         course.times.push_back(frame.time);
+        const bool counts = frame.in_motion || !moves;  // what settles under self-weight before is no damage
         double largest = 0;
         for (std::size_t b = 0; b < course.blocks.size(); ++b) {
             if (foundation[b]) continue;
-            course.blocks[b].residual = moved(model, frame, static_cast<int>(b)).norm();
-            course.blocks[b].displacement.see(course.blocks[b].residual, frame.time);
-            largest = std::max(largest, course.blocks[b].residual);
+            BlockCourse& block = course.blocks[b];
+            block.residual = moved(model, frame, static_cast<int>(b)).norm();
+            largest = std::max(largest, block.residual);
+            if (counts)
+                block.displacement.see(block.residual, frame.time);
+            else
+                block.settlement = block.residual;
         }
-        course.displacement.push_back(largest);
-        course.drift.push_back(course.highest < 0 ? Vector3d::Zero().eval() : moved(model, frame, course.highest));
-        note_joints(model, frame, course);
+        course.displacement.push_back(counts ? largest : 0);
+        course.drift.push_back(counts && course.highest >= 0 ? moved(model, frame, course.highest)
+                                                             : Vector3d::Zero().eval());
+        note_joints(model, frame, counts, course);
         note_contacts(frame, foundation, i == 0, course);
         note_stresses(frame, course);
     }

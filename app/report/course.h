@@ -20,7 +20,8 @@ struct Peak {
 };
 
 struct BlockCourse {
-    Peak displacement;         // m, of the centroid relative to the ground
+    double settlement = 0;     // m, of the centroid relative to the foot, until the first motion began
+    Peak displacement;         // m, since then
     double residual = 0;       // m, at the end
     Peak opening, slip;        // m, of its joints
     Peak compression;          // Pa, largest compressive principal stress; deformable scenes
@@ -32,7 +33,7 @@ struct Course {
     std::vector<double> times;                        // s, of the frames
     std::vector<double> displacement, opening, slip;  // m, the largest in each frame
     std::vector<Eigen::Vector3d> base_force;          // N, of the foundations on the structure
-    std::vector<Eigen::Vector3d> drift;               // m, of the highest stone relative to the ground
+    std::vector<Eigen::Vector3d> drift;               // m, of the highest stone relative to the foot
     std::vector<BlockCourse> blocks;
     std::vector<Peak> joint_opening, joint_slip, joint_normal_force;  // m, m, N; of the model's joints
     int highest = -1;   // the stone whose drift it is; -1: there are foundations alone
@@ -42,10 +43,7 @@ struct Course {
 /// @param results with at least one frame
 Course course_of(const results::ResultsReader& results);
 
-/// For each block whether it follows the ground.
+/// For each block whether it is ground: a foundation, or the soil below.
 std::vector<bool> foundation_marks(const results::RecordedModel& model);
-
-/// How far a block's centroid has moved relative to the ground [m].
-Eigen::Vector3d moved(const results::RecordedModel& model, const results::RecordedFrame& frame, int block);
 
 }  // namespace voussoir::app::report

@@ -4,6 +4,7 @@
 
 #include "app/report/curves.h"
 #include "app/report/energy_table.h"
+#include "app/report/point_history.h"
 #include "records/measures/response_spectrum.h"
 
 namespace voussoir::app::report
@@ -15,12 +16,6 @@ using plots::Curve;
 using plots::Diagram;
 
 /// a - b, or a alone where there is no b.
-std::vector<double> minus(std::vector<double> a, const std::vector<double>& b)
-{
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) a[i] -= b[i];
-    return a;
-}
-
 std::string component_of(const results::RecordedMotion& motion)
 {
     const std::string follower = motion.followers.empty() ? "?" : motion.followers.front();
@@ -60,41 +55,38 @@ void add_motion(const RunRecord& record, std::vector<NamedFigure>& figures)
 void add_histories(const RunRecord& record, std::vector<NamedFigure>& figures)
 {
     if (record.histories.names.empty() || record.histories.rows() < 2) return;
-    const std::vector<double> times = record.histories.column(record.histories.names.front());
     std::vector<Diagram> diagrams;
     for (const char* component : {"ux", "uy", "uz"}) {
         std::vector<Curve> curves;
-        const std::string ground = std::string("ground ") + component;
-        std::vector<double> ground_moved;
-        for (const std::string& name : record.histories.names)
-            if (name.rfind(ground, 0) == 0) ground_moved = record.histories.column(name);
         for (const std::string& name : record.histories.names) {
             const std::size_t at = name.find(std::string(" ") + component);
-            if (at == std::string::npos || curves.size() == 8 || name.rfind(ground, 0) == 0) continue;
-            const std::vector<double> moved = minus(record.histories.column(name), ground_moved);
-            curves.push_back(thinned(name.substr(0, at), times, moved, 1e-3));
+            if (at == std::string::npos || curves.size() == 8 || is_of_foot(name)) continue;
+            const PointHistory history = point_history(record, name);
+            curves.push_back(thinned(name.substr(0, at), history.times, history.moved, 1e-3));
         }
         if (!curves.empty()) diagrams.push_back(over_time(std::string(component) + " [mm]", curves));
     }
     if (diagrams.empty()) return;
     figures.push_back(
-        {figure_of("histories", "Displacements of the chosen points, relative to the ground", diagrams),
-         "Histories", "Displacements since the start, relative to the ground."});
+        {figure_of("histories",
+                   "Displacements of the chosen points, " + results::counted_from(record.results.model), diagrams),
+         "Histories", "Displacements " + results::counted_from(record.results.model) + "."});
 }
 
 void add_course(const RunRecord& record, std::vector<NamedFigure>& figures)
 {
     const Course& course = record.course;
     if (course.times.size() < 2 || !(course.times.back() > course.times.front())) return;
-    figures.push_back(
-        {figure_of(
-             "course", "The largest of each at every moment",
-             {over_time("displacement [mm]", {thinned("displacement", course.times, course.displacement, 1e-3)}),
-              over_time("joints [mm]", {thinned("opening", course.times, course.opening, 1e-3),
-                                        thinned("slip", course.times, course.slip, 1e-3)})}),
-         "Histories",
-         "The largest displacement relative to the ground, opening and slip at every stored moment. Openings are "
-         "measured across the joint as it has turned: when a stone tumbles, that of its joint may fall again."});
+    figures.push_back({figure_of("course", "The largest of each at every moment",
+                                 {over_time("displacement [mm]",
+                                            {thinned("displacement", course.times, course.displacement, 1e-3)}),
+                                  over_time("joints [mm]", {thinned("opening", course.times, course.opening, 1e-3),
+                                                            thinned("slip", course.times, course.slip, 1e-3)})}),
+                       "Histories",
+                       "The largest displacement (" + results::counted_from(record.results.model) +
+                           "), opening and slip at every stored moment. Openings are "
+                           "measured across the joint as it has turned: when a stone tumbles, that of its joint "
+                           "may fall again."});
     Diagram shear;
     shear.x_title = "drift of the highest stone [mm]";
     shear.y_title = "base shear [kN]";

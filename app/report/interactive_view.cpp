@@ -96,6 +96,7 @@ void put_model(const RunRecord& record, const results::RecordedModel& model, con
 {
     const std::vector<bool> marks = foundation_marks(model);
     data["names"] = model.block_names;
+    data["counted_from"] = results::counted_from(model);
     data["groups"] = record.groups;
     data["group_of"] = packed(std::vector<std::uint32_t>(record.block_group.begin(), record.block_group.end()));
     data["foundation"] = packed(std::vector<std::uint32_t>(marks.begin(), marks.end()));

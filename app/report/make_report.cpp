@@ -39,10 +39,14 @@ Section pictures_of(const RunRecord& record, const fs::path& folder)
     options.deformation_scale = visible_magnification(record);
     options.times = {record.course.times.front(), record.mechanism.time, record.course.times.back()};
     attempt(section, "There are no pictures", [&] {
-        for (const fs::path& picture : render::render_snapshots(record.file, folder, options)) {
+        const std::vector<fs::path> pictures = render::render_snapshots(record.file, folder, options);
+        for (const fs::path& picture : pictures) {
             const std::string name = picture.stem().string();
             section.pictures.push_back(
-                {picture, "Displacement relative to the ground, t = " + time_in(name) + "."});
+                {picture, "Displacement " +
+                              (&picture == &pictures.front() ? "since the start"
+                                                             : results::counted_from(record.results.model)) +
+                              ", t = " + time_in(name) + "."});
         }
     });
     if (!is_deformable(record.results.model.kinematics)) return section;

@@ -145,9 +145,8 @@ std::vector<Body> bodies_in(const results::RecordedModel& model, const results::
         body.blocks.push_back(block);
         body.displacement = std::max(body.displacement, moved(model, frame, block).norm());
         body.last_displacement = std::max(body.last_displacement, moved(model, end, block).norm());
-        body.turn = std::max(body.turn, angle_of(turn_of(pose_of(model.kinematics, frame.state, block).map)));
-        body.last_turn =
-            std::max(body.last_turn, angle_of(turn_of(pose_of(model.kinematics, end.state, block).map)));
+        body.turn = std::max(body.turn, angle_of(turn_of(map_since(model, frame, block))));
+        body.last_turn = std::max(body.last_turn, angle_of(turn_of(map_since(model, end, block))));
     }
     const auto larger = [](const auto& a, const auto& b) {
         return a.second.blocks.size() < b.second.blocks.size();

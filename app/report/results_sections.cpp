@@ -154,7 +154,7 @@ Table groups_table(const RunRecord& record)
 Table stones_table(const RunRecord& record)
 {
     Table table{"stones",
-                "Stones, those first that moved furthest (relative to the ground)",
+                "Stones, those first that moved furthest (" + results::counted_from(record.results.model) + ")",
                 {"stone", "displacement [mm]", "at [s]", "at the end [mm]", "joint opening [mm]",
                  "joint slip [mm]", "compression [MPa]"},
                 {}};
@@ -270,10 +270,15 @@ Section key_results(const RunRecord& record)
     const std::size_t stays = place_of_largest(course.blocks, [](const BlockCourse& b) { return b.residual; });
     if (!course.blocks.empty()) {
         const Peak& peak = course.blocks[moved].displacement;
-        table.rows.push_back({"largest displacement relative to the ground", at(peak, length_in_words(peak.value)),
-                              model.block_names[moved]});
+        table.rows.push_back({"largest displacement " + results::counted_from(model),
+                              at(peak, length_in_words(peak.value)), model.block_names[moved]});
         table.rows.push_back({"largest displacement at the end", length_in_words(course.blocks[stays].residual),
                               model.block_names[stays]});
+        const std::size_t settled =
+            place_of_largest(course.blocks, [](const BlockCourse& b) { return b.settlement; });
+        if (course.blocks[settled].settlement > 0)
+            table.rows.push_back({"settlement at rest, before the motion",
+                                  length_in_words(course.blocks[settled].settlement), model.block_names[settled]});
     }
     if (course.highest >= 0 && course.height > 0) {
         Peak drift;

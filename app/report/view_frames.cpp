@@ -98,8 +98,7 @@ void add_frame(const results::RecordedModel& model, const results::RecordedFrame
     const bool deformable = is_deformable(model.kinematics);
     for (std::size_t b = 0; b < model.block_names.size(); ++b) {
         add_vector(moved(model, frame, static_cast<int>(b)), frames.moves);
-        add_vector(turn_of(pose_of(model.kinematics, frame.state, static_cast<int>(b)).map, deformable),
-                   frames.moves);
+        add_vector(turn_of(map_since(model, frame, static_cast<int>(b)), deformable), frames.moves);
     }
     const auto of_stones = stone_quantities(model.kinematics);
     if (frames.joints.empty()) {

@@ -42,16 +42,23 @@ std::vector<double> values_of(const Columns& columns)
     return values;
 }
 
-/// |displacement of the block's centroid - that of the ground| for each face [m].
-std::vector<float> face_displacements(const Model& model, const SurfaceMesh& mesh, const State& state,
-                                      const Vector3d& ground)
+/// |displacement of the block's centroid - that of the foot| for each face [m], since the first motion began;
+/// before, since the start.
+std::vector<float> face_displacements(const Model& model, const SurfaceMesh& mesh, const Rest& rest,
+                                      const State& state)
 {
-    std::vector<float> values;
-    for (const int block : mesh.face_block) {
+    State from;
+    if (rest.is_over) from.coordinates = rest.coordinates;
+    if (from.coordinates.empty()) from = initial_state(model);
+    const Vector3d foot = rest.foot.displacement(model, state) - rest.foot.displacement(model, from);
+    std::vector<float> of_blocks;
+    for (int block = 0; block < static_cast<int>(model.blocks.size()); ++block) {
         const Vector3d moved =
-            pose_of(model.kinematics, state, block).centroid - model.blocks[block].moments.centroid;
-        values.push_back(static_cast<float>((moved - ground).norm()));
+            pose_of(model.kinematics, state, block).centroid - pose_of(model.kinematics, from, block).centroid;
+        of_blocks.push_back(static_cast<float>((moved - foot).norm()));
     }
+    std::vector<float> values;
+    for (const int block : mesh.face_block) values.push_back(of_blocks[block]);
     return values;
 }
 
@@ -160,9 +167,10 @@ std::vector<GrowingDataset> frame_datasets(const Model& model, const SurfaceMesh
 }
 
 std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const std::vector<WatchedJoint>& joints,
-                             const State& state, const RunReport& report, std::int64_t& first_contact)
+                             const Rest& rest, const State& state, const RunReport& report,
+                             std::int64_t& first_contact)
 {
-    const Vector3d ground = ground_displacement(model, state);
+    const Vector3d ground = rest.foot.displacement(model, state);
     const std::vector<double> places = positions_of(mesh, model.kinematics, state);
     std::vector<Rows> rows = {{"/frames/time", std::vector<double>{state.time}},
                               {"/frames/step", std::vector<std::int64_t>{state.step}},
@@ -171,7 +179,7 @@ std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const 
                               {"/frames/velocities", state.velocities},
                               {"/frames/ground_displacement", stored_vector(ground, model.kinematics)},
                               {"/frames/positions", std::vector<float>(places.begin(), places.end())},
-                              {"/frames/face_displacement", face_displacements(model, mesh, state, ground)},
+                              {"/frames/face_displacement", face_displacements(model, mesh, rest, state)},
                               {"/frames/energy", values_of(energy_terms(report.energy))},
                               {"/frames/report", values_of(report_columns(report))}};
     if (is_deformable(model.kinematics)) add_stress_rows(model, mesh, state, rows);

@@ -9,6 +9,7 @@
 #include "app/results/counts.h"
 #include "app/results/joint_rows.h"
 #include "app/results/model_records.h"
+#include "libdda/analysis/ground.h"
 #include "libdda/errors.h"
 
 namespace voussoir::app::results
@@ -102,6 +103,20 @@ void write_point_indices(std::size_t joints, Hdf5File& file)
     file.write("/frames/contacts/indices", indices);
 }
 
+/// Only of a structure on soil.
+void write_soil(const Model& model, const std::vector<WatchedJoint>& joints, Hdf5File& file)
+{
+    const Foot foot(model, joints);
+    if (!foot.is_on_soil()) return;
+    std::vector<std::int32_t> soil;
+    const std::vector<bool> is_ground = ground_marks(model);
+    for (std::size_t b = 0; b < is_ground.size(); ++b)
+        if (is_ground[b]) soil.push_back(static_cast<std::int32_t>(b));
+    file.make_group("/model/soil");
+    file.write("/model/soil/block", soil);
+    file.write("/model/soil/foot", std::vector<std::int32_t>(foot.blocks().begin(), foot.blocks().end()));
+}
+
 }  // namespace
 
 std::int64_t contact_rows_in(const std::filesystem::path& path, std::int64_t frames)
@@ -120,6 +135,7 @@ GrowingFile::GrowingFile(const std::filesystem::path& path, const Case& the_case
 {
     write_model_records(the_case, mesh, file_);
     write_joints(the_case.model, joints, file_);
+    write_soil(the_case.model, joints, file_);
     for (const GrowingDataset& dataset : datasets) {
         const std::string group = dataset.name.substr(0, dataset.name.rfind('/'));
         if (!file_.has(group)) file_.make_group(group);

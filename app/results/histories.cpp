@@ -59,7 +59,8 @@ MaterialPoint material_point(const Model& model, const HistoryPoint& history)
     return {block, *history.point - model.origin - model.blocks[block].moments.centroid};
 }
 
-Histories::Histories(const Case& the_case) : model_(the_case.model)
+Histories::Histories(const Case& the_case, Foot foot)
+    : model_(the_case.model), foot_(std::move(foot)), has_foot_(!model_.foundations.empty() || foot_.is_on_soil())
 {
     const OutputOptions& output = the_case.output;
     if (output.histories.empty() && output.bar_histories.empty()) return;
@@ -78,7 +79,7 @@ Histories::Histories(const Case& the_case) : model_(the_case.model)
         columns.push_back(name + " shear [N]");
         columns.push_back(name + " elongation [m]");
     }
-    if (!model_.foundations.empty()) {
+    if (has_foot_) {
         for (const std::string& axis : axes) columns.push_back(fmt::format("ground u{} [m]", axis));
     }
 }
@@ -107,8 +108,7 @@ void Histories::line(const State& state)
         for (const int bar : bars_)
             pending_.insert(pending_.end(), {bars[bar].axial, bars[bar].shear, bars[bar].elongation});
     }
-    if (!model_.foundations.empty())
-        append_vector(pending_, ground_displacement(model_, state), model_.kinematics);
+    if (has_foot_) append_vector(pending_, foot_.displacement(model_, state), model_.kinematics);
 }
 
 std::vector<double> Histories::take()

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "libdda/analysis/ground.h"
 #include "libdda/analysis/material_point.h"
 #include "libdda/model/state.h"
 
@@ -16,13 +17,14 @@ namespace voussoir::app::results
 /// @throws InputError when it names an unknown block
 MaterialPoint material_point(const Model& model, const HistoryPoint& history);
 
-/// Displacement and velocity of every history point, and the ground's displacement if there are foundations.
+/// Displacement and velocity of every history point, and the displacement of the foot of the structure if it has
+/// foundations or stands on soil.
 /// Lines are held in memory until flush(), of those that were taken. Without history points nothing is created.
 class Histories
 {
  public:
     /// @throws InputError when a point names an unknown block
-    explicit Histories(const Case& the_case);
+    Histories(const Case& the_case, Foot foot);
 
     /// Makes the file with the lines that an earlier run wrote (rows x columns.size()), all or none of them.
     /// @throws InputError when it cannot be written
@@ -39,6 +41,8 @@ class Histories
 
  private:
     const Model& model_;
+    Foot foot_;
+    bool has_foot_;
     std::filesystem::path path_;
     std::vector<MaterialPoint> points_;
     std::vector<int> bars_;  // indices into Model::bars

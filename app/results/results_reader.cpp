@@ -13,6 +13,7 @@ namespace voussoir::app::results
 {
 
 using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
 namespace
 {
@@ -44,7 +45,9 @@ void read_stages(const Hdf5File& file, const std::string& place, RecordedModel& 
     try {
         for (const auto& stage : nlohmann::json::parse(file.read_text("/case/settings"))) {
             model.stage_names.push_back(stage.at("name").get<std::string>());
-            model.stage_is_dynamic.push_back(stage.at("type") == name_of(StageType::dynamic));
+            const bool is_dynamic = stage.at("type") == name_of(StageType::dynamic);
+            model.stage_is_dynamic.push_back(is_dynamic);
+            model.stage_moves.push_back(stage.value("moves", is_dynamic));
         }
     } catch (const nlohmann::json::exception&) {
         throw InputError(place, "settings that are no list of stages", "the file is damaged: run the case again");
@@ -149,6 +152,10 @@ RecordedModel read_model(const Hdf5File& file, const std::string& place)
     for (std::size_t b = 0; b < model.block_names.size(); ++b)
         model.centroids.push_back(vector_at(centroids, b, model.kinematics));
     if (file.has("/model/foundations")) model.foundations = file.read<std::int32_t>("/model/foundations/block");
+    if (file.has("/model/soil")) {
+        model.soil = file.read<std::int32_t>("/model/soil/block");
+        model.foot = file.read<std::int32_t>("/model/soil/foot");
+    }
     model.mesh = read_mesh(file);
     model.mesh.dimension = dimension_of(model.kinematics);
     model.joints = read_joints(file, model.kinematics, place);
@@ -160,7 +167,37 @@ RecordedModel read_model(const Hdf5File& file, const std::string& place)
     return model;
 }
 
+/// A joint that has come closer, or slid back, since is neither open nor has it slid.
+void count_from(const JointMotion& rest, JointMotion& now)
+{
+    now.opening = std::max(0.0, now.opening - rest.opening);
+    now.mean_opening -= rest.mean_opening;  // negative where it is pressed
+    now.slip = std::max(0.0, now.slip - rest.slip);
+    now.largest_slip = std::max(0.0, now.largest_slip - rest.largest_slip);
+}
+
 }  // namespace
+
+Vector3d moved(const RecordedModel& model, const RecordedFrame& frame, int block)
+{
+    const Vector3d now = pose_of(model.kinematics, frame.state, block).centroid - frame.ground;
+    if (!frame.in_motion || model.rest.state.coordinates.empty()) return now - model.centroids[block];
+    return now - (pose_of(model.kinematics, model.rest.state, block).centroid - model.rest.foot);
+}
+
+Matrix3d map_since(const RecordedModel& model, const RecordedFrame& frame, int block)
+{
+    const Matrix3d now = pose_of(model.kinematics, frame.state, block).map;
+    if (!frame.in_motion || model.rest.state.coordinates.empty()) return now;
+    return now * pose_of(model.kinematics, model.rest.state, block).map.inverse();
+}
+
+std::string counted_from(const RecordedModel& model)
+{
+    const char* since = model.rest.state.coordinates.empty() ? "since the start" : "since the motion began";
+    if (!model.foot.empty()) return std::string(since) + ", relative to the stones that stand on the soil";
+    return std::string(since) + (model.foundations.empty() ? "" : ", relative to the supports");
+}
 
 ResultsReader::ResultsReader(const std::filesystem::path& path)
     : file_(Hdf5File::open(path)), place_(path.string())
@@ -174,6 +211,17 @@ ResultsReader::ResultsReader(const std::filesystem::path& path)
     if (count < 0) throw InputError(place_, std::to_string(count) + " frames", "the file is damaged");
     times = rows<double>("/frames/time", 0, count, 1);
     stages = rows<std::int32_t>("/frames/stage", 0, count, 1);
+    const auto first = std::find_if(stages.begin(), stages.end(), [&](int stage) { return has_moved(stage); });
+    if (first == stages.begin()) return;
+    const RecordedFrame last = frame(static_cast<std::size_t>(first - stages.begin()) - 1);
+    model.rest = {last.state, last.ground, last.joints};
+}
+
+bool ResultsReader::has_moved(int stage) const
+{
+    const std::vector<bool>& moves = model.stage_moves;
+    const auto first = std::find(moves.begin(), moves.end(), true) - moves.begin();
+    return first <= stage && first < static_cast<std::ptrdiff_t>(moves.size());
 }
 
 template <typename T>
@@ -202,6 +250,7 @@ RecordedFrame ResultsReader::frame(std::size_t index) const
     frame.time = one<double>("/frames/time", index);
     frame.step = one<std::int64_t>("/frames/step", index);
     frame.stage = one<std::int32_t>("/frames/stage", index);
+    frame.in_motion = has_moved(frame.stage);
     frame.state.time = frame.time;
     frame.state.step = frame.step;
     frame.state.stage = frame.stage;
@@ -212,6 +261,9 @@ RecordedFrame ResultsReader::frame(std::size_t index) const
     frame.ground = vector_at(rows<double>("/frames/ground_displacement", row, 1, dimension), 0, model.kinematics);
     if (is_deformable(model.kinematics)) frame.stresses = stresses(index);
     frame.joints = joints(index);
+    if (frame.in_motion)
+        for (std::size_t i = 0; i < model.rest.joints.size(); ++i)
+            count_from(model.rest.joints[i].motion, frame.joints[i].motion);
     frame.contacts = contacts(index);
     check_recorded(frame, model, place_);
     return frame;

@@ -21,19 +21,29 @@ struct RecordedRod {
     std::array<Eigen::Vector3d, 2> anchors;  // m, in space, from the centroids at the start
 };
 
+/// What displacements count from: the last frame before the first motion.
+struct RecordedRest {
+    State state;  // places only; empty: there was no such frame, and they count from the start
+    Eigen::Vector3d foot = Eigen::Vector3d::Zero();  // m, displacement since the start
+    std::vector<JointNow> joints;                    // those of the model
+};
+
 /// What is constant in a results file.
 struct RecordedModel {
     std::string title, version;
     Kinematics kinematics = Kinematics::spatial_deformable;
     double thickness = 0;  // m, of a planar scene
     std::vector<std::string> block_names, stage_names;
-    std::vector<bool> stage_is_dynamic;
-    std::vector<Eigen::Vector3d> centroids;  // m, in space, at the start
-    std::vector<std::int32_t> foundations;   // blocks that follow the ground
+    std::vector<bool> stage_is_dynamic, stage_moves;  // the latter: it moves the structure (Stage::moves)
+    std::vector<Eigen::Vector3d> centroids;           // m, in space, at the start
+    std::vector<std::int32_t> foundations;            // blocks that follow the ground
+    std::vector<std::int32_t> soil;                   // blocks of the ground, of a structure that stands on soil
+    std::vector<std::int32_t> foot;  // stones on soil, relative to whose mean displacements count; else empty
     SurfaceMesh mesh;
     std::vector<WatchedJoint> joints;  // of the start, without their patches
     std::vector<JointBound> bounds;    // (joints)
     std::vector<RecordedRod> rods;
+    RecordedRest rest;
 };
 
 /// What one frame holds, vectors and tensors in space.
@@ -42,11 +52,22 @@ struct RecordedFrame {
     std::int64_t step = 0;
     int stage = 0;
     State state;                                       // places and velocities only; no contacts
-    Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement
-    std::vector<Eigen::Matrix3d> stresses;             // (blocks) Pa; empty if rigid
-    std::vector<JointNow> joints;                      // those of the model
-    std::vector<JointResultant> contacts;              // of all pairs of blocks
+    Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement of the foot since the start
+    bool in_motion = false;                 // the first motion has begun: displacements count from there
+    std::vector<Eigen::Matrix3d> stresses;  // (blocks) Pa; empty if rigid
+    std::vector<JointNow> joints;           // of the model; openings and slips since the motion began
+    std::vector<JointResultant> contacts;   // of all pairs of blocks
 };
+
+/// How far a block's centroid has moved relative to the foot of the structure [m]: since the first motion began;
+/// in frames before, since the start.
+Eigen::Vector3d moved(const RecordedModel& model, const RecordedFrame& frame, int block);
+
+/// What a block has turned and strained since then: its map, as of Pose.
+Eigen::Matrix3d map_since(const RecordedModel& model, const RecordedFrame& frame, int block);
+
+/// "since the motion began, relative to the supports": what moved() counts from, in words.
+std::string counted_from(const RecordedModel& model);
 
 class ResultsReader
 {
@@ -68,6 +89,7 @@ class ResultsReader
                         std::size_t columns) const;
     template <typename T>
     T one(const std::string& name, std::size_t row) const;
+    bool has_moved(int stage) const;  // in it or before
     std::vector<Eigen::Matrix3d> stresses(std::size_t frame) const;
     std::vector<JointResultant> contacts(std::size_t frame) const;
     std::vector<JointNow> joints(std::size_t frame) const;

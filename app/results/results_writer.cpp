@@ -86,7 +86,8 @@ struct ResultsWriter::Implementation {
           folder(a_folder),
           mesh(surface_mesh_of(a_case.model)),
           joints(joints_at_start(a_case.model, initial_state(a_case.model))),
-          histories(a_case)
+          rest{.foot = {a_case.model, joints}, .coordinates = {}},
+          histories(a_case, rest.foot)
     {
         std::optional<CopiedRows> begin_with;
         if (from)
@@ -119,11 +120,25 @@ struct ResultsWriter::Implementation {
     {
         restart.history_rows = from.history_rows;
         restart.remarks = from.remarks;
+        rest.is_over = !from.position.reference.empty();
+        rest.coordinates = rest.is_over ? from.position.reference : from.state.coordinates;
+        if (rest.is_over) count_from(the_case.model, rest.coordinates, joints);
         restart.trust = from.trust;
         contact_rows = contact_rows_in(results(), from.position.frames);
         if (!histories.columns.empty())
             lines = Hdf5File::open(results()).read_rows<double>("/histories/values", 0,
                                                                 static_cast<std::uint64_t>(from.history_rows));
+    }
+
+    /// The last frame before the first motion is what displacements count from.
+    void see_rest(const State& state)
+    {
+        const auto stage = static_cast<std::size_t>(state.stage);
+        const bool was_over = rest.is_over;
+        rest.is_over = was_over || (stage < the_case.stages.size() && the_case.stages[stage].moves());
+        if (!rest.is_over) rest.coordinates = state.coordinates;
+        if (rest.is_over && !was_over && !rest.coordinates.empty())
+            count_from(the_case.model, rest.coordinates, joints);
     }
 
     /// The lines of histories since the last call wait for the next store().
@@ -146,6 +161,7 @@ struct ResultsWriter::Implementation {
     fs::path folder;
     SurfaceMesh mesh;
     std::vector<WatchedJoint> joints;  // of the start
+    Rest rest;
     Histories histories;
     std::optional<TwinFiles> twins;
     std::int64_t contact_rows = 0;  // in the tables of contacts
@@ -175,7 +191,9 @@ void ResultsWriter::add_frame(const State& state, const RunReport& report)
 {
     Implementation& the = *implementation_;
     the.add_histories();
-    the.twins->add(frame_rows(the.the_case.model, the.mesh, the.joints, state, report, the.contact_rows));
+    the.see_rest(state);
+    the.twins->add(
+        frame_rows(the.the_case.model, the.mesh, the.joints, the.rest, state, report, the.contact_rows));
 }
 
 bool ResultsWriter::is_full() const
@@ -217,6 +235,7 @@ std::vector<JointPeaks> ResultsWriter::finish(const State& state, const RunRepor
     Implementation& the = *implementation_;
     the.add_histories();
     the.histories.flush();
+    the.see_rest(state);
     RunReport last = report;
     if (last.joints.size() != the.joints.size()) last.joints = no_peaks(the.joints);
     note_joints(the.the_case.model, the.joints, state, last);

@@ -111,6 +111,7 @@ Json to_json(const Stage& stage, Kinematics kinematics)
 {
     Json json = {{"name", stage.name},
                  {"type", name_of(stage.type)},
+                 {"moves", stage.moves()},
                  {"gravity_m_s2", stored_vector(stage.gravity, kinematics)},
                  {"damping_rate_1_s", stage.damping.rate},
                  {"damping_factor_per_step", stage.damping.factor_per_step}};

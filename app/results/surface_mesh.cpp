@@ -92,19 +92,4 @@ std::vector<double> positions_of(const SurfaceMesh& mesh, Kinematics kinematics,
     return positions;
 }
 
-Vector3d ground_displacement(const Model& model, const State& state)
-{
-    Vector3d sum = Vector3d::Zero(), count = Vector3d::Zero();
-    for (const Foundation& foundation : model.foundations) {
-        const Vector3d moved = pose_of(model.kinematics, state, foundation.block).centroid -
-                               model.blocks[foundation.block].moments.centroid;
-        for (const int axis : axes_of(model.kinematics)) {
-            if (!foundation.translation_held[axis]) continue;
-            sum[axis] += moved[axis];
-            count[axis] += 1;
-        }
-    }
-    return sum.cwiseQuotient(count.cwiseMax(1));
-}
-
 }  // namespace voussoir::app::results

@@ -29,8 +29,4 @@ SurfaceMesh surface_mesh_of(const Model& model);
 /// model's origin
 std::vector<double> positions_of(const SurfaceMesh& mesh, Kinematics kinematics, const State& state);
 
-/// How far the ground has moved: along each axis the mean over the foundation blocks held along it; 0 with none.
-/// Where all foundations follow one motion, it is that motion's displacement. @returns (3) m
-Eigen::Vector3d ground_displacement(const Model& model, const State& state);
-
 }  // namespace voussoir::app::results

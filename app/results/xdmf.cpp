@@ -99,7 +99,7 @@ std::string blocks_grid(const Described& of, double time, std::size_t frame)
     const auto field = [&](const char* name, const char* dataset) {
         text += attribute(name, row(of, dataset, frame, single), "Cell");
     };
-    field("displacement relative to the ground [m]", "/frames/face_displacement");
+    field("displacement relative to the foot [m]", "/frames/face_displacement");
     if (of.deformable) {
         field("least principal stress [Pa]", "/frames/face_least_stress");
         field("greatest principal stress [Pa]", "/frames/face_greatest_stress");

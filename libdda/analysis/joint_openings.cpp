@@ -76,6 +76,18 @@ std::vector<JointPeaks> no_peaks(const std::vector<WatchedJoint>& joints)
     return peaks;
 }
 
+void count_from(const Model& model, const std::vector<double>& coordinates, std::vector<WatchedJoint>& joints)
+{
+    State rest;
+    rest.coordinates = coordinates;
+    const std::vector<PlacedBlock> blocks = placed_blocks(model, rest);
+    for (WatchedJoint& joint : joints) {
+        const JointMotion motion = motion_of(joint, blocks);
+        joint.opening_at_rest = motion.opening;
+        joint.slip_at_rest = motion.largest_slip;
+    }
+}
+
 void note_joints(const Model& model, const std::vector<WatchedJoint>& joints, const State& state,
                  RunReport& report, int threads)
 {
@@ -84,11 +96,13 @@ void note_joints(const Model& model, const std::vector<WatchedJoint>& joints, co
     in_parallel(joints.size(), threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) {
             const JointMotion motion = motion_of(joints[i], blocks);
+            const double opening = motion.opening - joints[i].opening_at_rest,
+                         slip = motion.largest_slip - joints[i].slip_at_rest;
             JointPeaks& peaks = report.joints[i];
-            peaks.opening = std::max(peaks.opening, motion.opening);
-            peaks.slip = std::max(peaks.slip, motion.largest_slip);
-            if (!peaks.opened && motion.opening > noteworthy_opening) peaks.opened = state.time;
-            if (!peaks.slid && motion.largest_slip > noteworthy_opening) peaks.slid = state.time;
+            peaks.opening = std::max(peaks.opening, opening);
+            peaks.slip = std::max(peaks.slip, slip);
+            if (!peaks.opened && opening > noteworthy_opening) peaks.opened = state.time;
+            if (!peaks.slid && slip > noteworthy_opening) peaks.slid = state.time;
         }
     });
 }

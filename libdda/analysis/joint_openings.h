@@ -40,6 +40,7 @@ struct WatchedJoint {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // m, of the facing area at the start
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, outward from b; mean over that area
     std::vector<FacingPatch> patches;                  // that the facing area is made of
+    double opening_at_rest = 0, slip_at_rest = 0;      // m, from which its peaks count
 };
 
 /// Two faces face each other when their outward normals are within this angle of opposite [rad].
@@ -74,6 +75,9 @@ JointMotion motion_of(const WatchedJoint& joint, std::span<const PlacedBlock> bl
 
 /// The entries of report.joints when a run begins.
 std::vector<JointPeaks> no_peaks(const std::vector<WatchedJoint>& joints);
+
+/// Peaks count from this state from now on, in which the first motion begins.
+void count_from(const Model& model, const std::vector<double>& coordinates, std::vector<WatchedJoint>& joints);
 
 /// Brings report.joints, one entry for each joint, up to this state.
 void note_joints(const Model& model, const std::vector<WatchedJoint>& joints, const State& state,

@@ -28,7 +28,7 @@ constexpr double half = 0.5;  // of the mass
 constexpr double bed =
     0.5;  // cosine, normal and weight: on what is less steep a stone slides, along the rest it falls
 
-/// Where the ground is and how it moves: the mean of what is held, or of the blocks at which the model ends.
+/// How the foot of the structure has moved since the first motion began, and moves.
 struct Ground {
     Vector3d displacement = Vector3d::Zero(), velocity = Vector3d::Zero();  // m, m/s
 };
@@ -64,16 +64,13 @@ double angle_between(const Vector3d& one, const Vector3d& other)
     return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-Ground ground_of(const Model& model, const Places& places, const State& state)
+Ground ground_of(const Model& model, const std::vector<WatchedJoint>& joints, const RunStart& from,
+                 const State& state)
 {
-    Ground ground;
-    const std::vector<int> blocks = blocks_that_are_ground(model);
-    for (const int b : blocks) {
-        const double share = 1 / static_cast<double>(blocks.size());
-        ground.displacement += share * (places.now[b].pose.centroid - places.reference[b].pose.centroid);
-        ground.velocity += share * velocity_of(model.kinematics, state, b);
-    }
-    return ground;
+    const Foot foot(model, joints);
+    State before;
+    before.coordinates = from.reference.empty() ? from.start : from.reference;
+    return {foot.displacement(model, state) - foot.displacement(model, before), foot.velocity(model, state)};
 }
 
 template <int D>
@@ -149,19 +146,6 @@ std::vector<bool> carried(const Model& model, const Joints& joints, const Holds&
     std::vector<bool> is_ground(model.blocks.size(), false), result(is_ground);
     for (const int b : blocks_held_by_ground(model)) is_ground[sets.root_of(b)] = true;
     for (std::size_t b = 0; b < result.size(); ++b) result[b] = is_ground[sets.root_of(static_cast<int>(b))];
-    return result;
-}
-
-/// Foundations, and blocks of the materials of which blocks at the ends of the model, or with tied sides, are.
-std::vector<bool> ground_marks(const Model& model)
-{
-    std::set<int> materials;
-    for (const ViscousBoundary& boundary : model.boundaries)
-        for (const BlockFace& face : boundary.faces) materials.insert(model.blocks[face.block].material);
-    for (const int b : model.tied_sides) materials.insert(model.blocks[b].material);
-    std::vector<bool> result;
-    for (const Block& block : model.blocks) result.push_back(materials.contains(block.material));
-    for (const Foundation& foundation : model.foundations) result[foundation.block] = true;
     return result;
 }
 
@@ -262,7 +246,7 @@ std::optional<Verdict> verdict_of(const Model& model, const std::vector<WatchedJ
     const Vector3d down = gravity / g;
     Verdict verdict;
     const Places places(model, from, state);
-    const Ground ground = ground_of(model, places, state);
+    const Ground ground = ground_of(model, joints, from, state);
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const Vector3d gone = places.now[b].pose.centroid - places.reference[b].pose.centroid;
         const Matrix3d turned = Places::rotation(places.now[b], places.reference[b]);

@@ -186,7 +186,8 @@ struct DeepestOverlap {
     double drawn = 0;                // m of the depth, that the two share as drawn beyond the fit_tolerance
 };
 
-/// The most that a joint of the start of the run has done: see joint_openings.h.
+/// The most that a joint of the start of the run has done, since the first motion began if there is one: see
+/// joint_openings.h.
 struct JointPeaks {
     int block_a = 0, block_b = 0;        // a < b
     double opening = 0, slip = 0;        // m, the largest so far of a corner of its facing area

@@ -62,6 +62,9 @@ struct Stage {
     int stop_after_fallen = 0;
     // Static only: gravity is raised to its value in this many equal increments, for friction remembers its path.
     int gravity_increments = 1;
+
+    /// Whether it moves the structure, which only comes to rest before: damage counts from there.
+    bool moves() const { return type == StageType::dynamic || !motions.empty(); }
 };
 
 }  // namespace voussoir

@@ -30,6 +30,7 @@ void begin_run(driver::RunProgress& progress)
     const State start = is_new ? progress.state : initial_state(model);
     progress.watch = CollapseWatch(model, start);
     progress.joints = joints_at_start(model, start);
+    if (!progress.position.reference.empty()) count_from(model, progress.position.reference, progress.joints);
     progress.start = start.coordinates;
     if (report.joints.size() != progress.joints.size()) report.joints = no_peaks(progress.joints);
     report.bars.resize(model.bars.size());
@@ -105,8 +106,11 @@ void enter_stage(int stage, const std::vector<Stage>& stages, driver::RunProgres
     fresh.report = std::move(progress.report);
     fresh.frames = progress.position.frames;
     fresh.reference = std::move(progress.position.reference);
-    const bool moves = entered.type == StageType::dynamic || !entered.motions.empty();
-    if (moves && fresh.reference.empty()) fresh.reference = progress.state.coordinates;
+    if (entered.moves() && fresh.reference.empty()) {
+        fresh.reference = progress.state.coordinates;
+        count_from(progress.model, fresh.reference, progress.joints);
+        fresh.report.joints = no_peaks(progress.joints);
+    }
     progress.position = std::move(fresh);
 }
 

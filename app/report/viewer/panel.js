@@ -112,7 +112,7 @@ export class Panel {
     if (this.stone < 0) return;
     this.diagram.move(time);
     this.line.textContent = `At ${time.toFixed(3)} s moved by ${lengthInWords(this.recording.displacement(this.stone))} `
-      + "relative to the ground.";
+      + `${this.recording.countedFrom}.`;
     for (const {joint, figures} of this.rows) {
       figures[0].textContent = lengthInWords(this.recording.joint("opening", joint));
       figures[1].textContent = lengthInWords(this.recording.joint("slip", joint));

@@ -50,6 +50,7 @@ export class Recording {
   constructor(data) {
     Object.assign(this, {
       names: data.names, groups: data.groups, times: data.times, stages: data.stages, planar: data.planar,
+      countedFrom: data.counted_from,
       magnification: data.magnification, threshold: data.threshold_m,
     });
     this.groupOf = integers(data.group_of);

@@ -24,10 +24,11 @@ double collapse_distance(const CollapseRule& rule, const Model& model, int block
 }  // namespace
 
 Recorder::Recorder(const Case& the_case, const std::vector<Quantity>& channels, const CollapseRule& rule)
-    : case_(the_case)
+    : case_(the_case), foot_(the_case.model, joints_at_start(the_case.model, initial_state(the_case.model)))
 {
     const Model& model = the_case.model;
     std::vector<bool> held(model.blocks.size(), false);
+    if (foot_.is_on_soil()) held = ground_marks(model);
     for (const Foundation& foundation : model.foundations) held[foundation.block] = foundation.fully_held();
     for (int block = 0; block < static_cast<int>(model.blocks.size()); ++block) {
         if (held[block]) continue;
@@ -47,7 +48,7 @@ Recorder::Recorder(const Case& the_case, const std::vector<Quantity>& channels, 
 
 void Recorder::step(const State& state)
 {
-    const Vector3d ground = results::ground_displacement(case_.model, state);
+    const Vector3d ground = foot_.displacement(case_.model, state);
     follow_blocks(state, ground);
     look_for_collapse(state);
     // In the initial state time does not pass, nor in a static stage: what it ends with replaces what was before.

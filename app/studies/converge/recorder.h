@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/studies/converge/quantity.h"
+#include "libdda/analysis/ground.h"
 #include "libdda/analysis/material_point.h"
 
 namespace voussoir::app::studies::converge
@@ -20,7 +21,8 @@ struct Recording {
 };
 
 /// When a structure counts as collapsed: a block that is not wholly held has its centroid further from where the
-/// case has it, relative to the ground, than a share of its size (the cube root of its volume) or than a length.
+/// case has it, relative to the foot of the structure, than a share of its size (the cube root of its volume) or
+/// than a length.
 struct CollapseRule {
     std::optional<double> sizes = 1;  // -
     std::optional<double> length;     // m; with neither, nothing is a collapse
@@ -54,6 +56,7 @@ class Recorder
     void remember_rest(const State& state, const Eigen::Vector3d& ground);
 
     const Case& case_;
+    Foot foot_;
     std::vector<Channel> channels_;
     std::vector<int> blocks_;                    // not wholly held
     std::vector<double> collapse_distance_;      // m, of those blocks
