@@ -8,11 +8,14 @@
 #include <functional>
 #include <new>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "app/command_line/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/say.h"
 #include "app/version/version.h"
+#include "app/words/nearest_word.h"
 #include "importers/process/program_start.h"
 #include "libdda/errors.h"
 
@@ -65,6 +68,20 @@ int heard(int code)
     return code == app::commands::exit_done ? app::commands::exit_failure : code;
 }
 
+/// A word where the command should be that is none: --help after it would be taken for that of the program.
+/// @throws InputError
+void refuse_unknown_command(const CLI::App& program, int argument_count, char** arguments)
+{
+    const auto is_word = [](const char* argument) { return *argument != '-'; };
+    char** const word = std::find_if(arguments + 1, arguments + argument_count, is_word);
+    if (word == arguments + argument_count) return;
+    std::vector<std::string> commands;
+    for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
+    if (std::find(commands.begin(), commands.end(), *word) != commands.end()) return;
+    throw InputError("voussoir", "no command \"" + std::string(*word) + "\"",
+                     app::words::suggestion(*word, commands));
+}
+
 int run_program(int argument_count, char** arguments)
 {
     CLI::App program{
@@ -81,7 +98,11 @@ int run_program(int argument_count, char** arguments)
     app::command_line::add_picture_commands(program, chosen);
     app::command_line::add_study_commands(program, chosen);
     try {
+        refuse_unknown_command(program, argument_count, arguments);
         program.parse(argument_count, arguments);
+    } catch (const InputError& error) {
+        app::commands::complain(error);
+        return app::commands::exit_bad_input;
     } catch (const CLI::ParseError& error) {
         return heard(answer(program, error));
     }

@@ -89,7 +89,7 @@ void print_findings(const importers::assembly::Assembly& assembly)
     }
     say("findings:");
     for (const importers::assembly::AssemblyFinding& finding : assembly.findings) {
-        print_wrapped(finding.harmless ? "  note: " : "  fault: ", "    ", finding.what);
+        print_wrapped(finding.harmless ? "  note: " : "  finding: ", "    ", finding.what);
         print_wrapped("    -> ", "       ", finding.advice);
     }
 }

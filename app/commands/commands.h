@@ -178,7 +178,8 @@ struct ConvergeArguments {
     bool quiet = false;
 };
 
-/// Error against run time of the user's own case, over time steps and contact stiffness.
+/// Error against run time of the user's own case, over time steps and contact stiffness. @returns exit_gave_up
+/// when no run gave a value
 /// @throws InputError with all faults of the case or of the choices
 int converge_command(const ConvergeArguments& arguments);
 
@@ -194,7 +195,7 @@ struct EnsembleArguments {
 };
 
 /// Runs of a case that differ by next to nothing, at its time step and at half of it: what the step does to their
-/// medians, beside what chance does. @returns exit_done whatever the study says
+/// medians, beside what chance does. @returns exit_done whatever the study says, exit_gave_up when a run gave up
 /// @throws InputError with all faults of the case or of the choices
 int ensemble_command(const EnsembleArguments& arguments);
 

@@ -7,6 +7,7 @@
 #include "app/commands/say.h"
 #include "app/commands/study_output.h"
 #include "app/reader/case_file.h"
+#include "app/studies/converge/conclusion.h"
 #include "app/studies/converge/report.h"
 #include "app/studies/converge/threshold.h"
 #include "app/words/figures_in_words.h"
@@ -150,6 +151,14 @@ std::string command_line(const ConvergeArguments& arguments)
     return text;
 }
 
+/// Why no run of the study gave anything to compare; empty if one did.
+std::string no_answer_of(const studies::converge::ConvergeStudy& study)
+{
+    const studies::converge::Conclusion conclusion = studies::converge::conclude(study);
+    if (conclusion.row) return {};
+    return "converge: " + studies::converge::in_words(conclusion).front();
+}
+
 }  // namespace
 
 int converge_command(const ConvergeArguments& arguments)
@@ -160,7 +169,8 @@ int converge_command(const ConvergeArguments& arguments)
                            studies::converge::converge_figures(study),
                            [study, &arguments](const std::vector<std::string>& drawn) {
                                return studies::converge::converge_page(study, command_line(arguments), drawn);
-                           }};
+                           },
+                           no_answer_of(study)};
     });
 }
 

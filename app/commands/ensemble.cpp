@@ -63,7 +63,8 @@ int ensemble_command(const EnsembleArguments& arguments)
                            studies::ensemble::ensemble_figures(study),
                            [study, &arguments](const std::vector<std::string>& drawn) {
                                return studies::ensemble::ensemble_page(study, command_line(arguments), drawn);
-                           }};
+                           },
+                           study.given_up() == 0 ? "" : "ensemble: " + verdict_of(study)};
     });
 }
 

@@ -58,7 +58,9 @@ int publish_study(const StudyTargets& targets, const std::function<StudyOutput()
         if (!to_stdout && !targets.quiet) say_lines(output.table);
         if (targets.json) write_json_text(*targets.json, output.json);
         if (targets.folder) write_page(targets, output);
-        return exit_done;
+        if (output.no_answer.empty()) return exit_done;
+        complain(output.no_answer);
+        return exit_gave_up;
     } catch (const studies::converge::Interrupted&) {
         complain("interrupted: the study is incomplete and nothing is written");
         return exit_interrupted;

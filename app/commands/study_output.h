@@ -24,6 +24,7 @@ struct StudyOutput {
     std::string table, json;
     std::vector<plots::Figure> figures;
     std::function<std::string(const std::vector<std::string>& drawn)> page;  // drawn: the pictures there are
+    std::string no_answer;  // why the study has none; empty when it has one
 };
 
 /// Of the figures of a page the one of this name, if it is there: docs/ keeps one picture of each page.
@@ -36,7 +37,7 @@ std::vector<std::string> page_figures(const std::vector<plots::Figure>& figures,
 
 /// Runs a study and writes its answer: the table to standard output, unless the JSON goes there; FOLDER/NAME.md
 /// and FOLDER/NAME/*.png. Targets that could not be written are refused before it runs; nothing is written when it
-/// is interrupted. @returns exit_done or exit_interrupted
+/// is interrupted. @returns exit_done, exit_gave_up when the study has no answer, or exit_interrupted
 int publish_study(const StudyTargets& targets, const std::function<StudyOutput()>& study);
 
 }  // namespace voussoir::app::commands

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <string_view>
@@ -53,6 +54,33 @@ ContactStiffness read_stiffness(YamlCursor& map)
 }
 
 const words::Range friction_range{0, std::numbers::pi / 2, true, false};
+constexpr double largest_coefficient = 1e6;  // an angle of less than 90 deg still, by 0.2 arc seconds
+
+/// The angle of friction [rad], given as one or as `{coefficient: 0.7}`. A bare number is none of the two: half of
+/// those who write 0.7 mean the tangent.
+double as_friction(YamlCursor& value)
+{
+    if (value.is_map()) {
+        const double coefficient =
+            value.quantity("coefficient", words::dimension::number, {0, largest_coefficient, true, true});
+        value.reject_unknown_keys();
+        return std::atan(coefficient);
+    }
+    const words::ParsedQuantity quantity =
+        value.is_scalar() ? words::parse_quantity(value.as_text()) : words::ParsedQuantity{};
+    if (!quantity.problem.empty() || !words::lacks_unit(quantity, words::dimension::angle) || quantity.value < 0)
+        return value.as_quantity(words::dimension::angle, friction_range);
+    value.fault(value.found() + " has no unit",
+                fmt::format("write {0} deg for an angle, or {{coefficient: {0}}}, which is {1:.4g} deg",
+                            value.as_text(), std::atan(quantity.value) * 180 / std::numbers::pi));
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+double read_friction(YamlCursor& map)
+{
+    std::optional<YamlCursor> value = map.require("friction", "an angle such as 35 deg, or {coefficient: 0.7}");
+    return value ? as_friction(*value) : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// How friction changes with the speed of slip: a list of {speed, friction}.
 std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
@@ -66,7 +94,7 @@ std::vector<FrictionAtSpeed> read_friction_at_speed(YamlCursor& map)
         if (!item.expect_map("a point {speed: 1 cm/s, friction: 20 deg}")) continue;
         FrictionAtSpeed point;
         point.speed = item.quantity("speed", words::dimension::velocity, words::Range::positive());
-        point.angle = item.quantity("friction", words::dimension::angle, friction_range);
+        point.angle = read_friction(item);
         item.reject_unknown_keys();
         if (point.speed <= last)
             item.fault(words::in_words(point.speed, words::dimension::velocity),
@@ -109,7 +137,7 @@ JointMaterial read_joint(const std::string& name, YamlCursor& map)
 {
     JointMaterial joint;
     joint.name = name;
-    joint.friction_angle = map.quantity("friction", words::dimension::angle, friction_range);
+    joint.friction_angle = read_friction(map);
     joint.friction_at_speed = read_friction_at_speed(map);
     joint.cohesion =
         map.quantity_or("cohesion", words::dimension::pressure, words::Range::non_negative(), joint.cohesion);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/reader/motion_warnings.h"
 #include "app/reader/plane.h"
 #include "app/reader/record_source.h"
 #include "app/reader/wave.h"
@@ -33,16 +34,20 @@ Scaling read_scaling(YamlCursor& map)
     return scaling;
 }
 
+/// @throws InputError when it cannot be scaled as asked
+double factor_of(const GroundMotion& motion, const Scaling& asked)
+{
+    if (!asked.scale_to_pga) return asked.scale.value_or(1);
+    if (motion.peak_acceleration() > 0) return *asked.scale_to_pga / motion.peak_acceleration();
+    throw InputError("", "its peak acceleration is 0", "it cannot be scaled to a peak");
+}
+
 /// Scales and corrects as asked, and says so in `description`.
-GroundMotion scale(GroundMotion motion, const records::Channel& channel, const Scaling& asked,
+GroundMotion scale(GroundMotion motion, double factor, const records::Channel& channel, const Scaling& asked,
                    std::string& description)
 {
-    if (asked.scale_to_pga && !(motion.peak_acceleration() > 0))
-        throw InputError("", "its peak acceleration is 0", "it cannot be scaled to a peak");
     if (asked.end_correction && channel.quantity != records::Quantity::acceleration)
         throw InputError("", "end_correction of a record that is not an acceleration", "remove it");
-    const double factor =
-        asked.scale_to_pga ? *asked.scale_to_pga / motion.peak_acceleration() : asked.scale.value_or(1);
     if (factor != 1) description += fmt::format(" x {:g}", factor);
     if (factor != 1) motion = motion.scaled(factor);
     if (!asked.end_correction) return motion;
@@ -51,18 +56,25 @@ GroundMotion scale(GroundMotion motion, const records::Channel& channel, const S
     return motion.with_end_correction();
 }
 
-/// A channel, processed and scaled as its motion says.
+/// A channel, processed and scaled as its motion says. Only of records something may be amiss: of a wave
+/// everything is as it was written.
 std::optional<GroundMotion> finish(YamlCursor& map, const records::Channel& channel, const std::string& source,
-                                   const YamlCursor& blamed, std::string& description)
+                                   const YamlCursor& blamed, bool is_record, std::string& description)
 {
     const std::size_t faults = map.fault_count();
     const Scaling scaling = read_scaling(map);
     try {
-        const std::optional<std::vector<records::Channel>> processed =
+        const std::optional<records::processing::ProcessedRecord> processed =
             process_as_written(map, {channel}, {}, description);
         if (!processed || map.fault_count() > faults) return std::nullopt;
-        const records::Channel& result = processed->front();
-        return scale(records::to_ground_motion(result, source), result, scaling, description);
+        const records::Channel& result = processed->channels.front();
+        GroundMotion motion = records::to_ground_motion(result, source);
+        const double factor = factor_of(motion, scaling);
+        motion = scale(std::move(motion), factor, result, scaling, description);
+        if (is_record) warn_of_processing(blamed, *processed, factor);
+        if (is_record && channel.quantity != records::Quantity::displacement)
+            warn_of_residual(blamed, motion, result.samples.size(), "");
+        return motion;
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults)
             blamed.fault(fault.place.empty() ? fault.found : fault.place + ": " + fault.found, fault.expected);
@@ -90,7 +102,7 @@ std::optional<GroundMotion> read_recorded(YamlCursor& map, const YamlCursor& fil
         return std::nullopt;
     }
     description += in_words(*record, *channel, file.as_text());
-    return finish(map, *channel, file.as_text(), file, description);
+    return finish(map, *channel, file.as_text(), file, true, description);
 }
 
 std::optional<GroundMotion> read_sine(YamlCursor& sine, std::optional<double> stage_duration,
@@ -165,7 +177,7 @@ std::shared_ptr<const GroundMotion> read_motion(YamlCursor& map, const std::stri
         for (const char* key : {"processing", "scale", "scale_to_pga", "end_correction"})
             map.forbid(key, "a sine is defined by its parameters: change these, or use a ramped_sine");
     } else if (const std::optional<records::Channel> wave = read_wave(sources[0], source, description)) {
-        motion = finish(map, *wave, sources[0], source, description);
+        motion = finish(map, *wave, sources[0], source, false, description);
     } else {
         read_in_vain(map);
     }
@@ -185,9 +197,11 @@ void add_joint_motion(YamlCursor& map, const records::Channel& channel, int comp
                                       [&](const AxisMotion& other) { return other.component == component; });
     if (is_taken) return map.fault("a second channel along " + channel.component, "omit one of the two");
     try {
-        motions.push_back({component, map,
-                           noted(records::to_ground_motion(channel, channel.component),
-                                 said + "along " + channel.component, context)});
+        GroundMotion motion = records::to_ground_motion(channel, channel.component);
+        if (channel.quantity != records::Quantity::displacement)
+            warn_of_residual(map, motion, channel.samples.size(), " along " + channel.component);
+        motions.push_back(
+            {component, map, noted(std::move(motion), said + "along " + channel.component, context)});
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) map.fault(fault.place + ": " + fault.found, fault.expected);
     }

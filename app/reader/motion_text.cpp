@@ -21,8 +21,8 @@ std::vector<records::Channel> parse_wave_motion(const std::string& text, const s
         if (found.size() == 1) {
             YamlCursor value = *map.find(found[0]);
             if (std::optional<records::Channel> wave = read_wave(found[0], value, description))
-                channels =
-                    process_as_written(map, {*wave}, {}, description).value_or(std::vector<records::Channel>{});
+                if (const auto processed = process_as_written(map, {*wave}, {}, description))
+                    channels = processed->channels;
         }
         map.find("processing");
         map.reject_unknown_keys();

@@ -88,7 +88,7 @@ records::processing::ProcessingStep read_scale_to_spectrum(YamlCursor& map)
 records::processing::ProcessingStep read_scale_to_peak(YamlCursor& value, records::Quantity peak)
 {
     const words::Dimension& what =
-        peak == records::Quantity::acceleration ? words::dimension::acceleration : words::dimension::velocity;
+        peak == records::Quantity::acceleration ? words::dimension::acceleration : words::dimension::peak_velocity;
     records::processing::ScaleToPeak scale;
     scale.peak = peak;
     if (!value.is_map()) {

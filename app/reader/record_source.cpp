@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/reader/motion_warnings.h"
 #include "app/reader/processing.h"
 #include "app/words/nearest_word.h"
 #include "libdda/errors.h"
@@ -166,10 +167,9 @@ const records::Channel* choose_channel(YamlCursor& map, const YamlCursor& file, 
     return nullptr;
 }
 
-std::optional<std::vector<records::Channel>> process_as_written(YamlCursor& map,
-                                                                std::vector<records::Channel> channels,
-                                                                const records::processing::Processing& afterwards,
-                                                                std::string& description)
+std::optional<records::processing::ProcessedRecord> process_as_written(
+    YamlCursor& map, std::vector<records::Channel> channels, const records::processing::Processing& afterwards,
+    std::string& description)
 {
     records::processing::Processing steps;
     const std::size_t faults = map.fault_count();
@@ -177,11 +177,12 @@ std::optional<std::vector<records::Channel>> process_as_written(YamlCursor& map,
     if (list) steps = read_processing_steps(*list);
     if (channels.empty() || map.fault_count() > faults) return std::nullopt;
     steps.insert(steps.end(), afterwards.begin(), afterwards.end());
-    if (steps.empty() && channels.size() == 1) return channels;
+    if (steps.empty() && channels.size() == 1)
+        return records::processing::ProcessedRecord{std::move(channels), {}, 0};
     try {
         records::processing::ProcessedRecord processed = records::processing::process(channels, steps);
         for (const std::string& sentence : processed.sentences) description += "; " + sentence;
-        return std::move(processed.channels);
+        return processed;
     } catch (const InputError& error) {
         blame(map, list, error);
     }
@@ -218,8 +219,11 @@ std::vector<records::Channel> read_joint_records(YamlCursor& map, const std::fil
         if (!axes && map.fault_count() == faults) require_directions(azimuths.value_or(records), channels);
     }
     if (map.fault_count() > faults) channels.clear();
-    return process_as_written(map, std::move(channels), afterwards, description)
-        .value_or(std::vector<records::Channel>{});
+    const std::optional<records::processing::ProcessedRecord> processed =
+        process_as_written(map, std::move(channels), afterwards, description);
+    if (!processed) return {};
+    warn_of_processing(map, *processed, 1);
+    return processed->channels;
 }
 
 }  // namespace voussoir::app::reader

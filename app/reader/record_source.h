@@ -27,10 +27,9 @@ const records::Channel* choose_channel(YamlCursor& map, const YamlCursor& file, 
 /// Channels after the steps of the key `processing`, if there is one; what was done is added to `description`.
 /// @param channels none, with faults, when they could not be read: the steps are still checked
 /// @returns nothing, with faults, when it cannot be done
-std::optional<std::vector<records::Channel>> process_as_written(YamlCursor& map,
-                                                                std::vector<records::Channel> channels,
-                                                                const records::processing::Processing& afterwards,
-                                                                std::string& description);
+std::optional<records::processing::ProcessedRecord> process_as_written(
+    YamlCursor& map, std::vector<records::Channel> channels, const records::processing::Processing& afterwards,
+    std::string& description);
 
 /// "aqv.acc (ESM, 0.005 s, 6.51 m/s2)".
 std::string in_words(const records::Record& record, const records::Channel& channel, const std::string& name);

@@ -82,7 +82,7 @@ std::optional<records::Channel> sample_wave(const records::synthetic::Wave& wave
     const double step = map.quantity_or("time_step", words::dimension::time, words::Range::positive(),
                                         records::synthetic::default_time_step(wave));
     map.reject_unknown_keys();
-    if (!is_finite(wave) || !std::isfinite(step)) return std::nullopt;  // there are faults
+    if (!is_finite(wave) || !std::isfinite(step)) return std::nullopt;
     description += records::synthetic::in_words(wave);
     return records::synthetic::sampled(wave, step);
 }
@@ -147,6 +147,16 @@ std::optional<records::synthetic::TargetSpectrum> read_table(const YamlCursor& l
     return records::synthetic::tabulated_spectrum("table", std::move(periods), std::move(accelerations), damping);
 }
 
+std::optional<records::Channel> read_parameters(const std::string& key, YamlCursor& value,
+                                                std::string& description)
+{
+    if (key == "ramped_sine") return sample_wave(read_ramped_sine(value), value, description);
+    if (key == "sweep") return sample_wave(read_sweep(value), value, description);
+    if (key == "ricker") return sample_wave(read_ricker(value), value, description);
+    if (key == "pulse") return sample_wave(read_pulse(value), value, description);
+    return read_noise(value, description);
+}
+
 }  // namespace
 
 const std::vector<std::string>& wave_keys()
@@ -158,12 +168,13 @@ const std::vector<std::string>& wave_keys()
 std::optional<records::Channel> read_wave(const std::string& key, YamlCursor& value, std::string& description)
 {
     if (!value.expect_map("the parameters of a " + key)) return std::nullopt;
+    const std::size_t faults = value.fault_count();
     try {
-        if (key == "ramped_sine") return sample_wave(read_ramped_sine(value), value, description);
-        if (key == "sweep") return sample_wave(read_sweep(value), value, description);
-        if (key == "ricker") return sample_wave(read_ricker(value), value, description);
-        if (key == "pulse") return sample_wave(read_pulse(value), value, description);
-        return read_noise(value, description);
+        std::optional<records::Channel> wave = read_parameters(key, value, description);
+        if (!wave && value.fault_count() == faults)
+            value.fault("figures so large that the wave has no finite ones",
+                        "give those of a ground motion, such as 2 Hz");
+        return wave;
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults) value.fault(fault.place + " = " + fault.found, fault.expected);
     }

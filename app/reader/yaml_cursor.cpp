@@ -116,6 +116,8 @@ double YamlCursor::as_quantity(const words::Dimension& dimension, const words::R
     const words::ParsedQuantity quantity = words::parse_quantity(node_->text);
     if (!quantity.problem.empty()) {
         fault(found() + ": " + quantity.problem, expected);
+    } else if (words::lacks_unit(quantity, dimension)) {
+        fault(found() + " has no unit", words::with_units(node_->text, dimension));
     } else if (!quantity.bare && !quantity.has(dimension)) {
         fault(found() + " has the wrong dimension", expected);
     } else if (!range.contains(quantity.value)) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "libdda/analysis/joint_openings.h"
+
 namespace voussoir::app::report
 {
 
@@ -50,6 +52,12 @@ void note_joints(const results::RecordedModel& model, const results::RecordedFra
     }
     course.opening.push_back(opening);
     course.slip.push_back(slip);
+}
+
+int joints_beyond(const std::vector<Peak>& peaks)
+{
+    return static_cast<int>(std::count_if(peaks.begin(), peaks.end(),
+                                          [](const Peak& peak) { return peak.value > noteworthy_opening; }));
 }
 
 void note_contacts(const results::RecordedFrame& frame, const std::vector<bool>& foundation, bool first,
@@ -128,6 +136,8 @@ Course course_of(const results::ResultsReader& results)
         note_contacts(frame, foundation, i == 0, course);
         note_stresses(frame, course);
     }
+    course.joints_opened = joints_beyond(course.joint_opening);
+    course.joints_slid = joints_beyond(course.joint_slip);
     return course;
 }
 

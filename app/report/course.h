@@ -36,6 +36,8 @@ struct Course {
     std::vector<Eigen::Vector3d> drift;               // m, of the highest stone relative to the foot
     std::vector<BlockCourse> blocks;
     std::vector<Peak> joint_opening, joint_slip, joint_normal_force;  // m, m, N; of the model's joints
+    // That opened or slid at some time: as the run counted in its steps; of a run without summary, in its frames.
+    int joints_opened = 0, joints_slid = 0;
     int highest = -1;   // the stone whose drift it is; -1: there are foundations alone
     double height = 0;  // m, of its centroid above the lowest corner of the structure's stones
 };

@@ -55,9 +55,7 @@ std::string joint_in_words(const MovedJoint& moved, const results::RecordedModel
 /// What opened and slid in all, and most.
 std::string of_what_stands(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course)
 {
-    int opened = 0, slid = 0;
-    for (const Peak& peak : course.joint_opening) opened += peak.value > noteworthy_opening;
-    for (const Peak& peak : course.joint_slip) slid += peak.value > noteworthy_opening;
+    const int opened = course.joints_opened, slid = course.joints_slid;
     const char* state = mechanism.goes_on ? "Nothing has come off by the end of the run" : "The structure stands";
     if (opened + slid == 0) return fmt::format("{}; no joint opened or slid by more than 0.1 mm.", state);
     if (mechanism.joints.empty())

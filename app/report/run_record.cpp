@@ -87,6 +87,15 @@ void read_summary(const Hdf5File& file, RunRecord& record)
     }
 }
 
+/// The run saw joints open between its frames too: what its summary counts is what the console said.
+void take_joint_counts(const std::string& summary, Course& course)
+{
+    const nlohmann::json json = nlohmann::json::parse(summary);
+    if (!json.contains("joints")) return;
+    course.joints_opened = json.at("joints").value("opened", course.joints_opened);
+    course.joints_slid = json.at("joints").value("slid", course.joints_slid);
+}
+
 }  // namespace
 
 std::vector<double> Columns::column(const std::string& name) const
@@ -128,6 +137,7 @@ RunRecord::RunRecord(const std::filesystem::path& results_file)
     histories = columns_of(open, "/histories/values");
     motions = results::recorded_motions(results_file);
     course = course_of(results);
+    take_joint_counts(summary, course);
     mechanism = mechanism_in(results, course, failed);
     mechanism.goes_on = standing == name_of(Standing::moves);
 }

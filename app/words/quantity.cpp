@@ -146,6 +146,16 @@ std::string in_words(double value, const Dimension& dimension)
     return text;
 }
 
+bool lacks_unit(const ParsedQuantity& quantity, const Dimension& dimension)
+{
+    return quantity.bare && quantity.value != 0 && dimension.needs_unit();
+}
+
+std::string with_units(std::string_view number, const Dimension& dimension)
+{
+    return fmt::format("write {0} {1} or {0} {2}", text::trim(number), dimension.rivals[0], dimension.rivals[1]);
+}
+
 std::string in_words(const Range& range, const Dimension& dimension)
 {
     const auto bound = [&](double value) { return value == 0 ? std::string("0") : in_words(value, dimension); };

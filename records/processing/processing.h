@@ -120,6 +120,8 @@ struct ProcessedRecord {
     std::vector<Channel> channels;       // as processed
     std::vector<std::string> sentences;  // what was done: at least one per step, in order
     double start = 0;                    // s, when the first sample now was, from the first that all channels have
+    double factor = 1;                   // -, of all steps that scale
+    double arias_share = 1;              // -, of the joint Arias intensity that the windows kept
 };
 
 /// Runs the steps in their order, and nothing else; but uneven channels are first resampled_evenly and channels

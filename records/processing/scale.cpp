@@ -16,6 +16,7 @@ namespace
 
 void multiply(double factor, ProcessedRecord& record)
 {
+    record.factor *= factor;
     for (Channel& channel : record.channels)
         for (double& sample : channel.samples) sample *= factor;
 }

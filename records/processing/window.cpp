@@ -63,6 +63,14 @@ double longest_duration(const std::vector<Channel>& channels)
     return longest;
 }
 
+std::vector<std::vector<double>> cumulated_arias(const std::vector<Channel>& channels)
+{
+    std::vector<std::vector<double>> cumulated;
+    for (const Channel& channel : channels)
+        cumulated.push_back(measures::arias_up_to(channel.samples, channel.time_step));
+    return cumulated;
+}
+
 /// The sum of the channels' Arias intensities up to a time, exact between samples too. @param cumulated
 /// arias_up_to of each
 double joint_arias_at(const std::vector<Channel>& channels, const std::vector<std::vector<double>>& cumulated,
@@ -82,6 +90,23 @@ double joint_arias_at(const std::vector<Channel>& channels, const std::vector<st
     return sum;
 }
 
+/// Share of the joint Arias intensity between two times; 1 of what has none, or is no acceleration.
+double arias_between(const std::vector<Channel>& channels, double start, double end)
+{
+    const bool has_arias = std::all_of(channels.begin(), channels.end(), [](const Channel& channel) {
+        return channel.quantity == Quantity::acceleration;
+    });
+    if (!has_arias) return 1;
+    const std::vector<std::vector<double>> cumulated = cumulated_arias(channels);
+    const double available = longest_duration(channels);
+    const double whole = joint_arias_at(channels, cumulated, available);
+    if (!(whole > 0)) return 1;
+    const auto up_to = [&](double time) {
+        return joint_arias_at(channels, cumulated, std::clamp(time, 0.0, available));
+    };
+    return (up_to(end) - up_to(start)) / whole;
+}
+
 }  // namespace
 
 void apply(const TimeWindow& step, const std::string& place, ProcessedRecord& record)
@@ -91,6 +116,7 @@ void apply(const TimeWindow& step, const std::string& place, ProcessedRecord& re
     if (std::isfinite(step.end) && step.end > available + half_step)
         throw InputError(place, "end [s] = " + figure(step.end),
                          "at most the record's " + figure(available) + " s");
+    record.arias_share *= arias_between(record.channels, step.start, step.end);
     const std::string sentence = cut(step.start, step.end, place, record);
     record.sentences.push_back(sentence + "of " + figure(available) + " s");
 }
@@ -98,9 +124,7 @@ void apply(const TimeWindow& step, const std::string& place, ProcessedRecord& re
 void apply(const AriasWindow& step, const std::string& place, ProcessedRecord& record)
 {
     require_accelerations(record.channels, place, "a window by Arias intensity");
-    std::vector<std::vector<double>> cumulated;
-    for (const Channel& channel : record.channels)
-        cumulated.push_back(measures::arias_up_to(channel.samples, channel.time_step));
+    const std::vector<std::vector<double>> cumulated = cumulated_arias(record.channels);
     const double available = longest_duration(record.channels);
     const auto arias_at = [&](double time) { return joint_arias_at(record.channels, cumulated, time); };
     const double whole = arias_at(available);
@@ -119,6 +143,7 @@ void apply(const AriasWindow& step, const std::string& place, ProcessedRecord& r
     const bool is_cut_short = to - start > step.longest;
     const double end = is_cut_short ? start + step.longest : to;
     const double held = arias_at(end) - arias_at(start);
+    record.arias_share *= held / whole;
     std::string sentence = cut(start, end, place, record);
     sentence += figure(100 * step.from) + " % to " + figure(100 * step.to) +
                 " % of the joint Arias intensity of " + std::to_string(record.channels.size()) + " component(s)";

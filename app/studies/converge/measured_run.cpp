@@ -72,6 +72,8 @@ MeasuredRun run_setting(const Case& the_case, const ConvergeSetting& setting,
     if (stopped) throw Interrupted();
     result.collapsed = report.outcome == Outcome::collapsed;
     if (has_no_answer(report.outcome)) result.failure = words::message_of(report, changed.model, changed.stages);
+    if (result.collapsed && report.simulated_time == 0)
+        result.no_rest = words::message_of(report, changed.model, changed.stages);
     result.cost.steps = report.steps;
     result.cost.step_cuts = report.step_cuts;
     result.cost.iterations = report.open_close_iterations;

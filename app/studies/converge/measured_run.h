@@ -30,6 +30,7 @@ struct MeasuredRun {
     bool collapsed = false;            // the engine ended it: blocks have fallen, or fall without end
     RunCost cost;
     std::string failure;  // why the run gave up; empty when it did not
+    std::string no_rest;  // why nothing ever moved: it found no equilibrium to begin with; empty when it did
 };
 
 /// What a study tells while it runs, and asks.

@@ -226,8 +226,10 @@ ConvergeStudy run_study(const Case& the_case, const SettingList& list, const std
                         const CollapseRule& rule, const ConvergeWatch& watch)
 {
     std::vector<MeasuredRun> runs;
-    for (const ConvergeSetting& setting : list.settings)
+    for (const ConvergeSetting& setting : list.settings) {
         runs.push_back(run_setting(the_case, setting, quantities, rule, watch));
+        if (runs.back().failure.empty()) runs.back().failure = runs.back().no_rest;  // nothing to compare
+    }
     ConvergeStudy study = begin_study(the_case, rule);
     for (const Quantity& quantity : quantities) {
         study.quantities.push_back(study_of(the_case, list.series, runs, quantity));

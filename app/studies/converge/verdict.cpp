@@ -108,7 +108,7 @@ std::string value_in_words(const std::optional<double>& value, const std::string
 
 std::string share_in_words(const std::optional<double>& share)
 {
-    return share ? words::error_in_words(*share) : "-";
+    return share ? fmt::format("{:.3g} %", 100 * *share) : "-";
 }
 
 std::string error_of(const Series& series, const SeriesRow& row)

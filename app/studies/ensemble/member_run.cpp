@@ -121,7 +121,9 @@ MemberRun run_member(const Case& member, const converge::ConvergeSetting& settin
     const RunReport report = run(changed.model, changed.stages, state, observer);
     result.cpu = importers::process::thread_time() - start;
     result.cpu_dynamic = importers::process::thread_time() - rest;
-    if (has_no_answer(report.outcome)) result.failure = words::message_of(report, changed.model, changed.stages);
+    const bool fell_at_rest = report.outcome == Outcome::collapsed && report.simulated_time == 0;
+    if (has_no_answer(report.outcome) || fell_at_rest)
+        result.failure = words::message_of(report, changed.model, changed.stages);
     result.warnings = words::warnings_of(report, changed.model, changed.stages);
     result.steps = report.steps;
     result.step_cuts = report.step_cuts;

@@ -51,7 +51,7 @@ std::string run_in_words(const EnsembleStudy& study, const MemberRun& run)
 std::string verdict_of(const EnsembleStudy& study)
 {
     if (const int count = study.given_up())
-        return fmt::format("{} of the runs failed to converge: no verdict is possible.", count);
+        return fmt::format("{} of the runs failed to converge or to come to rest: no verdict is possible.", count);
     std::string differing;
     for (const MeasureStudy& each : study.measures)
         if (!each.agrees) differing += (differing.empty() ? "" : "; ") + each.measure.name;

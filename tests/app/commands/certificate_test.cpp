@@ -67,7 +67,9 @@ TEST(Certificate, CheckOfASoundCase)
     EXPECT_TRUE(assembly["advice"].empty());
     for (const char* key : {"components", "floating", "unsupported", "gaps", "overlaps", "slivers", "size_ratio"})
         EXPECT_TRUE(assembly.contains(key)) << key;
-    EXPECT_NE(contents(folder / "stdout").find("no faults were found in the assembly of the stones"),
+    EXPECT_NE(contents(folder / "stdout")
+                  .find("no faults were found in the assembly of the stones\n"
+                        "the case can be run\n"),
               std::string::npos);
 }
 
@@ -93,7 +95,10 @@ TEST(Certificate, ACaseWithAFloatingBlockCanRunAndIsTold)
     EXPECT_EQ(assembly["unsupported"], json::array({"stone"}));
     ASSERT_EQ(assembly["gaps"].size(), 1U);
     EXPECT_NEAR(assembly["gaps"][0]["gap_m"].get<double>(), 0.05, 1e-12);
-    EXPECT_NE(contents(folder / "stdout").find("50 mm apart"), std::string::npos);
+    const std::string said = contents(folder / "stdout");
+    EXPECT_NE(said.find("  finding: 1 pair stands 50 mm apart"), std::string::npos) << said;
+    EXPECT_NE(said.find("\nthe case can be run\n"), std::string::npos) << said;
+    EXPECT_EQ(said.find("fault:"), std::string::npos) << "what is a fault cannot be run:\n" << said;
 }
 
 TEST(Certificate, ACaseWhoseBoxesOverlapGetsOneAllTheSame)

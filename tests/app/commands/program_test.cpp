@@ -282,6 +282,26 @@ TEST(Program, BadCommandLinesAreBadInput)
         EXPECT_EQ(voussoir(folder, arguments).exit_code, 2);
 }
 
+// With --help, too, which was that of the whole program, with exit code 0.
+TEST(Program, AnUnknownCommandIsAFaultThatNamesTheNearest)
+{
+    const TemporaryFolder folder;
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"rnu"},
+                                                      {"rnu", "--help"},
+                                                      {"--help", "rnu"},
+                                                      {"rnu", "x.yaml", "-o", "made"}}) {
+        const Ended ended = voussoir(folder, arguments);
+        EXPECT_EQ(ended.exit_code, 2);
+        EXPECT_EQ(ended.output, "");
+        EXPECT_NE(ended.errors.find("voussoir: no command \"rnu\"; did you mean run?"), std::string::npos)
+            << ended.errors;
+    }
+    const Ended ended = voussoir(folder, {"fos", "--help"});
+    EXPECT_EQ(ended.exit_code, 2);
+    EXPECT_NE(ended.errors.find("no command \"fos\"; known here: run, check, "), std::string::npos)
+        << ended.errors;
+}
+
 TEST(Program, HelpsAndTellsItsVersion)
 {
     const TemporaryFolder folder;

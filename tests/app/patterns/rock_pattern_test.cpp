@@ -187,8 +187,8 @@ TEST(RockPattern, KhansSlopeHasItsFactorOfSafety)
     const auto stands = [&](double factor) {
         const Case the_case =
             reader::read_case(std::filesystem::path(VOUSSOIR_CASES) / "slope_28.yaml",
-                              {"joints.joint.friction=" + std::to_string(std::atan(friction / factor)),
-                               "joints.joint.cohesion=" + std::to_string(cohesion / factor)});
+                              {"joints.joint.friction=" + std::to_string(std::atan(friction / factor)) + " rad",
+                               "joints.joint.cohesion=" + std::to_string(cohesion / factor) + " Pa"});
         return run_to_rest(the_case).report.outcome == Outcome::completed;
     };
     EXPECT_TRUE(stands(safety * 0.995));

@@ -95,10 +95,10 @@ struct Writing {
             case Shaking::sine:
                 return sine(amplitude);
             case Shaking::ricker:
-                return fmt::format("{{ricker: {{acceleration: {}, frequency: {}}}}}", amplitude,
+                return fmt::format("{{ricker: {{acceleration: {} m/s2, frequency: {}}}}}", amplitude,
                                    40 * scene.frequency);
             case Shaking::pulse:
-                return fmt::format("{{pulse: {{acceleration: {}, period: {}}}}}", amplitude,
+                return fmt::format("{{pulse: {{acceleration: {} m/s2, period: {}}}}}", amplitude,
                                    0.08 / scene.frequency);
             case Shaking::record:
                 return fmt::format("{{record: ground.txt, unit: m/s2, scale: {}}}", amplitude);
@@ -107,7 +107,7 @@ struct Writing {
     }
     std::string sine(double amplitude) const
     {
-        return fmt::format("{{sine: {{acceleration: {}, frequency: {}, duration: 1}}}}", amplitude,
+        return fmt::format("{{sine: {{acceleration: {} m/s2, frequency: {}, duration: 1}}}}", amplitude,
                            scene.frequency);
     }
     /// Their ends are the middles of boxes, areas and stresses in the telling's units.
@@ -117,10 +117,10 @@ struct Writing {
         const double s = telling.scale;
         for (std::size_t i = 0; i < scene.bars.size(); ++i) {
             const GeneratedBar& bar = scene.bars[i];
-            out += fmt::format("  - {{name: bar_{}, diameter: {}, young: {}, carries: {}", i + 1,
+            out += fmt::format("  - {{name: bar_{}, diameter: {}, young: {} Pa, carries: {}", i + 1,
                                length(s * bar.diameter), 2e11 / s, bar.carries);
-            if (bar.yield > 0) out += fmt::format(", yield_strength: {}", bar.yield / s);
-            if (bar.prestress > 0) out += fmt::format(", prestress: {}", bar.prestress / s);
+            if (bar.yield > 0) out += fmt::format(", yield_strength: {} Pa", bar.yield / s);
+            if (bar.prestress > 0) out += fmt::format(", prestress: {} Pa", bar.prestress / s);
             if (bar.dowels)
                 out += fmt::format(", length: {}, between: [{}, {}]}}\n", length(s * bar.length),
                                    group_of(bar.from), group_of(bar.to));
@@ -177,8 +177,8 @@ std::string text_of(const GeneratedScene& scene, const Telling& telling)
     // Mass is told in the same unit of force, so Pa = kg/(m s2) scales with 1/s and kg/m3 with 1/s^3.
     writing.out = fmt::format(
         "kinematics: {}\n"
-        "gravity: {{magnitude: {}}}\n"
-        "materials: {{stone: {{density: {}, young: {}, poisson: 0.2}}}}\n"
+        "gravity: {{magnitude: {} m/s2}}\n"
+        "materials: {{stone: {{density: {} kg/m3, young: {} Pa, poisson: 0.2}}}}\n"
         "joints: {{dry: {{friction: {} deg{}}}}}\n",
         telling.kinematics.empty() ? kind : telling.kinematics, 9.80665 * s, 2400 / (s * s * s), young / s,
         scene.friction, telling.joint);

@@ -12,7 +12,7 @@ namespace
 {
 
 const std::string scene =
-    "materials: {m: {density: 2000, young: 1 GPa, poisson: 0.2}}\n"
+    "materials: {m: {density: 2000 kg/m3, young: 1 GPa, poisson: 0.2}}\n"
     "joints: {j: {friction: 30 deg}}\n";
 const std::string floor_and_stone =
     "blocks:\n"
@@ -92,11 +92,11 @@ TEST(CaseBounds, StepsFramesAndPicturesWithoutEnd)
     const auto said_of = [&](const std::string& wave) {
         return said("stages: [{type: dynamic, duration: 1, motion: {x: {" + wave + "}}}]\n");
     };
-    EXPECT_EQ(said_of("ricker: {acceleration: 1, frequency: 1, time_step: 1e-3}"), "no fault");
-    for (const char* wave :
-         {"noise: {acceleration: 1, duration: 1e15 s}", "noise: {acceleration: 1, duration: 1, time_step: 1e-300}",
-          "sweep: {acceleration: 1, from: 1, to: 1e12, duration: 1000}",
-          "ricker: {acceleration: 1, frequency: 1, time_step: 1e-15}"})
+    EXPECT_EQ(said_of("ricker: {acceleration: 1 m/s2, frequency: 1, time_step: 1e-3}"), "no fault");
+    for (const char* wave : {"noise: {acceleration: 1 m/s2, duration: 1e15 s}",
+                             "noise: {acceleration: 1 m/s2, duration: 1, time_step: 1e-300}",
+                             "sweep: {acceleration: 1 m/s2, from: 1, to: 1e12, duration: 1000}",
+                             "ricker: {acceleration: 1 m/s2, frequency: 1, time_step: 1e-15}"})
         EXPECT_TRUE(mentions(said_of(wave), "at most 1e7 time steps")) << wave;
 }
 
@@ -105,7 +105,7 @@ TEST(CaseBounds, StonesTooHeavyOrTooLargeForANumber)
     const auto said = [](const std::string& old_part, const std::string& new_part) {
         return said_soon(with(scene + floor_and_stone + shake, old_part, new_part));
     };
-    EXPECT_TRUE(mentions(said("density: 2000", "density: 1e308 kg/m3"), "a mass of inf kg"));
+    EXPECT_TRUE(mentions(said("density: 2000 kg/m3", "density: 1e308 kg/m3"), "a mass of inf kg"));
     EXPECT_TRUE(mentions(said("upper: [0.5, 0.5, 0.5]", "upper: [1e150, 1e150, 1e150]"), "a volume of inf m3"));
     EXPECT_TRUE(mentions(said("upper: [0.5, 0.5, 0.5]", "upper: [1e-120, 1e-120, 1e-120]"),
                          "case.yaml:5: blocks[1]: box: face 0 has no area"));

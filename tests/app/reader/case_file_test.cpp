@@ -94,10 +94,67 @@ TEST(CaseFile, PlacesFaultsOfOverridesAtTheOption)
     EXPECT_TRUE(read(two_boxes, {"output=null"}).output.histories.empty());
 }
 
-TEST(CaseFile, BareDegreesDoNotPassForRadians)
+// 0.7 was 40.1 deg in radians, and its writer meant the tangent.
+TEST(CaseFile, FrictionWithoutUnitIsAFaultThatOffersAngleAndCoefficient)
 {
-    EXPECT_EQ(faults_of(two_boxes, {"joints.dry.friction=30"}),
-              "--set joints.dry.friction: 30 rad (1718.87 deg); must be >= 0 and < 1.5708 rad (90 deg)");
+    EXPECT_EQ(faults_of(two_boxes, {"joints.dry.friction=0.7"}),
+              "--set joints.dry.friction: \"0.7\" has no unit; write 0.7 deg for an angle, or {coefficient: 0.7}, "
+              "which is 34.99 deg");
+    EXPECT_NE(faults_of(two_boxes, {"joints.dry.friction=-0.7"}).find("has no unit"), std::string::npos);
+    EXPECT_EQ(faults_of(two_boxes, {"joints.dry.friction=95 deg"}),
+              "--set joints.dry.friction: 95 deg; must be >= 0 and < 1.5708 rad (90 deg)");
+}
+
+TEST(CaseFile, FrictionMayBeACoefficient)
+{
+    const auto angle = [](const std::string& friction) {
+        return read(two_boxes, {"joints.dry.friction=" + friction}).model.joints.at(0).friction_angle;
+    };
+    EXPECT_DOUBLE_EQ(angle("{coefficient: 0.7}"), std::atan(0.7));
+    EXPECT_EQ(angle("{coefficient: 0}"), 0);
+    EXPECT_EQ(angle("0"), 0);
+    const auto said = [](const std::string& friction) {
+        return faults_of(two_boxes, {"joints.dry.friction=" + friction});
+    };
+    EXPECT_EQ(said("{coefficient: -1}"),
+              "--set joints.dry.friction: joints.dry.friction.coefficient: -1; must be >= 0 and <= 1e+06");
+    EXPECT_NE(said("{coefficient: 35 deg}").find("expected a number without unit"), std::string::npos);
+    EXPECT_NE(said("{coeficient: 0.7}").find("did you mean coefficient?"), std::string::npos);
+    EXPECT_NE(said("{}").find("coefficient: missing"), std::string::npos);
+    const std::string at_speed = "joints.dry.friction_at_speed=[{speed: 1 cm/s, friction: {coefficient: 0.5}}]";
+    EXPECT_DOUBLE_EQ(read(two_boxes, {at_speed}).model.joints.at(0).friction_at_speed.at(0).angle, std::atan(0.5));
+}
+
+TEST(CaseFile, NumbersWithoutTheUnitThatDecidesAreFaults)
+{
+    const std::string motion = "foundation.motion.x=";
+    const std::pair<std::string, std::string> bare[] = {
+        {motion + "{ricker: {acceleration: 0.35, frequency: 2 Hz}}", "write 0.35 g or 0.35 m/s2"},
+        {motion + "{ricker: {acceleration: 1 g, frequency: 2 Hz}, scale_to_pga: 0.35}",
+         "write 0.35 g or 0.35 m/s2"},
+        {motion + "{ricker: {acceleration: 1 g, frequency: 2 Hz}, processing: [{scale_to_pga: 0.35}]}",
+         "write 0.35 g or 0.35 m/s2"},
+        {motion + "{ricker: {acceleration: 1 g, frequency: 2 Hz}, processing: [{scale_to_pgv: 20}]}",
+         "write 20 cm/s or 20 m/s"},
+        {motion + "{sine: {acceleration: 1 g, frequency: 2 Hz, phase: 90}}", "write 90 deg or 90 rad"},
+        {"gravity.magnitude=9.81", "write 9.81 g or 9.81 m/s2"},
+        {"stages[1].gravity={tilt: 10, towards: [1, 0, 0]}", "write 10 deg or 10 rad"},
+        {"blocks[1].rotate={axis: z, angle: 30}", "write 30 deg or 30 rad"},
+        {"initial_state=[{blocks: stone, spin: [0, 0, 20]}]", "write 20 rad/s or 20 deg/s"},
+        {"materials.granite.young=4500", "write 4500 MPa or 4500 Pa"},
+        {"materials.granite.density=24", "write 24 kg/m3 or 24 kN/m3"},
+        {"joints.dry.cohesion=0.1", "write 0.1 MPa or 0.1 Pa"},
+    };
+    for (const auto& [setting, remedy] : bare)
+        EXPECT_NE(faults_of(two_boxes, {setting}).find(" has no unit; " + remedy), std::string::npos)
+            << setting << ": " << faults_of(two_boxes, {setting});
+}
+
+TEST(CaseFile, NothingNeedsNoUnitAndNeitherDoLengthsAndTimes)
+{
+    EXPECT_EQ(faults_of(two_boxes, {"joints.dry.cohesion=0", "blocks[1].rotate={axis: z, angle: 0}",
+                                    "stages[1].time_step=0.002", "output.every=0.02"}),
+              "no fault");
 }
 
 TEST(CaseFile, OverlappingBoxesAreRefusedAndTouchingOnesAreNot)

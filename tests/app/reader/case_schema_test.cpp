@@ -140,7 +140,7 @@ TEST_F(CaseSchema, HasTheWordsOfProcessing)
         {"processing[]", {"[", "]"}},
         {"integrate", {"[{integrate: ", "}]"}},
         {"differentiate", {"[{differentiate: ", "}]"}},
-        {"eurocode_8.type", {"[{match: {target: {eurocode_8: {acceleration: 1, type: ", "}}}}]"}}};
+        {"eurocode_8.type", {"[{match: {target: {eurocode_8: {acceleration: 1 m/s2, type: ", "}}}}]"}}};
     std::size_t probed = 0;
     for (const auto& [path, words] : known_.words)
         for (const auto& [end, text] : around) {

@@ -45,7 +45,7 @@ TEST(Gravity, ItsDirectionMayHaveAnyLength)
     }
     EXPECT_NE(faults_of("gravity: {direction: [0, 0, 0]}\n" + with_gravity("")).find("a direction of length 0"),
               std::string::npos);
-    EXPECT_NE(faults_of("gravity: {magnitude: 1e200}\n" + with_gravity("")).find("must be >= 0 and <= 1e+09"),
+    EXPECT_NE(faults_of("gravity: {magnitude: 1e200 m/s2}\n" + with_gravity("")).find("must be >= 0 and <= 1e+09"),
               std::string::npos);
 }
 

@@ -11,7 +11,7 @@ namespace
 {
 
 /// A tower of six cubes of 1 m from z = 0, "cube" to "cube_6"; line 6 is the entry's.
-const std::string tower = R"(materials: {stone: {density: 2000, young: 1 GPa, poisson: 0.2}}
+const std::string tower = R"(materials: {stone: {density: 2000 kg/m3, young: 1 GPa, poisson: 0.2}}
 joints: {j: {friction: 30 deg}}
 stages: [{type: static}]
 foundation: {blocks: foundation}
@@ -165,7 +165,7 @@ std::string materials_in(const std::vector<std::string>& overrides)
     return letters;
 }
 
-const std::string brick = "materials.brick={density: 1800, young: 1 GPa, poisson: 0.2}";
+const std::string brick = "materials.brick={density: 1800 kg/m3, young: 1 GPa, poisson: 0.2}";
 
 TEST(MaterialsByGroup, AreThoseOfTheStonesGroups)
 {

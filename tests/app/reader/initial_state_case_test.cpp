@@ -50,8 +50,8 @@ TEST(InitialStateKeys, VelocityAndSpinAreThoseOfTheState)
     const Vector3d velocity(1, 2, -3), spin(0.5, 0, 2);
     for (const char* kinematics : {"spatial_rigid", "spatial_deformable"}) {
         const Model model =
-            read(
-                case_with("  - {blocks: pier_*, velocity: [1, 2 m/s, -3], spin: [0.5, 0, 2 rad/s]}\n", kinematics))
+            read(case_with("  - {blocks: pier_*, velocity: [1, 2 m/s, -3], spin: [0.5 rad/s, 0, 2 rad/s]}\n",
+                           kinematics))
                 .model;
         const State state = initial_state(model);
         for (const int pier : {1, 2}) {
@@ -68,7 +68,8 @@ TEST(InitialStateKeys, VelocityAndSpinAreThoseOfTheState)
 TEST(InitialStateKeys, SpinAboutAPointMovesTheBlockRoundIt)
 {
     const Model model =
-        read(case_with("  - {blocks: pier_1, velocity: [0, 1, 0], spin: [0, 2, 0], spin_about: [0, 0.5, 0]}\n"))
+        read(case_with(
+                 "  - {blocks: pier_1, velocity: [0, 1, 0], spin: [0, 2 rad/s, 0], spin_about: [0, 0.5, 0]}\n"))
             .model;
     const State state = initial_state(model);
     // w x (c - p) = (0, 2, 0) x (0.5, 0, 1)
@@ -79,7 +80,7 @@ TEST(InitialStateKeys, SpinAboutAPointMovesTheBlockRoundIt)
 TEST(InitialStateKeys, PlanarScenesSpinFromXToZ)
 {
     for (const char* kinematics : {"planar_rigid", "planar_deformable"})
-        for (const char* spin : {"3 rad/s", "[0, -3, 0]"}) {
+        for (const char* spin : {"3 rad/s", "[0, -3 rad/s, 0]"}) {
             const Model model =
                 read(case_with("  - {blocks: pier_1, velocity: [1, 2], spin: " + std::string(spin) +
                                    ", spin_about: [0.5, 0]}\n",
@@ -148,7 +149,7 @@ TEST(InitialStateKeys, TurnsFollowOneAnotherAndMotionIsThatOfTheTurnedBlock)
     const Model model =
         read(case_with("  - {blocks: pier_1, rotate: {axis: y, angle: -90 deg, about: [0, 0, 0]}}\n"
                        "  - {blocks: pier_1, rotate: {axis: z, angle: 180 deg, about: [0, 0, 0]},\n"
-                       "     spin: [0, 0, 1], spin_about: [0, 0, 0]}\n"))
+                       "     spin: [0, 0, 1 rad/s], spin_about: [0, 0, 0]}\n"))
             .model;
     const Vector3d centre(1, -0.5, 0.5);  // (0.5, 0.5, 1) to (-1, 0.5, 0.5) to (1, -0.5, 0.5)
     EXPECT_LT((model.blocks[1].moments.centroid - centre).norm(), 1e-12);
@@ -175,16 +176,16 @@ TEST(InitialStateKeys, FaultsNameTheirLine)
     expect(fault("{blocks: pier_1, velocity: [.nan, 0, 0]}"), "velocity");
     expect(fault("{blocks: pier_1, velocity: [1e30, 0, 0]}"), "at most 10000 m/s");
     expect(fault("{blocks: pier_1, spin: [1 m/s, 0, 0]}"), "spin");
-    expect(fault("{blocks: pier_1, spin: [0, 1e5, 0]}"), "at most 10000 rad/s");
+    expect(fault("{blocks: pier_1, spin: [0, 1e5 rad/s, 0]}"), "at most 10000 rad/s");
     expect(fault("{blocks: pier_1, spin: 1 rad/s}"), "spin");
     expect(fault("{blocks: pier_1, rotate: {axis: y, angle: 30 m}}"), "angle");
     expect(fault("{blocks: pier_1, rotate: 30 deg}"), "a rotation {axis: z, angle: 45 deg}");
     expect(fault("{blocks: pier_1, turn: 30 deg}"), "turn");
     expect(fault("3 m/s"), "initial_state[0]");
-    expect(fault("{blocks: pier_1, spin: [1, 0, 0]}", "planar_rigid"), "in its plane");
+    expect(fault("{blocks: pier_1, spin: [1 rad/s, 0, 0]}", "planar_rigid"), "in its plane");
     expect(fault("{blocks: pier_1, velocity: [1, 1, 0]}", "planar_rigid"), "along y");
     expect(fault("{blocks: pier_1, rotate: {axis: x, angle: 3 deg}}", "planar_rigid"), "out of the plane");
-    expect(fault("{blocks: pier_*, velocity: [1, 0, 0]}\n  - {blocks: pier_2, spin: [0, 1, 0]}"),
+    expect(fault("{blocks: pier_*, velocity: [1, 0, 0]}\n  - {blocks: pier_2, spin: [0, 1 rad/s, 0]}"),
            "a second velocity or spin of block pier_2");
     expect(faults_of("materials: {}\n" + case_with("").substr(case_with("").find("joints"))), "initial_state");
 }
@@ -197,7 +198,7 @@ TEST(InitialStateKeys, HeldBlocksHaveNoMotionOfTheirOwn)
     EXPECT_NE(fault("{group: ground, velocity: [1, 0, 0]}")
                   .find("a velocity along x of block floor, which the foundation holds"),
               std::string::npos);
-    EXPECT_NE(fault("{blocks: floor, spin: [0, 0, 1]}").find("a spin of block floor"), std::string::npos);
+    EXPECT_NE(fault("{blocks: floor, spin: [0, 0, 1 rad/s]}").find("a spin of block floor"), std::string::npos);
     EXPECT_EQ(fault("{blocks: floor, velocity: [1, 0, 0]}", {"foundation.x=free"}), "no fault");
     EXPECT_NE(fault("{blocks: floor, velocity: [1, 0, 1]}", {"foundation.x=free"}).find("along z"),
               std::string::npos);

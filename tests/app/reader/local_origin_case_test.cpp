@@ -90,8 +90,8 @@ TEST(LocalOrigin, StonesBesideOneSoLongThatItsCornersAreRoundedAreRefused)
 TEST(LocalOrigin, StonesWhoseStressesAreRoundingAreRefused)
 {
     std::string text = incline(0);
-    text.replace(text.find("10 GPa"), 6, "1e16");
-    text.replace(text.find("2000 kg/m3"), 10, "1");
+    text.replace(text.find("10 GPa"), 6, "1e16 Pa");
+    text.replace(text.find("2000 kg/m3"), 10, "1 kg/m3");
     EXPECT_NE(faults_of(text).find("with a modulus of 1e+16 Pa stresses are rounded by"), std::string::npos);
     EXPECT_EQ(faults_of("kinematics: spatial_rigid\n" + text), "no fault");
 }

@@ -112,9 +112,95 @@ TEST_F(MotionCase, FiguresOfWavesThatCannotBeAreRefused)
               "mean cosine?");
     EXPECT_EQ(faults_of(moved_by("{x: {noise: {acceleration: 1 m/s2, duration: 6 s, seed: -1}}}")),
               "case.yaml:9: foundation.motion.x.noise.seed: \"-1\"; expected a whole number from 0 to 1000000000");
+    EXPECT_NE(faults_of(moved_by("{x: {ricker: {acceleration: 1 m/s2, frequency: 1e308 Hz}}}")).find("so large"),
+              std::string::npos)
+        << "the ground stood still, without a word";
     EXPECT_EQ(faults_of(moved_by("{x: {sine: {acceleration: 1 m/s2, frequency: 5 Hz, duration: 1 s}, scale: 2}}")),
               "case.yaml:9: foundation.motion.x.scale: has no meaning here; a sine is defined by its parameters: "
               "change these, or use a ramped_sine");
+}
+
+// ---- warnings
+
+/// A record of one strong wave after 1 s, 6 s long, that leaves the ground where it was.
+std::vector<double> late_wave()
+{
+    std::vector<double> values(601, 0);
+    for (int i = 0; i <= 200; ++i) {
+        const double b = std::pow(std::numbers::pi * 2 * 0.01 * (i - 100), 2);
+        values[static_cast<std::size_t>(100 + i)] = (1 - 2 * b) * std::exp(-b);
+    }
+    return values;
+}
+
+/// One push: the ground goes on moving.
+std::vector<double> push()
+{
+    std::vector<double> values(201, 0);
+    for (std::size_t i = 1; i < 50; ++i) values[i] = 0.5;
+    return values;
+}
+
+class MotionWarnings : public MotionCase
+{
+ protected:
+    MotionWarnings()
+    {
+        write_record("wave.txt", late_wave());
+        write_record("push.txt", push());
+    }
+    std::string warnings_of(const std::string& motion) const
+    {
+        std::string all;
+        for (const std::string& warning : read(moved_by("{" + motion + "}")).warnings)
+            all += warning.substr((folder_ / "").string().size()) + "\n";
+        return all;
+    }
+};
+
+TEST_F(MotionWarnings, ARecordScaledByMoreThanTenIsToldWithTheFactor)
+{
+    EXPECT_EQ(
+        warnings_of("x: {record: wave.txt, unit: m/s2, scale: 12}"),
+        "case.yaml:9: foundation.motion.x.record: the record is scaled by 12, more than 10: check its unit and "
+        "its channel, or take a stronger record\n");
+    EXPECT_NE(warnings_of("x: {record: wave.txt, unit: mm/s2, scale_to_pga: 0.35 g}").find("scaled by 3432"),
+              std::string::npos);
+    EXPECT_NE(warnings_of("x: {record: wave.txt, unit: m/s2, scale: -3, processing: [{scale: 4}]}")
+                  .find("scaled by -12"),
+              std::string::npos);
+    EXPECT_NE(warnings_of("records: wave.txt, unit: m/s2, axes: [x], processing: [{scale_to_pga: 20 m/s2}]")
+                  .find("scaled by 20"),
+              std::string::npos);
+    EXPECT_EQ(warnings_of("x: {record: wave.txt, unit: m/s2, scale: 10}"), "");
+    EXPECT_EQ(warnings_of("x: {ricker: {acceleration: 1 m/s2, frequency: 2 Hz}, scale: 20}"), "") << "no record";
+}
+
+TEST_F(MotionWarnings, AWindowThatCutsTheStrongPartIsTold)
+{
+    const auto said = [&](const std::string& step) {
+        return warnings_of("x: {record: wave.txt, unit: m/s2, processing: [" + step + "], end_correction: true}");
+    };
+    EXPECT_NE(said("{window: {from: 2.05 s}}").find("% of the record's Arias intensity, less than 70 %"),
+              std::string::npos);
+    EXPECT_NE(said("{window: {arias: [0.1 %, 99 %], longest: 0.2 s}}").find("Arias intensity"), std::string::npos);
+    EXPECT_EQ(said("{window: {from: 1 s, to: 3 s}}"), "");
+    EXPECT_EQ(said("{window: {arias: [5 %, 75 %]}}"), "") << "70 % to the last bits";
+}
+
+TEST_F(MotionWarnings, AGroundThatEndsElsewhereIsToldUnlessItWasGivenAsDisplacement)
+{
+    const std::string told = warnings_of("x: {record: push.txt, unit: m/s2}");
+    EXPECT_NE(told.find("the ground ends 429 mm from where it began, 100 % of its largest displacement"),
+              std::string::npos)
+        << told;
+    EXPECT_NE(warnings_of("records: push.txt, unit: m/s2, axes: [x]").find("the ground along x ends"),
+              std::string::npos);
+    EXPECT_EQ(warnings_of("x: {record: push.txt, unit: m/s2, end_correction: true}"), "");
+    EXPECT_EQ(warnings_of("x: {record: push.txt, unit: cm/s2}"), "") << "less than a centimetre";
+    write_record("slip.txt", {0, 0.1, 0.3, 0.5, 0.5});
+    EXPECT_EQ(warnings_of("x: {record: slip.txt, unit: m}"), "") << "the fault has slipped";
+    EXPECT_EQ(warnings_of("x: {pulse: {acceleration: 1 m/s2, period: 1 s}}"), "") << "what was asked for";
 }
 
 // ---- processing and faults

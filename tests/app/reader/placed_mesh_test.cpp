@@ -56,7 +56,7 @@ f 9 10 16 15
 f 10 5 11 16
 )";
 
-const std::string scene = R"(materials: {m: {density: 2000, young: 1 GPa, poisson: 0.2}}
+const std::string scene = R"(materials: {m: {density: 2000 kg/m3, young: 1 GPa, poisson: 0.2}}
 joints: {j: {friction: 30 deg}}
 stages: [{type: static}]
 )";

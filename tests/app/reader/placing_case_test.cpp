@@ -18,7 +18,7 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-const std::string scene = R"(materials: {m: {density: 2000, young: 1 GPa, poisson: 0.2}}
+const std::string scene = R"(materials: {m: {density: 2000 kg/m3, young: 1 GPa, poisson: 0.2}}
 joints: {j: {friction: 30 deg}}
 stages: [{type: static}]
 )";

@@ -36,6 +36,7 @@ class Schema
     void gather(const json& part, const std::string& path, SchemaWords& found) const
     {
         const json& schema = resolved(part);
+        if (schema.contains("examples")) return;  // a number with its unit: neither keys nor words
         for (const json& alternative : alternatives(schema)) gather(alternative, path, found);
         const json properties = schema.value("properties", json::object());
         for (const auto& [key, value] : properties.items()) {
@@ -55,6 +56,7 @@ class Schema
     {
         if (part.value("$ref", "") == "#/$defs/quantity") return {1};
         const json& schema = resolved(part);
+        if (schema.contains("examples")) return schema.at("examples").get<std::vector<json>>();
         if (schema.contains("const")) return {schema.at("const")};
         if (schema.contains("enum")) return schema.at("enum").get<std::vector<json>>();
         if (schema.contains("properties")) return objects(schema, with_deprecated);

@@ -30,9 +30,10 @@ class GroundArrow : public CommandTest
 };
 
 const std::string shaken =
-    "--set 'foundation={blocks: foundation, motion: {x: {sine: {acceleration: 3, frequency: 10, duration: 0.1 "
+    "--set 'foundation={blocks: foundation, motion: {x: {sine: {acceleration: 3 m/s2, frequency: 10, duration: "
+    "0.1 "
     "s}}, "
-    "y: {sine: {acceleration: 4, frequency: 10, duration: 0.1 s}}}}'";
+    "y: {sine: {acceleration: 4 m/s2, frequency: 10, duration: 0.1 s}}}}'";
 
 TEST_F(GroundArrow, IsTheSumOfTheMotionsOfASupport)
 {

@@ -17,7 +17,8 @@ class Rods : public CommandTest
 };
 
 const std::string pushed =
-    "--set stages[1].body_acceleration='[{blocks: blocks, x: {sine: {acceleration: 8, frequency: 2, duration: 0.2 "
+    "--set stages[1].body_acceleration='[{blocks: blocks, x: {sine: {acceleration: 8 m/s2, frequency: 2, "
+    "duration: 0.2 "
     "s}}}]' "
     "--set bars='[{name: dowel, between: [foundation, blocks], diameter: 1 mm, length: 1 cm, yield_strength: 1 "
     "MPa}, "

@@ -119,6 +119,20 @@ TEST_F(Report, AnArchThatStands)
     EXPECT_EQ(report.at("mechanism_line").get<std::string>().rfind("The structure stands", 0), 0U);
 }
 
+// The console said 1,816 joints opened, by steps, the report 1,745, by frames.
+TEST_F(Report, CountsTheJointsThatTheRunCounted)
+{
+    const Json report =
+        report_of_case(VOUSSOIR_CASES "/arch_planar.yaml", "--set output.snapshots=null --set 'output.every=2 s'");
+    const Json joints = Json::parse(contents("results/summary.json")).at("joints");
+    const std::string line = report.at("mechanism_line");
+    EXPECT_GT(joints.at("opened").get<int>(), 0) << "between the frames, which are few";
+    EXPECT_NE(line.find("Of " + joints.at("count").dump() + " joints " + joints.at("opened").dump() +
+                        " opened and " + joints.at("slid").dump() + " slid"),
+              std::string::npos)
+        << line;
+}
+
 TEST_F(Report, AWallThatOverturns)
 {
     const Json report =

@@ -54,6 +54,20 @@ TEST(Quantity, BareNumbersAreMarkedAsSuch)
     EXPECT_DOUBLE_EQ(parse_quantity("1e-3").value, 1e-3);
 }
 
+TEST(Quantity, ABareNumberLacksAUnitWhereSeveralAreInUse)
+{
+    const auto lacks = [](const char* text, const Dimension& dimension) {
+        return lacks_unit(parse_quantity(text), dimension);
+    };
+    EXPECT_TRUE(lacks("0.35", dimension::acceleration));
+    EXPECT_TRUE(lacks("30", dimension::angle));
+    EXPECT_FALSE(lacks("0.35 g", dimension::acceleration));
+    EXPECT_FALSE(lacks("0", dimension::acceleration)) << "nothing is nothing in any unit";
+    EXPECT_FALSE(lacks("2", dimension::length));
+    EXPECT_FALSE(lacks("2", dimension::number));
+    EXPECT_EQ(with_units(" 0.35 ", dimension::acceleration), "write 0.35 g or 0.35 m/s2");
+}
+
 TEST(Quantity, APressureIsNoDensity)
 {
     EXPECT_FALSE(parse_quantity("2400 Pa").has(dimension::density));

@@ -77,6 +77,7 @@ TEST(Window, ByAriasHoldsItsShareOfTheJointIntensity)
         held += measures::measures_of(channel).arias_intensity;
     }
     EXPECT_NEAR(held / whole, 0.9, 2e-3);  // whole samples only
+    EXPECT_NEAR(record.arias_share, 0.9, 1e-9);
     expect_in(record.sentences[0], "5 % to 95 %");
 
     // One channel alone: the times of its own significant duration.
@@ -95,7 +96,13 @@ TEST(Window, AriasIsAdditiveOverWindows)
     const Channel channel = noise(2001, 0.005, 5);
     const double first = measures::measures_of(processed(channel, {processing::TimeWindow{0, 4}})).arias_intensity;
     const double second = measures::measures_of(processed(channel, {processing::TimeWindow{4}})).arias_intensity;
-    EXPECT_NEAR(first + second, measures::measures_of(channel).arias_intensity, 1e-12);
+    const double whole = measures::measures_of(channel).arias_intensity;
+    EXPECT_NEAR(first + second, whole, 1e-12);
+    const processing::ProcessedRecord twice =
+        processing::process({channel}, {processing::TimeWindow{4}, processing::TimeWindow{0, 2}});
+    EXPECT_NEAR(twice.arias_share, measures::measures_of(twice.channels[0]).arias_intensity / whole, 1e-9)
+        << "of the whole record, after both windows";
+    EXPECT_EQ(processing::process({channel}, {processing::RemoveMean{}}).arias_share, 1);
 }
 
 // ---- baselines, taper, end
@@ -257,6 +264,9 @@ TEST(Scaling, BringsThePeakOfOneComponentToAValueAndKeepsTheOthersInProportion)
     EXPECT_NEAR(measures::response_spectrum(by_spectrum.channels[1], {0.7}).pseudo_acceleration[0], 6, 1e-9);
     expect_in(by_spectrum.sentences[0], "5 % pseudo-acceleration at 0.7 s");
 
+    const processing::ProcessedRecord twice = processing::process(
+        channels, {processing::Scale{-2}, processing::ScaleToPeak{Quantity::acceleration, 3.5, "NS"}});
+    EXPECT_NEAR(twice.factor, -3.5 / peak(channels[0]), 1e-12) << "of all steps together";
     EXPECT_NEAR(peak(processing::process(channels, {processing::Scale{-2}}).channels[0]), 2 * peak(channels[0]),
                 1e-12);
     expect_in(faults_of(channels, {processing::ScaleToPeak{Quantity::acceleration, 1, "UP"}}), "NS, EW");

@@ -1,6 +1,8 @@
 // What a study comes to, from series whose limits are known.
 #include "app/studies/converge/conclusion.h"
 
+#include "app/studies/converge/verdict.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -89,6 +91,7 @@ TEST(Conclusion, IsTheCheapestThatMeetsTheToleranceAsLinesToPaste)
     EXPECT_TRUE(says(in_words(conclusion), "is the cheapest that meets it"));
     EXPECT_TRUE(says(in_words(conclusion), "crown.d:peak 1.02 m +- 2"));
     EXPECT_TRUE(says(conclusion.remarks, "newmark comes to the same"));
+    EXPECT_EQ(share_in_words(6.22e-4), "0.0622 %") << "beside a value in deg a bare number would be degrees";
 
     ConvergeStudy strict = study;
     strict.tolerance = 1e-3;

@@ -63,6 +63,25 @@ TEST_F(ConvergeCommand, ThresholdsTakeKeysThatAreNotWritten)
     EXPECT_NE(output_.find("threshold of joints.dry.friction"), std::string::npos) << output_;
 }
 
+TEST_F(ConvergeCommand, AStudyWithoutAnyValueEndsWithExitCodeThreeAndSaysWhy)
+{
+    const std::string falls = "'" VOUSSOIR_CASES
+                              "/arch_planar.yaml' --set 'gravity.direction=[0.9, -0.1]'"
+                              " --set output.snapshots=null --time-steps 4ms,2ms --stiffness-factors 1";
+    EXPECT_EQ(converge(falls), 3) << output_;
+    EXPECT_NE(
+        output_.find("converge: conclusion, wanted: 5 %: no run gave a value to compare, the first for this: "
+                     "stage"),
+        std::string::npos)
+        << output_;
+    EXPECT_NE(output_.find("finds no equilibrium"), std::string::npos) << output_;
+    EXPECT_EQ(converge(incline_ + " --threshold 'joints.dry.friction=60..50 deg' --collapse-displacement '1 cm'"
+                                  " --time-steps 4ms --stiffness-factors 1"),
+              3)
+        << output_;
+    EXPECT_NE(output_.find("still stands at joints.dry.friction = 50 deg"), std::string::npos) << output_;
+}
+
 TEST_F(ConvergeCommand, PlacesThatCannotBeWrittenAreRefusedBeforeTheRuns)
 {
     folder_.write("stay", "");  // a file, where a folder is wanted
