@@ -135,7 +135,7 @@ std::optional<records::Record> read_named_record(const YamlCursor& file, const s
             if (!records::has_unit(channel))
                 throw InputError("", "the unit of \"" + name + "\" is not known",
                                  "give unit: one of " + records::known_units());
-        for (const std::string& remark : record.remarks) file.warn(name + ": " + remark);
+        for (const std::string& remark : record.remarks) file.warn(fmt::format("{}: {}", name, remark));
         return record;
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults)

@@ -66,6 +66,7 @@ double longest_duration(const std::vector<Channel>& channels)
 std::vector<std::vector<double>> cumulated_arias(const std::vector<Channel>& channels)
 {
     std::vector<std::vector<double>> cumulated;
+    cumulated.reserve(channels.size());
     for (const Channel& channel : channels)
         cumulated.push_back(measures::arias_up_to(channel.samples, channel.time_step));
     return cumulated;

@@ -66,6 +66,17 @@ TEST_F(EnsembleCommand, WritesTableJsonPageAndPicture)
     }
 }
 
+// It counted as a structure that stands, with exit code 0.
+TEST_F(EnsembleCommand, ACaseThatFindsNoEquilibriumHasNoVerdictAndExitCodeThree)
+{
+    const Ended ended = ensemble({"--set", "gravity.direction=[0.9, 0, -0.1]", "--stiffness-factor", "1"});
+    EXPECT_EQ(ended.exit_code, 3) << ended.output;
+    EXPECT_NE(ended.output.find("gave up: stage 'rest' finds no equilibrium"), std::string::npos) << ended.output;
+    EXPECT_NE(ended.errors.find("of the runs failed to converge or to come to rest: no verdict is possible"),
+              std::string::npos)
+        << ended.errors;
+}
+
 TEST_F(EnsembleCommand, RefusesWhatItCannotUseBeforeItRuns)
 {
     expect_refusal({}, "names no key", "nothing");
