@@ -215,7 +215,7 @@ std::optional<results::ErrorEstimate> error_of(const Case& the_case, const Recor
     return estimate;
 }
 
-void print_estimate(const results::ErrorEstimate& estimate)
+void print_estimate(const results::ErrorEstimate& estimate, Outcome outcome)
 {
     say_part(fmt::format("error estimate, largest differences{:>9}", ""));
     for (const results::RunBeside& run : estimate.runs) say_part(fmt::format("  {:>21}", run.name));
@@ -227,8 +227,8 @@ void print_estimate(const results::ErrorEstimate& estimate)
                                  quantity.size > 0 ? 100 * difference / quantity.size : 0.0));
         say("");
     }
-    for (const results::RunBeside& run : estimate.runs)
-        if (run.outcome != name_of(Outcome::completed)) say(fmt::format("  {}: {}", run.name, run.outcome));
+    for (const std::string& doubt : results::doubts_of(estimate, outcome))
+        say(fmt::format("  warning: {}", doubt));
 }
 
 }  // namespace voussoir::app::commands

@@ -46,6 +46,6 @@ std::optional<results::ErrorEstimate> error_of(const Case& the_case, const Recor
                                                bool quiet);
 
 /// Prints a line for each quantity.
-void print_estimate(const results::ErrorEstimate& estimate);
+void print_estimate(const results::ErrorEstimate& estimate, Outcome outcome);
 
 }  // namespace voussoir::app::commands

@@ -24,6 +24,7 @@
 #include "app/results/results_writer.h"
 #include "app/results/run_lock.h"
 #include "app/words/diagnosis_words.h"
+#include "app/words/doubts.h"
 #include "app/words/verdict_words.h"
 #include "importers/process/program_start.h"
 #include "libdda/analysis/joint_openings.h"
@@ -152,11 +153,10 @@ void print_report(const Case& the_case, const Ended& ended, double wall_time)
         e.closing / 1e3, (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3));
     print_joints(ended.joints);
     print_bars(report);
-    const std::vector<std::string> doubts = print_trust(the_case, ended.trust, report.energy);
-    for (const std::string& warning : words::warnings_of(report, the_case.model, the_case.stages))
-        say(fmt::format("  warning: {}", warning));
-    for (const std::string& warning : doubts) say(fmt::format("  warning: {}", warning));
-    if (ended.estimate) print_estimate(*ended.estimate);
+    const std::optional<Trust> trust = print_trust(the_case, ended.trust, report.energy);
+    for (const std::string& doubt : words::doubts_of(report, trust, the_case.model, the_case.stages))
+        say(fmt::format("  warning: {}", doubt));
+    if (ended.estimate) print_estimate(*ended.estimate, report.outcome);
 }
 
 void print_files(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& pictures)

@@ -32,15 +32,15 @@ double most_work_of_modes(const Case& the_case)
     return std::max(always_allowed, share_of_the_run * steps * blocks * work_of_a_block_in_a_step);
 }
 
-std::vector<std::string> print_trust(const Case& the_case, const std::optional<TrustStart>& noted,
-                                     const EnergyLedger& energy)
+std::optional<Trust> print_trust(const Case& the_case, const std::optional<TrustStart>& noted,
+                                 const EnergyLedger& energy)
 {
-    if (!noted) return {};
-    const Trust trust = trust_in(*noted, the_case.stages, energy);
+    if (!noted) return std::nullopt;
+    Trust trust = trust_in(*noted, the_case.stages, energy);
     say(fmt::format("  {}", words::vibrations_in_words(trust)));
     const std::string shares = words::shares_in_words(trust.shares);
     if (!shares.empty()) say(fmt::format("  {}", shares));
-    return words::warnings_of(trust, the_case.stages);
+    return trust;
 }
 
 bool TrustWatch::is_due(const State& state) const

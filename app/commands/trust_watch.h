@@ -16,9 +16,9 @@ namespace voussoir::app::commands
 double most_work_of_modes(const Case& the_case);
 
 /// Prints how far a run can be trusted. @param energy its ledger
-/// @returns what is to be warned of
-std::vector<std::string> print_trust(const Case& the_case, const std::optional<TrustStart>& noted,
-                                     const EnergyLedger& energy);
+/// @returns what was found; nothing where no motion began
+std::optional<Trust> print_trust(const Case& the_case, const std::optional<TrustStart>& noted,
+                                 const EnergyLedger& energy);
 
 class TrustWatch
 {

@@ -192,7 +192,12 @@ std::optional<records::processing::ProcessedRecord> process_as_written(
 std::string in_words(const records::Record& record, const records::Channel& channel, const std::string& name)
 {
     const double step = channel.times.empty() ? channel.time_step : records::resampled_evenly(channel).time_step;
-    return fmt::format("{} ({}, {:g} s, {:g} {})", name, record.format, step, records::peak(channel),
+    // Some writers put a sentence where others have a station.
+    constexpr std::size_t longest_station = 40;
+    const bool is_named = !record.station.empty() && record.station.size() <= longest_station;
+    std::string where = is_named ? fmt::format("station {}, ", record.station) : "";
+    if (channel.azimuth) where += fmt::format("azimuth {:g} deg, ", *channel.azimuth);
+    return fmt::format("{} ({}, {}{:g} s, {:g} {})", name, record.format, where, step, records::peak(channel),
                        unit_of(channel.quantity));
 }
 

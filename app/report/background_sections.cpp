@@ -31,31 +31,66 @@ std::string text_of(const Json& value)
 
 Table materials_table(const RunRecord& record)
 {
-    Table table{
-        "materials", "Stone", {"material", "density [kg/m3]", "Young's modulus [GPa]", "Poisson's ratio"}, {}};
+    Table table{"materials",
+                "Stone",
+                {"material", "density [kg/m3]", "Young's modulus [GPa]", "Poisson's ratio", "damping"},
+                {}};
     for (const RecordedMaterial& material : record.materials)
-        table.rows.push_back(
-            {material.name, figure(material.density), figure(material.young / 1e9), figure(material.poisson)});
+        table.rows.push_back({material.name, figure(material.density), figure(material.young / 1e9),
+                              figure(material.poisson), material.damping});
     return table;
 }
 
 Table joint_materials_table(const RunRecord& record)
 {
-    Table table{
-        "joint_materials", "Joints", {"joint", "friction [deg]", "cohesion [kPa]", "tensile strength [kPa]"}, {}};
+    Table table{"joint_materials",
+                "Joints",
+                {"joint", "friction [deg]", "cohesion [kPa]", "tensile strength [kPa]", "normal stiffness", "face",
+                 "dashpots, relaxation time [ms]"},
+                {}};
     for (const RecordedJointMaterial& joint : record.joint_materials)
         table.rows.push_back({joint.name, figure(joint.friction_angle * 180 / std::numbers::pi),
-                              figure(joint.cohesion / 1e3), figure(joint.tensile_strength / 1e3)});
+                              figure(joint.cohesion / 1e3), figure(joint.tensile_strength / 1e3),
+                              joint.stiffness.empty() ? "not stored" : joint.stiffness,
+                              joint.face.empty() ? "not stored" : joint.face,
+                              joint.relaxation_time > 0 ? figure(1e3 * joint.relaxation_time) : "none"});
     return table;
 }
 
+/// "energy_decaying, dissipation 0.02".
+std::string integrator_of(const Json& control)
+{
+    const std::string name = control.value("integrator", std::string("not stored"));
+    return name == "energy_decaying" ? fmt::format("{}, dissipation {:g}", name, control.value("dissipation", 0.0))
+                                     : name;
+}
+
+/// Of the velocities, by the stage.
+std::string damping_of(const Json& stage)
+{
+    const double rate = stage.value("damping_rate_1_s", 0.0), factor = stage.value("damping_factor_per_step", 1.0);
+    if (rate > 0) return fmt::format("{:g} 1/s", rate);
+    return factor < 1 ? fmt::format("x {:g} a step", factor) : "none";
+}
+
+/// Steps of a static stage are a way to rest, no time.
 Table stages_table(const RunRecord& record)
 {
-    Table table{"stages", "Stages", {"stage", "type", "duration [s]"}, {}};
-    for (const Json& stage : Json::parse(record.settings))
-        table.rows.push_back(
-            {text_of(stage.at("name")), text_of(stage.at("type")),
-             stage.contains("duration_s") ? figure(stage.at("duration_s").get<double>()) : "to rest"});
+    Table table{"stages",
+                "Stages",
+                {"stage", "type", "duration [s]", "time step [ms]", "integrator", "damping of velocities"},
+                {}};
+    for (const Json& stage : Json::parse(record.settings)) {
+        const bool is_dynamic = stage.contains("duration_s");
+        const Json control = stage.value("control", Json::object());
+        const double step_error = control.value("step_error_m", 0.0);
+        std::string step = is_dynamic ? figure(1e3 * control.value("time_step_s", 0.0)) : "to rest";
+        if (is_dynamic && step_error > 0)
+            step = fmt::format("at most {}, step error {:g} mm", step, 1e3 * step_error);
+        table.rows.push_back({text_of(stage.at("name")), text_of(stage.at("type")),
+                              is_dynamic ? figure(stage.at("duration_s").get<double>()) : "to rest", step,
+                              is_dynamic ? integrator_of(control) : "none", damping_of(stage)});
+    }
     return table;
 }
 
@@ -171,19 +206,23 @@ Section motion_section(const RunRecord& record)
     Section section{"Ground motion", {}, {}, {}, {}, {}};
     Table table{"motions",
                 "Measures of the motions as applied",
-                {"component", "source", "PGA [m/s2]", "PGV [m/s]", "PGD [m]", "Arias [m/s]", "duration 5-95 % [s]",
-                 "left over [mm]"},
+                {"stage", "component", "source", "PGA [m/s2]", "PGV [m/s]", "PGD [m]", "Arias [m/s]",
+                 "duration 5-95 % [s]", "left over [mm]"},
                 {}};
     for (const results::RecordedMotion& motion : record.motions) {
         if (motion.times.size() < 2) continue;
         const records::measures::Measures measures = records::measures::measures_of(channel_of(motion));
         const std::string follower = motion.followers.empty() ? "?" : motion.followers.front();
-        table.rows.push_back({follower.substr(follower.rfind(' ') + 1), motion.source,
+        table.rows.push_back({motion.stage, follower.substr(follower.rfind(' ') + 1), motion.source,
                               figure(motion.peak_acceleration), figure(measures.peak_velocity),
                               figure(measures.peak_displacement), figure(measures.arias_intensity),
                               figure(measures.duration_5_95), figure(1e3 * motion.residual_displacement)});
     }
-    if (!table.rows.empty()) section.tables.push_back(table);
+    if (table.rows.empty()) return section;
+    section.tables.push_back(table);
+    if (!record.motion_descriptions.empty())
+        section.paragraphs.emplace_back("What they are, and what was done to them before they were applied:");
+    section.points = record.motion_descriptions;
     return section;
 }
 

@@ -161,6 +161,8 @@ Document document_of(const RunRecord& a, const RunRecord& b, const fs::path& fol
     document.outcome = a.end.outcome == b.end.outcome ? a.end.outcome : a.end.outcome + ", " + b.end.outcome;
     document.first_line = "A: " + first_line_of(a) + " B: " + first_line_of(b);
     document.alarm = is_alarming(a) || is_alarming(b);
+    for (const std::string& doubt : a.doubts) document.doubts.push_back("A: " + doubt);
+    for (const std::string& doubt : b.doubts) document.doubts.push_back("B: " + doubt);
     document.mechanism = std::string(name_of(a.mechanism.kind)) + ", " + name_of(b.mechanism.kind);
     document.mechanism_line = "A: " + a.results.model.title + ". B: " + b.results.model.title + ".";
     const Both both{a,
@@ -172,6 +174,7 @@ Document document_of(const RunRecord& a, const RunRecord& b, const fs::path& fol
     document.sections = {key_figures_compared(a, b), outcome_section(a, b), pictures_of(both, folder)};
     if (film) document.sections.push_back(film_of(both, folder, told));
     document.sections.push_back({"Histories", {}, {}, {}, {}, {}});
+    document.sections.push_back(bars_compared(a, b));
     document.sections.push_back(stones_compared(a, b));
     document.sections.push_back(computations_compared(a, b));
     document.sections.push_back(differences_section(a, b));

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/report/base_shear.h"
 #include "app/report/sections.h"
 
 namespace voussoir::app::report
@@ -171,6 +172,8 @@ Section key_figures_compared(const RunRecord& a, const RunRecord& b)
     add("thrust in a joint [kN]",
         [](const RunRecord& r) { return largest_peak(r.course.joint_normal_force) / 1e3; });
     add("base shear [kN]", [](const RunRecord& r) { return largest_base_shear(r) / 1e3; });
+    if (base_shear_of(a) && base_shear_of(b))
+        add("base shear over weight", [](const RunRecord& r) { return base_shear_of(r)->value; });
     add("stones that touch nothing at the end", without_contact);
     if (is_deformable(a.results.model.kinematics) && is_deformable(b.results.model.kinematics))
         add("compressive stress, mean of a stone [MPa]", [](const RunRecord& r) {

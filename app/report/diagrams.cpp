@@ -107,6 +107,28 @@ void add_course(const RunRecord& record, std::vector<NamedFigure>& figures)
                        "What the structure exerts on its foundations, against the drift of its highest stone."});
 }
 
+/// Of the bars that came closest to yielding the force in which they did, and their strength in it.
+void add_bars(const RunRecord& record, std::vector<NamedFigure>& figures)
+{
+    constexpr std::size_t most = 4;
+    const std::vector<double>& times = record.course.times;
+    if (times.size() < 2 || !(times.back() > times.front())) return;
+    std::vector<Diagram> diagrams;
+    for (const BarCourse* bar : by_use(record.bars)) {
+        if (diagrams.size() == most || bar->tension.size() != times.size()) break;
+        const BarForce kind = bar->governing();
+        std::vector<double> force = kind == BarForce::shear ? bar->shear : bar->tension;
+        if (kind == BarForce::compression)
+            for (double& value : force) value = -value;
+        diagrams.push_back(
+            over_time(std::string(name_of(kind)) + " [kN]", {thinned(bar->name, times, force, 1e3)}));
+        if (bar->use()) diagrams.back().levels = {{"strength", bar->strength[static_cast<int>(kind)] / 1e3}};
+    }
+    if (diagrams.empty()) return;
+    figures.push_back({figure_of("bars", "The bars that came closest to yielding", diagrams), bars_title,
+                       "Force in the bars that came closest to yielding, with their strength."});
+}
+
 /// The balance of the energy; what stays zero is left out.
 std::vector<Curve> balance_curves(const RunRecord& record)
 {
@@ -158,6 +180,7 @@ std::vector<NamedFigure> diagrams_of(const RunRecord& record)
     add_motion(record, figures);
     add_histories(record, figures);
     add_course(record, figures);
+    add_bars(record, figures);
     add_computation(record, figures);
     return figures;
 }

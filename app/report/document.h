@@ -8,6 +8,9 @@
 namespace voussoir::app::report
 {
 
+/// What stands before the doubts of a document.
+constexpr const char* before_the_doubts = "Before you use these figures:";
+
 struct Table {
     std::string name;  // of its CSV file, without ending
     std::string title;
@@ -45,11 +48,12 @@ struct InteractiveView {
 
 struct Document {
     std::string title;
-    std::string outcome;         // of the run, as in summary.json; "unfinished" of one that was killed
-    std::string first_line;      // what became of it, in words
-    bool alarm = false;          // it did not go as planned
-    std::string mechanism;       // name_of(MechanismKind)
-    std::string mechanism_line;  // in words
+    std::string outcome;              // of the run, as in summary.json; "unfinished" of one that was killed
+    std::string first_line;           // what became of it, in words
+    bool alarm = false;               // it did not go as planned
+    std::vector<std::string> doubts;  // what a reader must know before using any figure, one sentence each
+    std::string mechanism;            // name_of(MechanismKind)
+    std::string mechanism_line;       // in words
     std::vector<Section> sections;
     InteractiveView view;
     std::string companions = "report";  // folder of its tables and pictures

@@ -23,7 +23,11 @@ body { font: 16px/1.55 "DejaVu Sans", system-ui, sans-serif; color: var(--ink); 
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 1rem 0 .4rem; }
 h2 { font-size: 1.3rem; margin: 2.6rem 0 .6rem; padding-bottom: .3rem; border-bottom: 2px solid var(--line); }
 .outcome { padding: .8rem 1rem; border-left: 6px solid #2a8f57; background: #eef7f1; font-weight: 600; }
+.doubt .outcome { border-color: #c98a00; background: #fdf6e3; }
 .alarm .outcome { border-color: #c4161c; background: #fdeeee; }
+.outcome + .doubts { margin-top: -1rem; }
+.doubts { padding: .6rem 1rem .2rem; border-left: 6px solid #c98a00; background: #fdf6e3; font-size: .95rem; }
+.doubts p, .doubts ul { margin: 0 0 .4rem; }
 .mechanism { font-size: 1.08rem; }
 nav a { color: var(--accent); margin-right: 1.1rem; white-space: nowrap; }
 table { border-collapse: collapse; font-size: .86rem; margin: .6rem 0 1.4rem; width: 100%; }
@@ -56,6 +60,7 @@ pre { font-size: .78rem; line-height: 1.4; background: #f6f7f9; padding: 1rem; w
 .view-swatch { display: inline-block; width: .8rem; height: .8rem; margin-right: .4rem; }
 .view-bar { display: flex; flex-wrap: wrap; align-items: center; gap: .4rem 1rem; margin: .6rem 0; font-size: .88rem; }
 .view-bar input { flex: 1 1 12rem; }
+@media screen and (max-width: 40rem) { table { display: block; overflow-x: auto; } td { min-width: 5rem; } }
 @media print { body { max-width: none; padding: 0; font-size: 11pt; }
   nav, .film, section:has(> .film), section:has(> #view) { display: none; }
   table { font-size: 8.5pt; } th, td { padding-right: .4rem; }
@@ -109,6 +114,21 @@ std::string table(const Table& of, const std::string& folder)
     return text;
 }
 
+std::string doubts(const Document& document)
+{
+    if (document.doubts.empty()) return "";
+    std::string text = std::string("<div class=\"doubts\"><p>") + before_the_doubts + "</p>\n<ul>\n";
+    for (const std::string& doubt : document.doubts) text += "<li>" + words::xml_text(doubt) + "</li>\n";
+    return text + "</ul></div>\n";
+}
+
+/// Red what did not go as planned, amber what breaks a limit; green is only what is neither.
+const char* body_of(const Document& document)
+{
+    if (document.alarm) return "<body class=\"alarm\">\n";
+    return document.doubts.empty() ? "<body>\n" : "<body class=\"doubt\">\n";
+}
+
 std::string section(const Section& of, std::size_t number, const std::string& folder)
 {
     std::string text =
@@ -144,8 +164,8 @@ std::string to_html(const Document& document)
         "\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
         words::xml_text(document.title) + "</title>\n<style>" + style + "</style>\n</head>\n";
-    text += document.alarm ? "<body class=\"alarm\">\n" : "<body>\n";
-    text += "<p class=\"outcome\">" + words::xml_text(document.first_line) + "</p>\n<h1>" +
+    text += body_of(document);
+    text += "<p class=\"outcome\">" + words::xml_text(document.first_line) + "</p>\n" + doubts(document) + "<h1>" +
             words::xml_text(document.title) + "</h1>\n<p class=\"mechanism\">" +
             words::xml_text(document.mechanism_line) + "</p>\n<nav>";
     for (std::size_t i = 0; i < document.sections.size(); ++i)

@@ -120,6 +120,7 @@ Document document_of(const RunRecord& record, const fs::path& folder, bool film,
     document.outcome = record.end.outcome.empty() ? "unfinished" : record.end.outcome;
     document.first_line = first_line_of(record);
     document.alarm = is_alarming(record);
+    document.doubts = record.doubts;
     document.mechanism = name_of(record.mechanism.kind);
     document.mechanism_line = words_of(record.mechanism, record.results.model, record.course).headline;
     document.sections.push_back(key_results(record));
@@ -128,6 +129,7 @@ Document document_of(const RunRecord& record, const fs::path& folder, bool film,
     document.sections.push_back(pictures_of(record, folder));
     if (film) document.sections.push_back(film_of(record, folder, told));
     document.sections.push_back({"Histories", {}, {}, {}, {}, {}});
+    document.sections.push_back(bars_section(record));
     document.sections.push_back(stones_and_joints(record));
     document.sections.push_back(what_was_analysed(record));
     document.sections.push_back(motion_section(record));

@@ -48,7 +48,7 @@ struct Mechanism {
     std::vector<Body> bodies;                 // the resting ones first, then the largest first
     double opening = 0, slip = 0;             // m, sums over those joints
     int hinges = 0, sliding = 0, parted = 0;  // pairs of bodies that turn on each other, slide, have come apart
-    bool goes_on = false;                     // nothing has come off, but stones moved when the run ended
+    bool goes_on = false;                     // how it ends is not known: stones moved, or it ended before its end
 };
 
 /// A structure that stands is described at the moment of its largest opening or slip; one that does not while it

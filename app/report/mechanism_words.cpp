@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/words/stones_in_words.h"
+
 namespace voussoir::app::report
 {
 
@@ -15,7 +17,10 @@ using Eigen::Vector3d;
 namespace
 {
 
-constexpr std::size_t most_told = 12;
+// With the sentences around them a dozen, whatever the size of the structure.
+constexpr std::size_t most_told = 9;         // joints and bodies, one by one
+constexpr std::size_t most_kinds_told = 4;   // of joints that do the same between the same parts; the rest in one
+constexpr std::size_t most_bodies_told = 3;  // the rest in one
 
 std::string number(int n)
 {
@@ -52,11 +57,96 @@ std::string joint_in_words(const MovedJoint& moved, const results::RecordedModel
     return moved.slides ? hinge + ", and slides by " + slip : hinge;
 }
 
+std::string body_in_words(const Body& body, const results::RecordedModel& model)
+{
+    return fmt::format("{}{}: moved by {}, turned by {}.", body.blocks.size() > 1 ? "Moves as one: " : "",
+                       words::stones_in_words(body.blocks, model.block_names), length_in_words(body.displacement),
+                       degrees(body.turn));
+}
+
+/// "voussoir and voussoir" is "joints of voussoir".
+std::string parts_of(const MovedJoint& moved, const results::RecordedModel& model)
+{
+    const WatchedJoint& joint = model.joints[static_cast<std::size_t>(moved.joint)];
+    const std::string a = words::part_of(model.block_names[static_cast<std::size_t>(joint.block_a)]),
+                      b = words::part_of(model.block_names[static_cast<std::size_t>(joint.block_b)]);
+    return a == b ? "within " + a : "between " + std::min(a, b) + " and " + std::max(a, b);
+}
+
+/// Joints that do the same between the same parts: the most moved of them, and how many they are.
+struct JointsAlike {
+    const MovedJoint* most = nullptr;
+    std::string where;
+    int count = 0;
+};
+
+std::vector<JointsAlike> alike_in(const Mechanism& mechanism, const results::RecordedModel& model)
+{
+    std::vector<JointsAlike> kinds;
+    for (const MovedJoint& joint : mechanism.joints) {
+        const std::string where = parts_of(joint, model);
+        const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const JointsAlike& kind) {
+            return kind.where == where && kind.most->parted == joint.parted && kind.most->opens == joint.opens;
+        });
+        if (same == kinds.end())
+            kinds.push_back({&joint, where, 1});
+        else
+            ++same->count;
+    }
+    std::stable_sort(kinds.begin(), kinds.end(), [](const JointsAlike& a, const JointsAlike& b) {
+        return std::max(a.most->opening, a.most->slip) > std::max(b.most->opening, b.most->slip);
+    });
+    return kinds;
+}
+
+/// "12 joints within wall turn, most of all: Hinge between ..."
+std::vector<std::string> joints_together(const Mechanism& mechanism, const results::RecordedModel& model)
+{
+    std::vector<std::string> lines;
+    const std::vector<JointsAlike> kinds = alike_in(mechanism, model);
+    const std::size_t told = kinds.size() <= most_kinds_told + 1 ? kinds.size() : most_kinds_told;
+    for (std::size_t i = 0; i < told; ++i) {
+        const MovedJoint& most = *kinds[i].most;
+        const char* does = most.parted ? "have come apart" : most.opens ? "turn" : "slide";
+        const std::string one = joint_in_words(most, model) + ".";
+        lines.push_back(kinds[i].count == 1 ? one
+                                            : fmt::format("{} joints {} {}; the one that moved most: {}",
+                                                          kinds[i].count, kinds[i].where, does, one));
+    }
+    int rest = 0;
+    for (std::size_t i = told; i < kinds.size(); ++i) rest += kinds[i].count;
+    if (rest > 0)
+        lines.push_back(fmt::format("{} joints elsewhere moved less; the table of joints has all.", rest));
+    return lines;
+}
+
+std::vector<std::string> bodies_together(const std::vector<const Body*>& moving,
+                                         const results::RecordedModel& model)
+{
+    std::vector<std::string> lines;
+    const std::size_t told = moving.size() <= most_bodies_told + 1 ? moving.size() : most_bodies_told;
+    Body rest;
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+        if (i < told) {
+            lines.push_back(body_in_words(*moving[i], model));
+            continue;
+        }
+        rest.blocks.insert(rest.blocks.end(), moving[i]->blocks.begin(), moving[i]->blocks.end());
+        rest.displacement = std::max(rest.displacement, moving[i]->displacement);
+        rest.turn = std::max(rest.turn, moving[i]->turn);
+    }
+    if (!rest.blocks.empty())
+        lines.push_back(fmt::format("{} more bodies: {}; moved by up to {}, turned by up to {}.",
+                                    moving.size() - told, words::stones_in_words(rest.blocks, model.block_names),
+                                    length_in_words(rest.displacement), degrees(rest.turn)));
+    return lines;
+}
+
 /// What opened and slid in all, and most.
 std::string of_what_stands(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course)
 {
     const int opened = course.joints_opened, slid = course.joints_slid;
-    const char* state = mechanism.goes_on ? "Nothing has come off by the end of the run" : "The structure stands";
+    const char* state = mechanism.goes_on ? "Nothing has come off as far as the run went" : "The structure stands";
     if (opened + slid == 0) return fmt::format("{}; no joint opened or slid by more than 0.1 mm.", state);
     if (mechanism.joints.empty())
         return fmt::format("{}. Of {} joints {} opened and {} slid by more than 0.1 mm.", state,
@@ -120,7 +210,7 @@ std::string of_what_moves_off(const Mechanism& mechanism, const results::Recorde
     const bool partly =
         std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) { return body.stays; });
     const char* subject = partly ? "Part of the structure" : "The structure";
-    const std::string names = names_in_words(moving.blocks, model.block_names);
+    const std::string names = words::stones_in_words(moving.blocks, model.block_names);
     const int turning = mechanism.hinges + mechanism.parted, stones = static_cast<int>(moving.blocks.size());
     const std::string bodies = count_of(moving.bodies, "body of stones moves", "bodies of stones move"),
                       who = count_of(stones, "stone", "stones"), hinges = count_of(turning, "hinge", "hinges"),
@@ -168,38 +258,22 @@ const char* name_of(MechanismKind kind)
     return names.at(static_cast<std::size_t>(kind));
 }
 
-std::string names_in_words(const std::vector<int>& blocks, const std::vector<std::string>& names, std::size_t most)
-{
-    std::string text;
-    const std::size_t told = blocks.size() <= most + 1 ? blocks.size() : most;
-    for (std::size_t i = 0; i < told; ++i) {
-        const bool last = i + 1 == told && told == blocks.size();
-        text += (i == 0 ? "" : last ? " and " : ", ") + names[blocks[i]];
-    }
-    if (told < blocks.size()) text += fmt::format(" and {} others", blocks.size() - told);
-    return text;
-}
-
 MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course)
 {
     MechanismWords words;
     words.headline = mechanism.kind == MechanismKind::stands
                          ? of_what_stands(mechanism, model, course)
                          : of_what_moves_off(mechanism, model) + of_what_stays(mechanism);
-    for (const MovedJoint& joint : mechanism.joints) {
-        if (words.joints.size() == most_told) {
-            words.joints.push_back(fmt::format("and {} others", mechanism.joints.size() - most_told));
-            break;
-        }
-        words.joints.push_back(joint_in_words(joint, model) + ".");
+    std::vector<const Body*> moving;
+    for (const Body& body : mechanism.bodies)
+        if (!body.rests) moving.push_back(&body);
+    if (mechanism.joints.size() + moving.size() > most_told) {
+        words.joints = joints_together(mechanism, model);
+        words.bodies = bodies_together(moving, model);
+        return words;
     }
-    for (const Body& body : mechanism.bodies) {
-        if (body.rests || words.bodies.size() == most_told) continue;
-        words.bodies.push_back(fmt::format("{}{}: moved by {}, turned by {}.",
-                                           body.blocks.size() > 1 ? "Moves as one: " : "",
-                                           names_in_words(body.blocks, model.block_names),
-                                           length_in_words(body.displacement), degrees(body.turn)));
-    }
+    for (const MovedJoint& joint : mechanism.joints) words.joints.push_back(joint_in_words(joint, model) + ".");
+    for (const Body* body : moving) words.bodies.push_back(body_in_words(*body, model));
     return words;
 }
 

@@ -11,9 +11,9 @@ namespace voussoir::app::report
 {
 
 struct MechanismWords {
-    std::string headline;             // one sentence
-    std::vector<std::string> joints;  // one each, from the most to the least moved
-    std::vector<std::string> bodies;  // one each that moves
+    std::string headline;  // one sentence
+    // One each, from the most to the least moved; of many joints and bodies those that do the same together.
+    std::vector<std::string> joints, bodies;
 };
 
 MechanismWords words_of(const Mechanism& mechanism, const results::RecordedModel& model, const Course& course);
@@ -25,9 +25,5 @@ std::string stress_in_words(double pascals);
 
 /// "stands", "hinges", "slides", "overturns", "sheds", "mixed", "loose".
 const char* name_of(MechanismKind kind);
-
-/// "a, b, c and 12 others" of these blocks.
-std::string names_in_words(const std::vector<int>& blocks, const std::vector<std::string>& names,
-                           std::size_t most = 4);
 
 }  // namespace voussoir::app::report

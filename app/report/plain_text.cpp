@@ -51,8 +51,11 @@ std::string code(const std::string& text)
 
 std::string to_markdown(const Document& document, const std::filesystem::path& folder)
 {
-    std::string text = "**" + plain(document.first_line) + "**\n\n# " + plain(document.title) + "\n\n" +
-                       plain(document.mechanism_line) + "\n\n";
+    std::string text = "**" + plain(document.first_line) + "**\n\n";
+    if (!document.doubts.empty()) text += std::string(before_the_doubts) + "\n\n";
+    for (const std::string& doubt : document.doubts) text += "- " + plain(doubt) + "\n";
+    if (!document.doubts.empty()) text += "\n";
+    text += "# " + plain(document.title) + "\n\n" + plain(document.mechanism_line) + "\n\n";
     for (const Section& section : document.sections) {
         text += "## " + plain(section.title) + "\n\n";
         for (const std::string& paragraph : section.paragraphs) text += plain(paragraph) + "\n\n";
@@ -69,11 +72,10 @@ std::string to_markdown(const Document& document, const std::filesystem::path& f
 
 std::string to_json(const Document& document)
 {
-    nlohmann::ordered_json json = {{"title", document.title},
-                                   {"outcome", document.outcome},
-                                   {"first_line", document.first_line},
-                                   {"mechanism", document.mechanism},
-                                   {"mechanism_line", document.mechanism_line}};
+    nlohmann::ordered_json json = {
+        {"title", document.title},           {"outcome", document.outcome},
+        {"first_line", document.first_line}, {"doubts", document.doubts},
+        {"mechanism", document.mechanism},   {"mechanism_line", document.mechanism_line}};
     json["sections"] = nlohmann::ordered_json::array();
     for (const Section& section : document.sections) {
         nlohmann::ordered_json one = {

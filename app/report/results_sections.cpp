@@ -7,8 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "app/report/base_shear.h"
 #include "app/report/mechanism_words.h"
+#include "app/report/onset.h"
 #include "app/report/sections.h"
+#include "app/report/uncertainty.h"
 #include "libdda/model/verdict.h"
 
 namespace voussoir::app::report
@@ -292,6 +295,9 @@ Section key_results(const RunRecord& record)
     }
     add_joint_rows(record, table.rows);
     add_stress_rows(record, table.rows);
+    for (const std::vector<std::string>& row : {base_shear_row(record), bar_row(record), onset_row(record)})
+        if (!row.empty()) table.rows.push_back(row);
+    add_uncertainty(record.summary, table);
     section.tables.push_back(table);
     add_unless_empty(fallen_table(record), section);
     add_unless_empty(lost_contact_table(record), section);

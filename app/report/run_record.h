@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/report/bars.h"
 #include "app/report/course.h"
 #include "app/report/mechanism.h"
 #include "app/results/recorded_motions.h"
@@ -28,11 +29,14 @@ struct Columns {
 struct RecordedMaterial {
     std::string name;
     double density = 0, young = 0, poisson = 0;  // kg/m3, Pa, -
+    std::string damping = "none";                // in words
 };
 
 struct RecordedJointMaterial {
     std::string name;
     double friction_angle = 0, cohesion = 0, tensile_strength = 0;  // rad, Pa, Pa
+    std::string stiffness, face;  // in words; empty in results of earlier versions
+    double relaxation_time = 0;   // s, of its dashpots
 };
 
 struct RunRecord {
@@ -46,6 +50,7 @@ struct RunRecord {
     std::string summary;            // JSON text; "{}" of a run that was killed
     std::string case_file, case_text, engine, settings;
     std::vector<std::string> overrides, defaults, warnings, left_out;
+    std::vector<std::string> doubts;  // those of the warnings that the run adds to those of the case
     std::vector<std::string> groups;
     std::vector<std::int32_t> block_group;
     std::vector<double> mass, volume;                   // kg, m3
@@ -53,6 +58,9 @@ struct RunRecord {
     std::vector<RecordedMaterial> materials;
     std::vector<RecordedJointMaterial> joint_materials;
     std::vector<results::RecordedMotion> motions;
+    std::vector<std::string>
+        motion_descriptions;  // file, scale, filters and window of each that the case asks for
+    std::vector<BarCourse> bars;
     Columns energy, steps;  // one row a frame
     Columns histories;      // one row a step; no names where the case has none
     Course course;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "libdda/model/report.h"
+
 namespace voussoir::app::results
 {
 
@@ -26,6 +28,9 @@ struct ErrorEstimate {
     std::vector<RunBeside> runs;
     std::vector<ComparedQuantity> quantities;
 };
+
+/// A sentence for each run beside that ended otherwise than the run itself: then no difference tells the error.
+std::vector<std::string> doubts_of(const ErrorEstimate& estimate, Outcome outcome);
 
 /// JSON: keys in docs/results_format.md.
 std::string estimate_json(const ErrorEstimate& estimate);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "app/results/bar_rows.h"
 #include "app/results/energy_terms.h"
 #include "app/results/joint_rows.h"
 #include "app/results/scene_vectors.h"
@@ -163,6 +164,7 @@ std::vector<GrowingDataset> frame_datasets(const Model& model, const SurfaceMesh
     datasets.push_back({"/frames/report", real, {figures.size()}, figures});
     add_contact_datasets(model.kinematics, datasets);
     add_joint_datasets(joints, datasets);
+    add_bar_datasets(model, datasets);
     return datasets;
 }
 
@@ -186,6 +188,7 @@ std::vector<Rows> frame_rows(const Model& model, const SurfaceMesh& mesh, const 
     const std::vector<JointResultant> contacts = joint_resultants(model, state, EdgeStress::left_out);
     add_contact_rows(model.kinematics, contacts, first_contact, rows);
     add_joint_rows(joints, joints_now(model, joints, state, contacts), rows);
+    add_bar_rows(model, state, rows);
     return rows;
 }
 

@@ -11,7 +11,7 @@
 #include "app/results/verdict_json.h"
 #include "app/version/version.h"
 #include "app/words/diagnosis_words.h"
-#include "app/words/trust_words.h"
+#include "app/words/doubts.h"
 #include "libdda/analysis/bar_forces.h"
 #include "libdda/analysis/crushing.h"
 
@@ -152,11 +152,11 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
 {
     const Model& model = the_case.model;
     std::vector<std::string> warnings = the_case.warnings;
-    for (std::string& warning : words::warnings_of(report, model, the_case.stages))
-        warnings.push_back(std::move(warning));
-    if (quality.trust)
-        for (std::string& warning : words::warnings_of(*quality.trust, the_case.stages))
-            warnings.push_back(std::move(warning));
+    for (std::string& doubt : words::doubts_of(report, quality.trust, model, the_case.stages))
+        warnings.push_back(std::move(doubt));
+    if (quality.estimate)
+        for (std::string& doubt : doubts_of(*quality.estimate, report.outcome))
+            warnings.push_back(std::move(doubt));
     Json json;
     json["case"] = the_case.file.string();
     json["title"] = the_case.title;

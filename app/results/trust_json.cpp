@@ -72,6 +72,20 @@ std::string trust_json(const Trust& trust, const std::vector<Stage>& stages)
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::vector<std::string> doubts_of(const ErrorEstimate& estimate, Outcome outcome)
+{
+    std::vector<std::string> doubts;
+    for (const RunBeside& beside : estimate.runs) {
+        const std::string its = beside.outcome.substr(0, beside.outcome.find(':'));
+        if (its == name_of(outcome)) continue;
+        doubts.push_back("with " + beside.name + " the run ends otherwise (" + beside.outcome + "; here " +
+                         std::string(name_of(outcome)) +
+                         "): what becomes of the structure depends on it; find where "
+                         "the answer stays, with voussoir converge");
+    }
+    return doubts;
+}
+
 std::string estimate_json(const ErrorEstimate& estimate)
 {
     Json json;

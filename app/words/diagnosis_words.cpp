@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/words/shorter_step.h"
 #include "libdda/run/static_course.h"
 
 namespace voussoir::app::words
@@ -28,6 +29,20 @@ struct Subject {
     /// "stage 'motion' stopped at t = 0.25 s: "
     std::string stopped() const { return fmt::format("{} stopped at t = {:g} s: ", stage(), value("time_s")); }
 };
+
+/// "time_step: 1 ms", half of that of the dynamic stage with the longest one.
+std::string half_the_step(const std::vector<Stage>& stages)
+{
+    const Stage* longest = longest_step(stages);
+    return longest ? shorter_step(*longest, 0.5) : "half the time_step";
+}
+
+/// ", or force_tolerance: 1e-06": a tenth of it.
+std::string tighter_forces(const std::vector<Stage>& stages)
+{
+    const Stage* longest = longest_step(stages);
+    return longest ? fmt::format(", or force_tolerance: {:g}", 0.1 * longest->control.force_tolerance) : "";
+}
 
 std::string fallen(const Subject& subject)
 {
@@ -194,8 +209,8 @@ std::string overlap(const Subject& subject, const std::string& what, const std::
     if (2 * forgiven > depth)
         return fmt::format(
             "{}{:g} m of it is free of stress, because their contact was detected late or alternates between two "
-            "faces; try a smaller time_step, and look at bearing edges and corners",
-            words, forgiven);
+            "faces; try {}, and look at bearing edges and corners",
+            words, forgiven, half_the_step(subject.stages));
     if (2 * drawn > depth)
         return fmt::format(
             "{}{:g} m of it is drawn, beyond the fit_tolerance of {:g} m; trim or move one of them by this, or "
@@ -206,21 +221,22 @@ std::string overlap(const Subject& subject, const std::string& what, const std::
                        std::ceil(share / good_share));
 }
 
-std::string energy_unaccounted(double share)
+std::string energy_unaccounted(const Subject& subject)
 {
-    return fmt::format(
-        "{:g} % of the energy is unaccounted for: do not trust this run; try a smaller time_step or "
-        "force_tolerance",
-        100 * share);
+    return fmt::format("{:g} % of the energy is unaccounted for (limit {:g} %): do not trust this run; try {}{}",
+                       100 * subject.value("share"), 100 * residual_worth_a_warning, half_the_step(subject.stages),
+                       tighter_forces(subject.stages));
 }
 
 /// @param made whether the step was made that brought it so far
-std::string energy_from_contacts(double share, bool made)
+std::string energy_from_contacts(const Subject& subject, bool made)
 {
+    const double share = subject.value("share");
     return fmt::format(
         "{}{:g} % of the energy {} from contacts whose area grew or that were detected late under "
-        "compression: impacts are too strong; try a smaller time_step, and look for impacts on edges and corners",
-        made ? "" : "after the next step, however short, ", 100 * share, made ? "came" : "would have come");
+        "compression: impacts are too strong; try {}, and look for impacts on edges and corners",
+        made ? "" : "after the next step, however short, ", 100 * share, made ? "came" : "would have come",
+        half_the_step(subject.stages));
 }
 
 /// @param what became of the energy
@@ -228,8 +244,9 @@ std::string wrong_energy(const Subject& subject, const std::string& what)
 {
     return fmt::format(
         "{:g} % of the energy {}; the fastest block is {} with {:g} m/s: the forces are not solved well enough "
-        "for the step; try a smaller time_step or a smaller force_tolerance",
-        100 * subject.value("share"), what, subject.block(0), subject.value("speed_m_s"));
+        "for the step; try {}{}",
+        100 * subject.value("share"), what, subject.block(0), subject.value("speed_m_s"),
+        half_the_step(subject.stages), tighter_forces(subject.stages));
 }
 
 std::string ground_jump(const Subject& subject)
@@ -281,7 +298,7 @@ std::string stop_in_words(const Subject& subject)
         case DiagnosisKind::energy_vanished:
             return wrong_energy(subject, "is unaccounted for (a loss)");
         default:
-            return energy_from_contacts(subject.value("share"), false);
+            return energy_from_contacts(subject, false);
     }
 }
 
@@ -315,9 +332,9 @@ std::string warning_in_words(const Subject& subject)
 {
     switch (subject.diagnosis.kind) {
         case DiagnosisKind::energy_unaccounted:
-            return energy_unaccounted(subject.value("share"));
+            return energy_unaccounted(subject);
         case DiagnosisKind::energy_given:
-            return energy_from_contacts(subject.value("share"), true);
+            return energy_from_contacts(subject, true);
         case DiagnosisKind::overlap:
             return overlap(subject, "overlapped",
                            "contacts this soft influence the results, and the integrator damps their vibration, "

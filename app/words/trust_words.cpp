@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/words/figures_in_words.h"
+#include "app/words/shorter_step.h"
 
 namespace voussoir::app::words
 {
@@ -17,23 +18,11 @@ constexpr std::size_t most_modes_named = 4;
 constexpr double worth_saying_of_corners = 0.05;  // of a frequency
 constexpr double worth_naming = 1e-4;             // of the energy put in
 
-/// A figure of at most one digit that is no larger.
-double rounded_down(double value)
-{
-    const double unit = std::pow(10, std::floor(std::log10(value)));
-    return unit * std::floor(value / unit + 1e-9);
-}
-
 /// The smallest whole number of one or two digits and zeros that is no smaller.
 double rounded_up(double value)
 {
     const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(value)) - 1));
     return unit * std::ceil(value / unit - 1e-9);
-}
-
-std::string step_for(const Stage& stage, double factor)
-{
-    return fmt::format("a time_step of {:g} ms", 1e3 * rounded_down(stage.control.time_step * factor));
 }
 
 /// And may be something else: the published iteration knows no other.
@@ -42,10 +31,10 @@ bool is_newmark(const Stage& stage)
     return !stage.control.is_published() && stage.control.integrator == Integrator::newmark;
 }
 
-/// "give integrator: energy_decaying, or a time_step of 0.1 ms".
+/// "give integrator: energy_decaying, or time_step: 0.1 ms".
 std::string remedy_of_damping(const TrustFinding& finding, const Stage& stage)
 {
-    const std::string step = step_for(stage, 1 / finding.worst);
+    const std::string step = shorter_step(stage, 1 / finding.worst);
     if (is_newmark(stage)) return "give integrator: energy_decaying, or " + step;
     return "give " + step;
 }
@@ -80,7 +69,7 @@ std::string in_words(const TrustFinding& finding, const Trust& trust, const std:
         case Kind::period:
             return fmt::format("the computed period of {} is {} too long {}: give {}", vibration,
                                percent_in_words(finding.value), limit,
-                               step_for(stages[trust.stage], std::sqrt(1 / finding.worst)));
+                               shorter_step(stages[trust.stage], std::sqrt(1 / finding.worst)));
         case Kind::soft_joints:
             return fmt::format(
                 "joints lower the frequency of {:.3g} Hz by {} against that of the stones {}: their stiffness is "
@@ -99,14 +88,15 @@ std::string in_words(const TrustFinding& finding, const Trust& trust, const std:
             return fmt::format(
                 "joints that closed or opened within a step took {} of the energy put in {}: what impacts loses "
                 "too much; give {}",
-                percent_in_words(finding.value), limit, step_for(stages[trust.stage], 1 / finding.worst));
+                percent_in_words(finding.value), limit, shorter_step(stages[trust.stage], 1 / finding.worst));
         case Kind::integrator_energy:
             break;
     }
+    // What impacts excite newmark damps at any step, and takes the more of it the shorter they are.
+    const Stage& stage = stages[trust.stage];
     return fmt::format("the integrator took {} of the energy put in {}: what vibrates loses too much; give {}",
                        percent_in_words(finding.value), limit,
-                       is_newmark(stages[trust.stage]) ? "integrator: energy_decaying, or a smaller time_step"
-                                                       : "a smaller time_step");
+                       is_newmark(stage) ? "integrator: energy_decaying" : shorter_step(stage, 1 / finding.worst));
 }
 
 std::string frequencies_in_words(const Trust& trust)

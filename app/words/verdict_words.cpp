@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/words/figures_in_words.h"
+#include "app/words/stones_in_words.h"
 
 namespace voussoir::app::words
 {
@@ -14,7 +15,7 @@ namespace voussoir::app::words
 namespace
 {
 
-constexpr std::size_t most_named = 4;
+constexpr std::size_t most_named = 5;
 constexpr double far_away = 0.5;     // of a stone's size
 constexpr double turned_much = 0.1;  // rad: what has turned so far is worth a word
 
@@ -25,10 +26,9 @@ std::string quoted(const Model& model, int block)
 
 std::string names_of(const std::vector<int>& blocks, const Model& model)
 {
-    std::string words;
-    const std::size_t named = std::min(most_named, blocks.size());
-    for (std::size_t i = 0; i < named; ++i) words += (i > 0 ? ", " : "") + quoted(model, blocks[i]);
-    return blocks.size() > named ? fmt::format("{} and {} others", words, blocks.size() - named) : words;
+    std::vector<std::string> names;
+    for (const Block& block : model.blocks) names.push_back(block.name);
+    return stones_in_words(blocks, names, most_named, "'");
 }
 
 /// ", with limited deformation: the joint of 'a' and 'b' is left 3 mm open, 1.2 % of a stone"; empty where no

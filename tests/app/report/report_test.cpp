@@ -178,6 +178,9 @@ TEST_F(Report, ARunThatGaveUpSaysSoFirst)
     const Json report =
         report_of(planar_case("A tower", drums, "stages: [{name: rest, type: static, max_static_steps: 2}]\n"));
     EXPECT_TRUE(begins(report, "FAILED")) << report.at("first_line");
+    EXPECT_EQ(
+        report.at("mechanism_line").get<std::string>().rfind("Nothing has come off as far as the run went", 0), 0U)
+        << "nobody knows whether it stands: " << report.at("mechanism_line");
     EXPECT_NE(contents("results/report.html").find("<body class=\"alarm\">"), std::string::npos);
 }
 

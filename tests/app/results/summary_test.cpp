@@ -277,5 +277,27 @@ TEST(Histories, NoPointNoFile)
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "histories.csv"));
 }
 
+// The most important thing that an error estimate can say is no difference.
+TEST(Summary, WarnsWhenARunOfTheErrorEstimateEndsOtherwise)
+{
+    const TemporaryFolder folder;
+    const Case the_case = synthetic::arch(Kinematics::spatial_rigid);
+    const State state = synthetic::swaying(the_case, 1);
+    ResultsWriter writer(the_case, folder.path());
+    writer.frame(state, {});
+    writer.note(ErrorEstimate{{{"half the time step", "half_step", "collapsed: 3 of 9 blocks have fallen"},
+                               {"twice the stiffness", "twice_stiffness", "completed"}},
+                              {}});
+    writer.finish(state, {}, {2, 3});
+    const nlohmann::json warnings = summary_in(folder.path()).at("warnings");
+    ASSERT_EQ(warnings.size(), 1U) << warnings;
+    EXPECT_EQ(
+        warnings.at(0).get<std::string>().rfind("with half the time step the run ends otherwise (collapsed: 3 of "
+                                                "9 blocks have fallen; here completed)",
+                                                0),
+        0U)
+        << warnings;
+}
+
 }  // namespace
 }  // namespace voussoir::app::results

@@ -93,34 +93,34 @@ const Sentence sentences[] = {
     {{DiagnosisKind::deep_overlap, 0, {1, 0}, {0.12345678, 0.02, 0.123456789, 0.015, 3, 0}},
      "stage 'motion' stopped at t = 0.123457 s: blocks 'drum' and 'base' overlap by 0.02 m, 12.3457 % of the "
      "thinner one's width, at t = 3 s: 0.015 m of it is free of stress, because their contact was detected late "
-     "or alternates between two faces; try a smaller time_step, and look at bearing edges and corners"},
+     "or alternates between two faces; try time_step: 0.5 ms, and look at bearing edges and corners"},
     {{DiagnosisKind::overlap, -1, {1, 0}, {0.02, 0.123456789, 0, 3, 0}},
      "blocks 'drum' and 'base' overlapped by 0.02 m, 12.3457 % of the thinner one's width, at t = 3 s: contacts "
      "this soft influence the results, and the integrator damps their vibration, most strongly with newmark; give "
      "the joint a contact_stiffness 124 times as large"},
     {{DiagnosisKind::overlap, -1, {1, 0}, {0.02, 0.123456789, 0.015, 3, 0}},
      "blocks 'drum' and 'base' overlapped by 0.02 m, 12.3457 % of the thinner one's width, at t = 3 s: 0.015 m of "
-     "it is free of stress, because their contact was detected late or alternates between two faces; try a "
-     "smaller time_step, and look at bearing edges and corners"},
+     "it is free of stress, because their contact was detected late or alternates between two faces; try "
+     "time_step: 0.5 ms, and look at bearing edges and corners"},
     {{DiagnosisKind::energy_from_nowhere, 0, {1}, {0.12345678, 60.0 / 90, 3.5}},
      "stage 'motion' stopped at t = 0.123457 s: 66.6667 % of the energy is unaccounted for (a gain); the fastest "
-     "block is 'drum' with 3.5 m/s: the forces are not solved well enough for the step; try a smaller time_step "
-     "or a smaller force_tolerance"},
+     "block is 'drum' with 3.5 m/s: the forces are not solved well enough for the step; try time_step: 0.5 ms, "
+     "or force_tolerance: 1e-06"},
     {{DiagnosisKind::energy_unaccounted, -1, {}, {60.0 / 90}},
-     "66.6667 % of the energy is unaccounted for: do not trust this run; try a smaller time_step or "
-     "force_tolerance"},
+     "66.6667 % of the energy is unaccounted for (limit 1 %): do not trust this run; try time_step: 0.5 ms, or "
+     "force_tolerance: 1e-06"},
     {{DiagnosisKind::energy_vanished, 0, {1}, {0.12345678, 40.0 / 90, 3.5}},
      "stage 'motion' stopped at t = 0.123457 s: 44.4444 % of the energy is unaccounted for (a loss); the fastest "
-     "block is 'drum' with 3.5 m/s: the forces are not solved well enough for the step; try a smaller time_step "
-     "or a smaller force_tolerance"},
+     "block is 'drum' with 3.5 m/s: the forces are not solved well enough for the step; try time_step: 0.5 ms, "
+     "or force_tolerance: 1e-06"},
     {{DiagnosisKind::energy_from_contacts, 0, {}, {0.12345678, 0.15}},
      "stage 'motion' stopped at t = 0.123457 s: after the next step, however short, 15 % of the energy would have "
      "come from contacts whose area grew or that were detected late under compression: impacts are too strong; "
-     "try a smaller time_step, and look for "
+     "try time_step: 0.5 ms, and look for "
      "impacts on edges and corners"},
     {{DiagnosisKind::energy_given, -1, {}, {0.15}},
      "15 % of the energy came from contacts whose area grew or that were detected late under compression: "
-     "impacts are too strong; try a smaller time_step, and look for impacts on edges and corners"},
+     "impacts are too strong; try time_step: 0.5 ms, and look for impacts on edges and corners"},
     {{DiagnosisKind::energy_no_number, 0, {1}, {0.12345678}},
      "stage 'motion' stopped at t = 0.123457 s: an energy is not a finite number; the fastest block is 'drum'; "
      "look at its joints' stiffness and its motion"},

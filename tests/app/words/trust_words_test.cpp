@@ -74,18 +74,16 @@ TEST(TrustWords, NameTheLimitAndTheRemedy)
     const TrustFinding damped{Kind::algorithmic_damping, 4.314, 0.0271, 0.002, 37.5};
     EXPECT_EQ(said(damped, Integrator::newmark),
               "the integrator damps the vibration of 4.31 Hz by 2.7 % of critical (limit 0.2 %): give integrator: "
-              "energy_decaying, or a time_step of 0.05 ms");
-    EXPECT_EQ(
-        said(damped),
-        "the integrator damps the vibration of 4.31 Hz by 2.7 % of critical (limit 0.2 %): give a time_step of "
-        "0.05 ms");
+              "energy_decaying, or time_step: 0.05 ms");
+    EXPECT_EQ(said(damped),
+              "the integrator damps the vibration of 4.31 Hz by 2.7 % of critical (limit 0.2 %): give time_step: "
+              "0.05 ms");
     EXPECT_EQ(
         said({Kind::dashpots, 4.314, 0.0271, 0.002, 37.5}),
         "the dashpots of joints (relaxation_time) damp the vibration of 4.31 Hz by 2.7 % of critical (limit 0.2 "
         "%): give a relaxation_time 0.02 times as long");
-    EXPECT_EQ(
-        said({Kind::period, 30, 0.0135, 0.01, 1.35}),
-        "the computed period of the vibration of 30 Hz is 1.4 % too long (limit 1 %): give a time_step of 1 ms");
+    EXPECT_EQ(said({Kind::period, 30, 0.0135, 0.01, 1.35}),
+              "the computed period of the vibration of 30 Hz is 1.4 % too long (limit 1 %): give time_step: 1 ms");
     EXPECT_EQ(said({Kind::soft_joints, 4.314, 0.0465, 0.01, 4.65}),
               "joints lower the frequency of 4.31 Hz by 4.7 % against that of the stones (limit 1 %): their "
               "stiffness is a rule, no measurement; give the measured contact_stiffness in Pa/m, or a "
@@ -102,15 +100,30 @@ TEST(TrustWords, NameTheLimitAndTheRemedy)
               "Hz; give the joints face: points, or take no frequency from this run");
     EXPECT_EQ(said({Kind::integrator_energy, 0, 0.64, 0.05, 12.8}),
               "the integrator took 64 % of the energy put in (limit 5 %): what vibrates loses too much; give "
-              "a smaller time_step");
+              "time_step: 0.1 ms");
+    EXPECT_EQ(said({Kind::integrator_energy, 0, 0.64, 0.05, 12.8}, Integrator::newmark),
+              "the integrator took 64 % of the energy put in (limit 5 %): what vibrates loses too much; give "
+              "integrator: energy_decaying");
     EXPECT_EQ(
         said({Kind::closing_energy, 0, 0.1, 0.05, 2}),
         "joints that closed or opened within a step took 10 % of the energy put in (limit 5 %): what impacts "
-        "loses too much; give a time_step of 1 ms");
+        "loses too much; give time_step: 1 ms");
     trust.of_modes = false;
     EXPECT_EQ(
         said({Kind::algorithmic_damping, 10, 0.031, 0.012, 2.6}),
-        "the integrator damps vibrations of 10 Hz by 3.1 % of critical (limit 1.2 %): give a time_step of 0.7 ms");
+        "the integrator damps vibrations of 10 Hz by 3.1 % of critical (limit 1.2 %): give time_step: 0.7 ms");
+}
+
+TEST(TrustWords, WhereStepsFollowTheirErrorTheRemedyIsASmallerOne)
+{
+    Trust trust = judged();
+    trust.findings = {{Kind::closing_energy, 0, 0.1, 0.05, 2}};
+    Stage stage = motion(Integrator::energy_decaying);
+    stage.control.step_error = 1e-4;  // m; it is of third order: half the steps have an eighth of it
+    EXPECT_EQ(
+        warnings_of(trust, {stage}).at(0),
+        "joints that closed or opened within a step took 10 % of the energy put in (limit 5 %): what impacts "
+        "loses too much; give step_error: 0.01 mm");
 }
 
 }  // namespace
