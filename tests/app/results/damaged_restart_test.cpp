@@ -134,10 +134,10 @@ DraftResults draft_of(const Case& the_case)
 {
     const bool planar = is_planar(the_case.model.kinematics);
     DraftResults draft = two_boxes(planar);
-    std::vector<GrowingDataset> datasets =
-        frame_datasets(the_case.model, surface_mesh_of(the_case.model),
-                       joints_at_start(the_case.model, initial_state(the_case.model)));
-    datasets.push_back({"/histories/values", ElementType::float64, {Histories(the_case).columns.size()}, {}});
+    const std::vector<WatchedJoint> joints = joints_at_start(the_case.model, initial_state(the_case.model));
+    std::vector<GrowingDataset> datasets = frame_datasets(the_case.model, surface_mesh_of(the_case.model), joints);
+    const std::size_t columns = Histories(the_case, {the_case.model, joints}).columns.size();
+    datasets.push_back({"/histories/values", ElementType::float64, {columns}, {}});
     for (const GrowingDataset& dataset : datasets) {
         Extents extents = dataset.row;
         extents.insert(extents.begin(), 2);
