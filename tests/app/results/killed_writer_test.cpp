@@ -189,6 +189,7 @@ void go_on(const Case& the_case, ResultsWriter& writer, int first, int end, int 
         const State state = synthetic::swaying(the_case, step * i);
         writer.frame(state, position.report);
         position.frames = i + 1;
+        if (i > 0) position.reference = synthetic::swaying(the_case, 0).coordinates;  // as a run notes it
         writer.save(state, position, {});
         if (i == dies_at) writes_left = -1;
     }
