@@ -187,7 +187,7 @@ Vector3d moved(const RecordedModel& model, const RecordedFrame& frame, int block
 
 Matrix3d map_since(const RecordedModel& model, const RecordedFrame& frame, int block)
 {
-    const Matrix3d now = pose_of(model.kinematics, frame.state, block).map;
+    Matrix3d now = pose_of(model.kinematics, frame.state, block).map;
     if (!frame.in_motion || model.rest.state.coordinates.empty()) return now;
     return now * pose_of(model.kinematics, model.rest.state, block).map.inverse();
 }

@@ -72,6 +72,7 @@ JointMotion motion_of(const WatchedJoint& joint, std::span<const PlacedBlock> bl
 std::vector<JointPeaks> no_peaks(const std::vector<WatchedJoint>& joints)
 {
     std::vector<JointPeaks> peaks;
+    peaks.reserve(joints.size());
     for (const WatchedJoint& joint : joints) peaks.push_back({joint.block_a, joint.block_b, 0, 0, {}, {}});
     return peaks;
 }
