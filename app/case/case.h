@@ -26,7 +26,7 @@ struct BarHistory {
     int bar = 0;  // index into Model::bars
 };
 
-/// What the colours of a picture show: of each vertex its displacement relative to the ground; of each stone its
+/// What the colours of a picture show: of each vertex its displacement relative to the foot; of each stone its
 /// largest compressive principal stress or strain, its speed, the largest opening or slip of its joints, the
 /// largest share of friction that one of them uses, or its group.
 enum class SnapshotColor {

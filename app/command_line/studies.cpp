@@ -90,7 +90,7 @@ void add_series(CLI::App& command, commands::ConvergeArguments& arguments)
 void add_quantities(CLI::App& command, commands::ConvergeArguments& arguments)
 {
     CLI::Option* quantity = add_list(command, "--quantity", arguments.quantities,
-                                     "Quantities to compare: POINT.u, .ux, .d (relative to the ground), .v ... or "
+                                     "Quantities to compare: POINT.u, .ux, .d (relative to the foot), .v ... or "
                                      "largest, with :history, :peak or :end");
     quantity->type_name("NAME,...");
     CLI::Option* threshold =

@@ -10,7 +10,6 @@
 #include "app/commands/say.h"
 #include "app/results/histories.h"
 #include "app/results/scene_vectors.h"
-#include "app/results/surface_mesh.h"
 #include "app/studies/converge/setting.h"
 #include "app/words/diagnosis_words.h"
 #include "libdda/analysis/ground.h"

@@ -18,7 +18,7 @@ Rgb viridis(float share);
 /// A scale from `lowest` to `highest` with round ticks inside, in a unit that suits the size of the numbers.
 struct ColorScale {
     double lowest = 0, highest = 1;  // SI
-    std::string caption;             // "displacement relative to the ground [mm]"
+    std::string caption;             // "displacement [mm]"
     std::vector<double> ticks;       // SI
     std::vector<std::string> labels;
 

@@ -100,6 +100,7 @@ results::RecordedFrame between(Kinematics kinematics, const results::RecordedFra
     if (after.time <= before.time) return before;
     const double share = std::clamp((time - before.time) / (after.time - before.time), 0.0, 1.0);
     results::RecordedFrame frame = before;
+    if (after.in_motion) results::begin_motion(frame);
     frame.time = frame.state.time = time;
     frame.ground = before.ground + share * (after.ground - before.ground);
     const auto count = static_cast<std::size_t>(coordinates_per_block(kinematics));

@@ -24,12 +24,13 @@ std::string length_in_words(double metres)
 }
 
 /// "ground displacement x 12.3 mm, z -4 mm": components that the eye could see; empty when there are none.
-std::string ground_in_words(const Vector3d& ground)
+/// @param what moves: the ground, or of a structure on soil its foot
+std::string ground_in_words(const std::string& what, const Vector3d& ground)
 {
     std::string words;
     for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(ground[axis]) < 1e-6) continue;
-        words += fmt::format("{} {} {}", words.empty() ? "ground displacement" : ",", "xyz"[axis],
+        words += fmt::format("{} {} {}", words.empty() ? what + " displacement" : ",", "xyz"[axis],
                              length_in_words(ground[axis]));
     }
     return words;
@@ -69,7 +70,7 @@ std::pair<const char*, const std::vector<drawing::Unit>&> quantity(SnapshotColor
         case SnapshotColor::group:
             break;
     }
-    return {"displacement relative to the foot", drawing::length_units};
+    return {"displacement", drawing::length_units};
 }
 
 }  // namespace
@@ -152,7 +153,10 @@ PageText words_of(const Scene& scene, const results::RecordedModel& model, const
     text.slid = fmt::format("joint slid by more than {} ({})", threshold, scene.slid_joints);
     text.foundations = !model.foundations.empty();
     if (scene.has_blank) text.blank = "no joint that presses";
-    if (const std::string ground = ground_in_words(scene.ground); !ground.empty()) text.notes.push_back(ground);
+    if (options.color == SnapshotColor::displacement) text.notes.push_back("displacement " + scene.counted_from);
+    if (const std::string ground = ground_in_words(model.foot.empty() ? "ground" : "foot", scene.ground);
+        !ground.empty())
+        text.notes.push_back(ground);
     if (is_planar(model.kinematics))
         text.notes.push_back(fmt::format("planar scene, drawn {:g} m thick", model.thickness));
     if (options.look.largest_force > 0)

@@ -32,7 +32,7 @@ std::vector<double> places_at_rest(const results::RecordedModel& model, const re
 {
     const results::SurfaceMesh& mesh = model.mesh;
     std::vector<double> places = mesh.levers;
-    const bool counts_from_rest = frame.in_motion && !model.rest.state.coordinates.empty();
+    const bool counts_from_rest = model.counts_from_rest(frame);
     if (counts_from_rest) places = results::positions_of(mesh, model.kinematics, model.rest.state);
     for (std::size_t v = 0; v < mesh.vertex_block.size(); ++v)
         Eigen::Map<Vector3d>(places.data() + 3 * v) +=
@@ -182,7 +182,7 @@ void add_rods(const results::RecordedModel& model, const results::RecordedFrame&
             const int block = rod.blocks[k];
             const Pose pose = pose_of(model.kinematics, frame.state, block);
             Vector3d reference = model.centroids[block] + rod.anchors[k];
-            if (frame.in_motion && !model.rest.state.coordinates.empty()) {
+            if (model.counts_from_rest(frame)) {
                 const Pose rest = pose_of(model.kinematics, model.rest.state, block);
                 reference = rest.centroid + rest.map * rod.anchors[k] - model.rest.foot;
             }
@@ -260,6 +260,7 @@ Scene make_scene(const results::RecordedModel& model, const results::RecordedFra
     scene.time = frame.time;
     if (frame.stage < static_cast<int>(model.stage_names.size())) scene.stage = model.stage_names[frame.stage];
     scene.ground = frame.ground;
+    scene.counted_from = results::counted_from(model, frame.in_motion);
     const Vertices vertices = place_vertices(model, frame, options);
     std::vector<bool> foundation(model.block_names.size(), false);
     for (const int block : model.foundations) foundation[block] = true;

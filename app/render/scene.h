@@ -40,7 +40,8 @@ struct Label {
 struct Scene {
     double time = 0;  // s
     std::string stage;
-    Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement of the ground
+    Eigen::Vector3d ground = Eigen::Vector3d::Zero();  // m, displacement of the foot
+    std::string counted_from;                          // what displacements count from, in words
     std::vector<Triangle> triangles;
     std::vector<Segment> edges, opened, slid;  // outlines of faces, and of the faces of marked joints
     std::vector<Segment> rods;                 // tie rods from end to end

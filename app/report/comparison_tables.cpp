@@ -54,10 +54,11 @@ double largest_base_shear(const RunRecord& record)
     return most;
 }
 
-double largest_peak(const std::vector<Peak>& peaks)
+double largest_thrust(const Course& course)
 {
     double most = 0;
-    for (const Peak& peak : peaks) most = std::max(most, peak.value);
+    for (std::size_t i = 0; i < course.within_ground.size(); ++i)
+        if (!course.within_ground[i]) most = std::max(most, course.joint_normal_force[i].value);
     return most;
 }
 
@@ -156,7 +157,7 @@ Section key_figures_compared(const RunRecord& a, const RunRecord& b)
         table.rows.push_back(compared(quantity, of(a), of(b)));
     };
     add("time computed [s]", [](const RunRecord& r) { return r.end.reached; });
-    add("largest displacement since the motion began [mm]",
+    add("largest displacement " + results::counted_from(a.results.model) + " [mm]",
         [](const RunRecord& r) { return 1e3 * largest(r.course.displacement); });
     add("displacement at the end [mm]", [](const RunRecord& r) {
         return 1e3 * largest_of_blocks(r, [](const BlockCourse& block) { return block.residual; });
@@ -169,8 +170,7 @@ Section key_figures_compared(const RunRecord& a, const RunRecord& b)
         [](const RunRecord& r) { return static_cast<double>(r.course.joints_opened); });
     add("joints that slid by more than 0.1 mm",
         [](const RunRecord& r) { return static_cast<double>(r.course.joints_slid); });
-    add("thrust in a joint [kN]",
-        [](const RunRecord& r) { return largest_peak(r.course.joint_normal_force) / 1e3; });
+    add("thrust in a joint [kN]", [](const RunRecord& r) { return largest_thrust(r.course) / 1e3; });
     add("base shear [kN]", [](const RunRecord& r) { return largest_base_shear(r) / 1e3; });
     if (base_shear_of(a) && base_shear_of(b))
         add("base shear over weight", [](const RunRecord& r) { return base_shear_of(r)->value; });

@@ -43,6 +43,7 @@ void note_joints(const results::RecordedModel& model, const results::RecordedFra
         if (!counts) continue;
         course.joint_opening[i].see(joint.motion.opening, frame.time);
         course.joint_slip[i].see(joint.motion.largest_slip, frame.time);
+        if (course.within_ground[i]) continue;
         opening = std::max(opening, joint.motion.opening);
         slip = std::max(slip, joint.motion.largest_slip);
         for (const int block : {model.joints[i].block_a, model.joints[i].block_b}) {
@@ -111,6 +112,8 @@ Course course_of(const results::ResultsReader& results)
     course.joint_opening.resize(model.joints.size());
     course.joint_slip.resize(model.joints.size());
     course.joint_normal_force.resize(model.joints.size());
+    for (const WatchedJoint& joint : model.joints)
+        course.within_ground.push_back(foundation[joint.block_a] && foundation[joint.block_b]);
     find_highest(model, foundation, course);
     const bool moves =
         std::find(model.stage_moves.begin(), model.stage_moves.end(), true) != model.stage_moves.end();

@@ -38,8 +38,9 @@ struct Course {
     std::vector<Peak> joint_opening, joint_slip, joint_normal_force;  // m, m, N; of the model's joints
     // That opened or slid at some time: as the run counted in its steps; of a run without summary, in its frames.
     int joints_opened = 0, joints_slid = 0;
-    int highest = -1;   // the stone whose drift it is; -1: there are foundations alone
-    double height = 0;  // m, of its centroid above the lowest corner of the structure's stones
+    std::vector<bool> within_ground;  // of the model's joints: between two blocks of soil; none of the structure
+    int highest = -1;                 // the stone whose drift it is; -1: there are foundations alone
+    double height = 0;                // m, of its centroid above the lowest corner of the structure's stones
 };
 
 /// @param results with at least one frame

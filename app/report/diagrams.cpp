@@ -15,7 +15,6 @@ namespace
 using plots::Curve;
 using plots::Diagram;
 
-/// a - b, or a alone where there is no b.
 std::string component_of(const results::RecordedMotion& motion)
 {
     const std::string follower = motion.followers.empty() ? "?" : motion.followers.front();

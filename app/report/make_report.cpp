@@ -44,8 +44,7 @@ Section pictures_of(const RunRecord& record, const fs::path& folder)
             const std::string name = picture.stem().string();
             section.pictures.push_back(
                 {picture, "Displacement " +
-                              (&picture == &pictures.front() ? "since the start"
-                                                             : results::counted_from(record.results.model)) +
+                              results::counted_from(record.results.model, &picture != &pictures.front()) +
                               ", t = " + time_in(name) + "."});
         }
     });
@@ -105,10 +104,9 @@ Section view_of(const RunRecord& record, InteractiveView& view)
     view.data = view_data(record, visible_magnification(record));
     section.has_view = !view.data.empty();
     section.paragraphs.emplace_back(
-        section.has_view
-            ? "The page report.html shows the stones as they moved relative to the ground, to be turned "
-              "and played. Joints open by more than 0.1 mm are red, those that slid are orange."
-            : "There is none: this structure has too many stones for one page.");
+        section.has_view ? "The page report.html shows the stones as they moved, to be turned "
+                           "and played. Joints open by more than 0.1 mm are red, those that slid are orange."
+                         : "There is none: this structure has too many stones for one page.");
     return section;
 }
 

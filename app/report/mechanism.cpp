@@ -76,8 +76,8 @@ MovedJoint moved_joint(const results::RecordedModel& model, const results::Recor
 {
     const WatchedJoint& joint = model.joints[index];
     const JointNow& now = frame.joints[index];
-    const Matrix3d a = turn_of(pose_of(model.kinematics, frame.state, joint.block_a).map),
-                   b = turn_of(pose_of(model.kinematics, frame.state, joint.block_b).map);
+    const Matrix3d a = turn_of(map_since(model, frame, joint.block_a)),
+                   b = turn_of(map_since(model, frame, joint.block_b));
     const Eigen::AngleAxisd turn(a * b.transpose());
     MovedJoint moved;
     moved.joint = index;

@@ -93,6 +93,7 @@ std::optional<FirstMove> first_move(const RunRecord& record, const RampedStage& 
         if (record.results.stages[i] > stage.index) break;
         results::RecordedFrame frame = record.results.frame(i);
         if (record.results.stages[i] < stage.index || frame.time <= stage.start || !begin) {
+            results::begin_motion(frame);  // what the stones did as they came to rest is no onset
             begin = std::move(frame);
             continue;
         }

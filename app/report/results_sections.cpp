@@ -50,14 +50,26 @@ std::string pair_of(const RunRecord& record, std::size_t joint)
 }
 
 /// Rows of key results that concern joints.
+/// Of the largest peak of a joint that is not within the soil.
+std::size_t place_in_structure(const Course& course, const std::vector<Peak>& peaks)
+{
+    std::size_t place = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+        if (course.within_ground[i] || peaks[i].value <= most) continue;
+        most = peaks[i].value;
+        place = i;
+    }
+    return place;
+}
+
 void add_joint_rows(const RunRecord& record, std::vector<std::vector<std::string>>& rows)
 {
     const Course& course = record.course;
     if (course.joint_opening.empty()) return;
-    const auto value = [](const Peak& peak) { return peak.value; };
-    const std::size_t opened = place_of_largest(course.joint_opening, value),
-                      slid = place_of_largest(course.joint_slip, value),
-                      pressed = place_of_largest(course.joint_normal_force, value);
+    const std::size_t opened = place_in_structure(course, course.joint_opening),
+                      slid = place_in_structure(course, course.joint_slip),
+                      pressed = place_in_structure(course, course.joint_normal_force);
     rows.push_back({"largest opening of a joint",
                     at(course.joint_opening[opened], length_in_words(course.joint_opening[opened].value)),
                     pair_of(record, opened)});

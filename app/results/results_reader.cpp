@@ -167,36 +167,40 @@ RecordedModel read_model(const Hdf5File& file, const std::string& place)
     return model;
 }
 
-/// A joint that has come closer, or slid back, since is neither open nor has it slid.
-void count_from(const JointMotion& rest, JointMotion& now)
-{
-    now.opening = std::max(0.0, now.opening - rest.opening);
-    now.mean_opening -= rest.mean_opening;  // negative where it is pressed
-    now.slip = std::max(0.0, now.slip - rest.slip);
-    now.largest_slip = std::max(0.0, now.largest_slip - rest.largest_slip);
-}
-
 }  // namespace
 
 Vector3d moved(const RecordedModel& model, const RecordedFrame& frame, int block)
 {
     const Vector3d now = pose_of(model.kinematics, frame.state, block).centroid - frame.ground;
-    if (!frame.in_motion || model.rest.state.coordinates.empty()) return now - model.centroids[block];
+    if (!model.counts_from_rest(frame)) return now - model.centroids[block];
     return now - (pose_of(model.kinematics, model.rest.state, block).centroid - model.rest.foot);
 }
 
 Matrix3d map_since(const RecordedModel& model, const RecordedFrame& frame, int block)
 {
     Matrix3d now = pose_of(model.kinematics, frame.state, block).map;
-    if (!frame.in_motion || model.rest.state.coordinates.empty()) return now;
+    if (!model.counts_from_rest(frame)) return now;
     return now * pose_of(model.kinematics, model.rest.state, block).map.inverse();
 }
 
-std::string counted_from(const RecordedModel& model)
+bool RecordedModel::counts_from_rest(const RecordedFrame& frame) const
 {
-    const char* since = model.rest.state.coordinates.empty() ? "since the start" : "since the motion began";
-    if (!model.foot.empty()) return std::string(since) + ", relative to the stones that stand on the soil";
-    return std::string(since) + (model.foundations.empty() ? "" : ", relative to the supports");
+    return frame.in_motion && !rest.state.coordinates.empty();
+}
+
+void begin_motion(RecordedFrame& frame)
+{
+    if (frame.in_motion) return;
+    frame.in_motion = true;
+    for (JointNow& joint : frame.joints) joint.motion = {};
+}
+
+std::string counted_from(const RecordedModel& model, bool in_motion)
+{
+    const std::string since =
+        in_motion && !model.rest.state.coordinates.empty() ? "since the motion began" : "since the start";
+    if (!model.foot.empty()) return since + ", relative to the stones that stand on the soil";
+    return since + (model.foundations.empty() ? "" : ", relative to the supports");
 }
 
 ResultsReader::ResultsReader(const std::filesystem::path& path)
@@ -263,7 +267,7 @@ RecordedFrame ResultsReader::frame(std::size_t index) const
     frame.joints = joints(index);
     if (frame.in_motion)
         for (std::size_t i = 0; i < model.rest.joints.size(); ++i)
-            count_from(model.rest.joints[i].motion, frame.joints[i].motion);
+            frame.joints[i].motion = since(model.rest.joints[i].motion, frame.joints[i].motion);
     frame.contacts = contacts(index);
     check_recorded(frame, model, place_);
     return frame;

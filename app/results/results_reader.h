@@ -44,6 +44,9 @@ struct RecordedModel {
     std::vector<JointBound> bounds;    // (joints)
     std::vector<RecordedRod> rods;
     RecordedRest rest;
+
+    /// Whether what a frame shows has a rest before it, from which it counts; else it counts from the start.
+    bool counts_from_rest(const struct RecordedFrame& frame) const;
 };
 
 /// What one frame holds, vectors and tensors in space.
@@ -66,8 +69,12 @@ Eigen::Vector3d moved(const RecordedModel& model, const RecordedFrame& frame, in
 /// What a block has turned and strained since then: its map, as of Pose.
 Eigen::Matrix3d map_since(const RecordedModel& model, const RecordedFrame& frame, int block);
 
+/// The last frame before the first motion as that motion counts it: nothing has moved yet.
+void begin_motion(RecordedFrame& frame);
+
 /// "since the motion began, relative to the supports": what moved() counts from, in words.
-std::string counted_from(const RecordedModel& model);
+/// @param in_motion of the frame
+std::string counted_from(const RecordedModel& model, bool in_motion = true);
 
 class ResultsReader
 {

@@ -14,8 +14,6 @@ using Eigen::Vector3d;
 namespace
 {
 
-constexpr double lain_on = 0.5;  // vertical part of the normal of a joint on which a stone lies
-
 void add_ends(const Model& model, std::vector<int>& blocks)
 {
     for (const ViscousBoundary& boundary : model.boundaries)
@@ -35,7 +33,7 @@ std::set<int> stones_on(const std::vector<bool>& ground, const std::vector<bool>
 {
     std::set<int> stones;
     for (const WatchedJoint& joint : joints) {
-        if (std::abs(joint.normal.z()) < lain_on) continue;
+        if (std::abs(joint.normal.z()) < bed) continue;
         if (ground[joint.block_a] && !is_ground[joint.block_b]) stones.insert(joint.block_b);
         if (ground[joint.block_b] && !is_ground[joint.block_a]) stones.insert(joint.block_a);
     }

@@ -11,6 +11,8 @@
 namespace voussoir
 {
 
+constexpr double bed = 0.5;  // cosine of normal and weight: a stone lies on what is less steep
+
 /// Blocks that the ground holds: foundations, and those at which the model ends, once for each of their faces
 /// there.
 std::vector<int> blocks_held_by_ground(const Model& model);

@@ -69,6 +69,15 @@ JointMotion motion_of(const WatchedJoint& joint, std::span<const PlacedBlock> bl
     return motion;
 }
 
+JointMotion since(const JointMotion& rest, JointMotion now)
+{
+    now.opening = std::max(0.0, now.opening - rest.opening);
+    now.mean_opening -= rest.mean_opening;  // negative where it is pressed
+    now.slip = std::max(0.0, now.slip - rest.slip);
+    now.largest_slip = std::max(0.0, now.largest_slip - rest.largest_slip);
+    return now;
+}
+
 std::vector<JointPeaks> no_peaks(const std::vector<WatchedJoint>& joints)
 {
     std::vector<JointPeaks> peaks;
@@ -82,11 +91,7 @@ void count_from(const Model& model, const std::vector<double>& coordinates, std:
     State rest;
     rest.coordinates = coordinates;
     const std::vector<PlacedBlock> blocks = placed_blocks(model, rest);
-    for (WatchedJoint& joint : joints) {
-        const JointMotion motion = motion_of(joint, blocks);
-        joint.opening_at_rest = motion.opening;
-        joint.slip_at_rest = motion.largest_slip;
-    }
+    for (WatchedJoint& joint : joints) joint.at_rest = motion_of(joint, blocks);
 }
 
 void note_joints(const Model& model, const std::vector<WatchedJoint>& joints, const State& state,
@@ -96,14 +101,12 @@ void note_joints(const Model& model, const std::vector<WatchedJoint>& joints, co
     const std::vector<PlacedBlock> blocks = placed_blocks(model, state, threads);
     in_parallel(joints.size(), threads, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) {
-            const JointMotion motion = motion_of(joints[i], blocks);
-            const double opening = motion.opening - joints[i].opening_at_rest,
-                         slip = motion.largest_slip - joints[i].slip_at_rest;
+            const JointMotion motion = since(joints[i].at_rest, motion_of(joints[i], blocks));
             JointPeaks& peaks = report.joints[i];
-            peaks.opening = std::max(peaks.opening, opening);
-            peaks.slip = std::max(peaks.slip, slip);
-            if (!peaks.opened && opening > noteworthy_opening) peaks.opened = state.time;
-            if (!peaks.slid && slip > noteworthy_opening) peaks.slid = state.time;
+            peaks.opening = std::max(peaks.opening, motion.opening);
+            peaks.slip = std::max(peaks.slip, motion.largest_slip);
+            if (!peaks.opened && motion.opening > noteworthy_opening) peaks.opened = state.time;
+            if (!peaks.slid && motion.largest_slip > noteworthy_opening) peaks.slid = state.time;
         }
     });
 }

@@ -31,6 +31,18 @@ struct FacingPatch {
     std::vector<FacingPoint> points;     // the corners of the facing area
 };
 
+/// What a joint has done since the start. Each pair of points is measured along the mean of the normals of its two
+/// faces as they are now: two blocks that turn about a common edge open and do not slip.
+struct JointMotion {
+    double opening = 0;       // m, largest at a corner of the facing area; 0 when closed all over
+    double mean_opening = 0;  // m, over that area; < 0: pressed together
+    double slip = 0;          // m, mean over that area of how far its points have moved along the joint
+    double largest_slip = 0;  // m, of a corner of it
+};
+
+/// What of it was done after `rest`: a joint that has come closer, or slid back, is neither open nor has it slid.
+JointMotion since(const JointMotion& rest, JointMotion now);
+
 /// A joint of the start of a run.
 struct WatchedJoint {
     int block_a = 0, block_b = 0;                      // a < b
@@ -40,7 +52,7 @@ struct WatchedJoint {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // m, of the facing area at the start
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, outward from b; mean over that area
     std::vector<FacingPatch> patches;                  // that the facing area is made of
-    double opening_at_rest = 0, slip_at_rest = 0;      // m, from which its peaks count
+    JointMotion at_rest;                               // from which its peaks count
 };
 
 /// Two faces face each other when their outward normals are within this angle of opposite [rad].
@@ -60,15 +72,6 @@ struct PlacedBlock {
 
 /// All blocks of a state.
 std::vector<PlacedBlock> placed_blocks(const Model& model, const State& state, int threads = 1);
-
-/// What a joint has done since the start. Each pair of points is measured along the mean of the normals of its two
-/// faces as they are now: two blocks that turn about a common edge open and do not slip.
-struct JointMotion {
-    double opening = 0;       // m, largest at a corner of the facing area; 0 when closed all over
-    double mean_opening = 0;  // m, over that area; < 0: pressed together
-    double slip = 0;          // m, mean over that area of how far its points have moved along the joint
-    double largest_slip = 0;  // m, of a corner of it
-};
 
 /// Of a joint whose blocks stand like this. @param blocks all of the state
 JointMotion motion_of(const WatchedJoint& joint, std::span<const PlacedBlock> blocks);

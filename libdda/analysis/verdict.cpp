@@ -25,11 +25,9 @@ using Pair = std::pair<int, int>;
 
 constexpr double near = 0.5;  // of the size of the smaller stone: what has moved by less is where it was
 constexpr double half = 0.5;  // of the mass
-constexpr double bed =
-    0.5;  // cosine, normal and weight: on what is less steep a stone slides, along the rest it falls
 
 /// How the foot of the structure has moved since the first motion began, and moves.
-struct Ground {
+struct FootMotion {
     Vector3d displacement = Vector3d::Zero(), velocity = Vector3d::Zero();  // m, m/s
 };
 
@@ -64,8 +62,8 @@ double angle_between(const Vector3d& one, const Vector3d& other)
     return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-Ground ground_of(const Model& model, const std::vector<WatchedJoint>& joints, const RunStart& from,
-                 const State& state)
+FootMotion foot_motion(const Model& model, const std::vector<WatchedJoint>& joints, const RunStart& from,
+                       const State& state)
 {
     const Foot foot(model, joints);
     State before;
@@ -118,7 +116,7 @@ class Joints
             if (std::hypot(motion.opening, motion.largest_slip) < enough) return true;
         }
         if (!touch_.contains(pair)) return false;
-        const bool is_bed = std::abs(normal.dot(down_)) > bed;
+        const bool is_bed = std::abs(normal.dot(down_)) > bed;  // on it a stone slides, along the rest it falls
         return is_bed || std::abs(down_.dot(gone(a) - gone(b))) < enough;
     }
 
@@ -185,14 +183,14 @@ std::vector<bool> with_lost(std::vector<bool> marks, const Verdict& verdict)
 }
 
 /// The fastest of the blocks, by its speed over that which is slow for its size. @param leave marks of blocks
-void find_fastest(const Model& model, double gravity, const Ground& ground, const State& state,
+void find_fastest(const Model& model, double gravity, const FootMotion& foot, const State& state,
                   const std::vector<bool>& leave, Verdict& verdict)
 {
     double most = 1;
     for (int b = 0; b < static_cast<int>(leave.size()); ++b) {
         if (leave[b]) continue;
         const double size = size_of(model, b), slow = slow_end * std::sqrt(gravity * size);
-        const double speed = (velocity_of(model.kinematics, state, b) - ground.velocity).norm() +
+        const double speed = (velocity_of(model.kinematics, state, b) - foot.velocity).norm() +
                              0.5 * size * angular_velocity_of(model, state, b).norm();
         if (speed <= most * slow) continue;
         most = speed / slow;
@@ -223,9 +221,8 @@ void find_worst_joint(const Model& model, const std::vector<WatchedJoint>& joint
         const bool is_within_ground = is_ground[a] && is_ground[b];
         const bool is_lost = (leave[a] && !is_ground[a]) || (leave[b] && !is_ground[b]);
         if (is_within_ground || is_lost) continue;
-        const JointMotion now = motion_of(joint, places.now), before = motion_of(joint, places.reference);
-        const double opening = std::max(0.0, now.opening - before.opening),
-                     slip = std::max(0.0, now.largest_slip - before.largest_slip);
+        const JointMotion moved = since(motion_of(joint, places.reference), motion_of(joint, places.now));
+        const double opening = moved.opening, slip = moved.largest_slip;
         const double share = std::max(opening, slip) / std::min(size_of(model, a), size_of(model, b));
         if (share > verdict.worst.share) verdict.worst = {a, b, opening, slip, share};
     }
@@ -246,17 +243,16 @@ std::optional<Verdict> verdict_of(const Model& model, const std::vector<WatchedJ
     const Vector3d down = gravity / g;
     Verdict verdict;
     const Places places(model, from, state);
-    const Ground ground = ground_of(model, joints, from, state);
+    const FootMotion foot = foot_motion(model, joints, from, state);
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
         const Vector3d gone = places.now[b].pose.centroid - places.reference[b].pose.centroid;
         const Matrix3d turned = Places::rotation(places.now[b], places.reference[b]);
-        verdict.blocks.push_back(
-            {(gone - ground.displacement).norm(), std::abs(Eigen::AngleAxisd(turned).angle())});
+        verdict.blocks.push_back({(gone - foot.displacement).norm(), std::abs(Eigen::AngleAxisd(turned).angle())});
     }
     const std::vector<bool> is_ground = ground_marks(model);
     find_lost(model, {model, joints, from.start, down, places, state}, down, places, state, is_ground, verdict);
     const std::vector<bool> leave = with_lost(is_ground, verdict);
-    find_fastest(model, g, ground, state, leave, verdict);
+    find_fastest(model, g, foot, state, leave, verdict);
     if (verdict.fastest >= 0) verdict.go_on = time_to_see(model, down, g, places);
     if (!from.reference.empty()) find_worst_joint(model, joints, places, is_ground, leave, verdict);
     judge(model, verdict);

@@ -23,8 +23,8 @@ struct RunStart {
 /// or along it by less than half the size of the smaller one, or touch on a bed, or touch and have gone down along
 /// one another by less than that) and have not turned against one another by 30 degrees out of its plane. A block
 /// is lost that joints and bars connected to the ground when the run began and those that hold do no more, or that
-/// leans by 30 degrees. Supports that move are no failure: all is told relative to
-/// the foot of the structure.
+/// leans by 30 degrees. Supports that move are no failure: all is told relative to the
+/// foot of the structure.
 /// @param joints of the start of the run @param gravity m/s2
 /// @returns nothing where nothing can stand: without gravity, or without ground
 std::optional<Verdict> verdict_of(const Model& model, const std::vector<WatchedJoint>& joints,

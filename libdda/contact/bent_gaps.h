@@ -55,25 +55,17 @@ class BentGaps
     double energy(const ContactPatchIn<D>& patch, const std::vector<ContactPointIn<D>>& points) const
     {
         if (flexibility_.isZero(0)) return 0;
-        return 0.5 * moment_.dot(slope_) + twist_energy(patch, points);
+        const double of_slips = couple(patch, points);
+        return 0.5 * moment_.dot(slope_) + 0.5 * twist_ * of_slips * of_slips;
     }
-    /// Couple of the shear of points about their own middle, by which the stones are twisted [Nm].
-    /// @param stiffness of the patch [Pa/m]
-    double couple(double stiffness, const VectorIn<D>& normal, std::span<const ContactPointIn<D>> points) const
-    {
-        double sum = 0;
-        if constexpr (twists<D>) {
-            const VectorIn<D> middle = area_of(points).middle;
-            for (const ContactPointIn<D>& p : points)
-                sum += shear_ * stiffness * p.area * normal.cross(p.position - middle).dot(p.elastic_slip);
-        }
-        return sum;
-    }
-    /// Turns the slips of what presses to a couple. The stones twist far more than the joint does: slips that went
-    /// over to other points would else change what they store.
-    void turn_slips_to(double wanted, const ContactPatchIn<D>& patch, std::vector<ContactPointIn<D>>& points) const
+    /// Turns the slips of what presses so that they keep the couple that they had. The stones twist far more than
+    /// the joint does: slips that went over to other points would else change what they store.
+    /// @param old patch and its points, of the last step
+    void keep_couple(const ContactPatchIn<D>& old, std::span<const ContactPointIn<D>> old_points,
+                     const ContactPatchIn<D>& patch, std::vector<ContactPointIn<D>>& points) const
     {
         if constexpr (twists<D>) {
+            if (twist_ == 0) return;
             const auto presses = [&](const ContactPointIn<D>& p) { return p.gap < 0 || patch.intact; };
             const auto [area, middle] = area_of(points, presses);
             double second = 0;
@@ -81,7 +73,7 @@ class BentGaps
                 if (presses(p)) second += p.area * patch.normal.cross(p.position - middle).squaredNorm();
             const double stiffness = shear_ * patch.stiffness * second;  // Nm
             if (!(second > least_spread * area * area) || !(twist_ * stiffness > noticeable_twist)) return;
-            const double turn = (wanted - couple(patch.stiffness, patch.normal, points)) / stiffness;
+            const double turn = (couple(old, old_points) - couple(patch, points)) / stiffness;
             for (ContactPointIn<D>& p : points)
                 if (presses(p)) p.elastic_slip += turn * patch.normal.cross(p.position - middle);
         }
@@ -114,11 +106,17 @@ class BentGaps
         if (area.size > 0) area.middle /= area.size;
         return area;
     }
-    /// [J]
-    double twist_energy(const ContactPatchIn<D>& patch, const std::vector<ContactPointIn<D>>& points) const
+    /// Of the shear of points about their own middle, by which the stones are twisted [Nm].
+    double couple(const ContactPatchIn<D>& patch, std::span<const ContactPointIn<D>> points) const
     {
-        const double of_points = couple(patch.stiffness, patch.normal, points);
-        return 0.5 * twist_ * of_points * of_points;
+        double sum = 0;
+        if constexpr (twists<D>) {
+            const VectorIn<D> middle = area_of(points).middle;
+            for (const ContactPointIn<D>& p : points)
+                sum += shear_ * patch.stiffness * p.area *
+                       patch.normal.cross(p.position - middle).dot(p.elastic_slip);
+        }
+        return sum;
     }
 
     MatrixIn<D> flexibility_ = MatrixIn<D>::Zero();

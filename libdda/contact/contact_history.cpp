@@ -376,9 +376,7 @@ void attach_history(const Model& model, const State& state, const std::vector<bo
             break;
         }
     }
-    if (same_features)
-        gaps.turn_slips_to(gaps.couple(history.patch->stiffness, history.patch->normal, history.points), patch,
-                           found.points);
+    if (same_features) gaps.keep_couple(*history.patch, history.points, patch, found.points);
     patch.bending_energy = gaps.energy(patch, found.points);
     if (forgives) {
         const double stored = history.patch ? pressed_energy(history.patch->stiffness, history.points) +

@@ -19,7 +19,7 @@ namespace voussoir::contact
 template <int D>
 constexpr bool twists = D == 3;
 
-constexpr double noticeable_twist = 0.1;  // of what a joint turns about its normal: so much must stones to matter
+constexpr double noticeable_twist = 0.1;  // of what a joint turns about its normal: less twist does not matter
 
 /// One of the two stones of a face.
 template <int D>

@@ -23,6 +23,22 @@ typename K::Vector slip_at_end(const PatchStep<K>& patch, const PointStep<K::dim
     return (shear / p.shear_stiffness - 0.5 * (1 - theta) * p.slip_start) * (2 / (1 + theta));
 }
 
+template <class K>
+double energy_of_stones(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points)
+{
+    if constexpr (K::deformable) {
+        const auto& stones = patch.stones;
+        if (!stones.acts) return 0;
+        double couple = 0;  // Nm
+        if constexpr (contact::twists<K::dimension>)
+            for (int i = patch.first; i < patch.first + patch.count; ++i)
+                couple += points[i].shear_stiffness *
+                          patch.normal.cross(points[i].lever - stones.centre).dot(slip_at_end(patch, points[i]));
+        return stones.bending.energy() + 0.5 * (couple * (stones.twist.flexibility(0, 0) * couple));
+    }
+    return 0;
+}
+
 namespace
 {
 
@@ -70,8 +86,9 @@ ContactEnergies contact_energies(int threads, const ContactStep<K>& step)
             ContactEnergies share;
             for (int i = patch.first; i < patch.first + patch.count; ++i) add_point(patch, step.points[i], share);
             if constexpr (K::deformable) {
-                share.stored += patch.stones.energy();
-                share.loss += patch.stones.loss();
+                const double stored = energy_of_stones(patch, step.points);
+                share.stored += stored;
+                share.loss += patch.stones.work() - (stored - patch.stones.energy_start);
             }
             return share;
         },
@@ -85,8 +102,9 @@ ContactEnergies contact_energies(int threads, const ContactStep<K>& step)
     return sum;
 }
 
-#define VOUSSOIR_INSTANTIATE(K)                                            \
-    template ContactEnergies contact_energies(int, const ContactStep<K>&); \
+#define VOUSSOIR_INSTANTIATE(K)                                                                         \
+    template ContactEnergies contact_energies(int, const ContactStep<K>&);                              \
+    template double energy_of_stones(const PatchStep<K>&, const std::vector<PointStep<K::dimension>>&); \
     template K::Vector slip_at_end(const PatchStep<K>&, const PointStep<K::dimension>&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE

@@ -52,13 +52,12 @@ struct YieldIn {
     VectorIn<N> turn_start = VectorIn<N>::Zero();    // rad
     double blend = 1;                                // theta of the integrator
     VectorIn<N> moment = VectorIn<N>::Zero();        // Nm, at the end of the step, at the current iterate
-    double work = 0;                                 // J, done on the stones in an accepted step
 
     double end_weight() const { return 0.5 * (1 + blend); }  // of the moment at the end, in that of the step
     VectorIn<N> steady() const { return 0.5 * (1 - blend) * moment_start; }
-    VectorIn<N> turn() const { return flexibility * moment - turn_start; }    // rad, of the step
-    double energy() const { return 0.5 * moment.dot(flexibility * moment); }  // J, at the end of the step
-    VectorIn<N> acting() const { return steady() + end_weight() * moment; }   // Nm, all through the step
+    VectorIn<N> turn() const { return flexibility * moment - turn_start; }          // rad, of the step
+    double energy() const { return 0.5 * moment.dot(flexibility * moment); }        // J, at the end of the step
+    double work() const { return (steady() + end_weight() * moment).dot(turn()); }  // J, done on the stones
     void begin(double theta)
     {
         blend = theta;
@@ -76,9 +75,7 @@ struct BentStones {
     YieldIn<1> twist;                          // about the normal
     double energy_start = 0;                   // J
 
-    double energy() const { return bending.energy() + twist.energy(); }  // J, at the end of the step
-    double work() const { return bending.work + twist.work; }            // J, done on them
-    double loss() const { return work() - (energy() - energy_start); }   // J, by the integrator
+    double work() const { return bending.work() + twist.work(); }  // J, done on them
 };
 struct StiffStones {
 };
@@ -137,13 +134,12 @@ void evaluate_contacts(const Eigen::VectorXd& d, int threads, ContactStep<K>& st
 template <class K>
 void evaluate_patch(const Eigen::VectorXd& d, PatchStep<K>& patch, std::vector<PointStep<K::dimension>>& points);
 
-/// Displacement of the step at the iterate D as the forces measure it, which leaves out what is of second
-/// order.
+/// Displacement of the step at the iterate D as the forces measure it, which leaves out what is of second order.
 template <class K>
 LinearIn<K::dimension> linear_displacement(const Eigen::VectorXd& d, const PatchStep<K>& patch);
 
-/// The same by the published open-close rules: every point keeps its status; a sliding point carries the
-/// friction of the pass before as a load.
+/// The same by the published open-close rules: every point keeps its status; a sliding point carries the friction
+/// of the pass before as a load.
 template <class K>
 void evaluate_published(const Eigen::VectorXd& d, int threads, ContactStep<K>& step);
 
@@ -151,13 +147,7 @@ void evaluate_published(const Eigen::VectorXd& d, int threads, ContactStep<K>& s
 template <class K>
 bool switch_published(ContactStep<K>& step);
 
-/// Brings what the stones beside faces bend and twist by to what the springs have at the end of an accepted
-/// step, from which the next one begins. Where points open, close or slide within a step, or have dashpots,
-/// the forces of the step are not the mean of those at its ends.
-template <class K>
-void settle_stones(int threads, ContactStep<K>& step);
-
-/// Contact terms of the energy audit of an accepted step, after settle_stones().
+/// Contact terms of the energy audit of an accepted step.
 struct ContactEnergies {
     double stored = 0, friction = 0, dashpot = 0, loss = 0, closing = 0;
 };
@@ -179,6 +169,11 @@ void add_patches_in_order(const ContactStep<K>& step, int threads, const PartOf&
     });
     for (const auto& of_patch : parts) add(of_patch);
 }
+
+/// What the stones beside a face have stored at the end of a step [J]: of the twisting by the couple of the slips
+/// there, from which the next step begins. Where points slide or open within the step its own couple is another.
+template <class K>
+double energy_of_stones(const PatchStep<K>& patch, const std::vector<PointStep<K::dimension>>& points);
 
 /// Elastic slip at the end of the step [m]: of a blend theta, t = (1-theta)/2 k s0 + (1+theta)/2 k s1.
 template <class K>

@@ -77,12 +77,11 @@ double inertia_ratio(const StepProblem<K>& problem)
 }  // namespace
 
 template <class K>
-void accept_step(const Model& model, const Stage& stage, Work<K>& work, State& state, EnergyLedger& energy,
+void accept_step(const Model& model, const Stage& stage, const Work<K>& work, State& state, EnergyLedger& energy,
                  StepReport& report)
 {
     const PartTimer timer(report.seconds, Part::update);
-    StepProblem<K>& problem = work.problem;
-    settle_stones(stage.control.threads, problem.contacts);
+    const StepProblem<K>& problem = work.problem;
     report.time_step = problem.h;
     book_redetection(stage, state, contact::spring_energy(model, work.contacts) - energy.contact, energy);
     update_blocks(problem, state);
@@ -99,7 +98,7 @@ void accept_step(const Model& model, const Stage& stage, Work<K>& work, State& s
 }
 
 #define VOUSSOIR_INSTANTIATE(K) \
-    template void accept_step(const Model&, const Stage&, Work<K>&, State&, EnergyLedger&, StepReport&)
+    template void accept_step(const Model&, const Stage&, const Work<K>&, State&, EnergyLedger&, StepReport&)
 VOUSSOIR_FOR_ALL_KINEMATICS(VOUSSOIR_INSTANTIATE);
 #undef VOUSSOIR_INSTANTIATE
 

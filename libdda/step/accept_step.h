@@ -13,7 +13,7 @@ namespace voussoir::step
 /// Brings blocks, contacts and clocks to the end of the step that was solved in `work`, books its energies in
 /// `energy` and what came of it in `report`.
 template <class K>
-void accept_step(const Model& model, const Stage& stage, Work<K>& work, State& state, EnergyLedger& energy,
+void accept_step(const Model& model, const Stage& stage, const Work<K>& work, State& state, EnergyLedger& energy,
                  StepReport& report);
 
 }  // namespace voussoir::step

@@ -62,7 +62,7 @@ void update_contacts(const Model& model, const Stage& stage, const StepProblem<K
                                      patch.row_b >= 0 ? problem.load[patch.row_b] : 0);
         const double enough = stage.unbalanced_tolerance * load;
         kept.intact = patch.intact;
-        if constexpr (K::deformable) kept.bending_energy = patch.stones.energy();
+        if constexpr (K::deformable) kept.bending_energy = energy_of_stones(patch, problem.contacts.points);
         for (int i = patch.first; i < patch.first + patch.count; ++i) {
             const PointStep<dimension>& p = problem.contacts.points[i];
             ContactPointIn<dimension>& point = stored.points[i];

@@ -101,7 +101,7 @@ export class Recording {
     return largestOf(this.jointsOf[stone].map((joint) => this.ofJoints[name].in(joint, frame)));
   }
 
-  /// The stone's displacement relative to the ground in a frame [m].
+  /// The stone's displacement in a frame [m], counted as `countedFrom` says.
   displacementIn(stone, frame) {
     const i = frame * this.now.length + stone * perStone;
     return Math.hypot(this.moves[i], this.moves[i + 1], this.moves[i + 2]);

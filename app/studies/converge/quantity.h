@@ -12,7 +12,7 @@ namespace voussoir::app::studies::converge
 /// What is followed through a run.
 enum class Field {
     displacement,   // u: of a history's point, as in histories.csv
-    drift,          // d: the same relative to the ground, since the motion began
+    drift,          // d: the same relative to the foot, since the motion began
     velocity,       // v
     largest_drift,  // largest: the largest drift of a block's centroid
 };

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "app/results/histories.h"
-#include "app/results/surface_mesh.h"
 
 namespace voussoir::app::studies::converge
 {

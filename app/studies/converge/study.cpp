@@ -23,9 +23,12 @@ std::size_t index_of(const ConvergeSetting& setting, std::vector<ConvergeSetting
 
 std::string in_words(const CollapseRule& rule)
 {
-    if (rule.length) return fmt::format("a block has moved more than {:g} m relative to the ground", *rule.length);
+    if (rule.length)
+        return fmt::format("a block has moved more than {:g} m relative to the foot of the structure",
+                           *rule.length);
     if (rule.sizes)
-        return fmt::format("a block has moved more than {:g} x its size relative to the ground", *rule.sizes);
+        return fmt::format("a block has moved more than {:g} x its size relative to the foot of the structure",
+                           *rule.sizes);
     return "never";
 }
 

@@ -48,14 +48,13 @@ class OpeningBook
     {
         const std::vector<PlacedBlock> blocks = placed_blocks(model_, state);
         if (state.time == 0) {  // at rest: what a static stage ends with replaces what was before
-            at_rest_.clear();
-            for (const WatchedJoint& joint : joints_) at_rest_.push_back(motion_of(joint, blocks).opening);
+            count_from(model_, state.coordinates, joints_);
             opened_.assign(joints_.size(), false);
         }
         run.joints = static_cast<int>(joints_.size());
         run.open = 0;
         for (std::size_t i = 0; i < joints_.size(); ++i) {
-            const double opening = motion_of(joints_[i], blocks).opening - at_rest_[i];
+            const double opening = since(joints_[i].at_rest, motion_of(joints_[i], blocks)).opening;
             run.largest_opening = std::max(run.largest_opening, opening);
             run.open += opening > limit_;
             if (opening > limit_) opened_[i] = true;
@@ -67,7 +66,6 @@ class OpeningBook
     const Model& model_;
     double limit_;
     std::vector<WatchedJoint> joints_;
-    std::vector<double> at_rest_;  // m, openings that joints have before the motion begins
     std::vector<bool> opened_;
 };
 

@@ -173,6 +173,24 @@ TEST_F(FirstPage, ATableThatTiltsNamesTheAngleAtWhichTheStoneMoves)
               "none up to 20°: no joint opened or slid by 0.1 mm");
 }
 
+// A stone that has slid by half a millimetre on its soft bed before the table turns: that is no onset, and it puts
+// none off.
+TEST_F(FirstPage, TheOnsetCountsFromWhereTheTableBeginsToTurn)
+{
+    const Json report = report_of(
+        stone_case(1,
+                   "foundation: {blocks: foundation}\nstages: [{name: rest, type: static, gravity: {tilt: 5 deg, "
+                   "towards: [1, 0, 0]}}, {name: tilting, type: dynamic, duration: 9 s, time_step: 2 ms, gravity: "
+                   "{ramp: 9 s, from: 5 deg, tilt: 20 deg, towards: [1, 0, 0]}}]\noutput: {every: 50 ms, trust: "
+                   "never}\n"),
+        "--set 'joints.dry.contact_stiffness=10 MPa/m'");
+    const double settled = results().model.rest.joints.at(0).motion.largest_slip;
+    EXPECT_GT(settled, 2e-4);
+    const std::string told = key(report, "tilt at the onset of motion").at(1);
+    const double more = 5 * 1e-4 / settled;  // deg, by which the bed yields by another 0.1 mm
+    EXPECT_NEAR(std::stod(told), 5 + more, 0.5) << told;
+}
+
 TEST_F(FirstPage, MotionsContactsAndStepsAreToldAsTheyWereRun)
 {
     const Json report = report_of(stone_case(1, shaken),
