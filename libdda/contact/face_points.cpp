@@ -31,10 +31,10 @@ bool is_on_line(const PolygonPointIn<D>& corner)
 constexpr double alike = 1e-3;     // of the area, that of the corners' parts: convex but for rounding
 constexpr double thinnest = 1e-6;  // of needles, second moment across by that along
 
-// Of the area, how much is at the corners, and how much at the middles of sides: each of them has twice the mean
-// of its two corners, so that a stone which presses on a side alone resists a couple as an even line does, by a
-// quarter of its length. With a third of the area at the rim the mean distance from the centroid is right: that is
-// exact for a disc, and within a half of one per cent for regular polygons and rectangles.
+// Of the area, how much is at the corners, and how much at the middles of sides. A side of a rectangle has twice
+// what its corners have on the average, so that a stone which presses on it alone resists a couple as an even line
+// does, by a quarter of its length. With a third of the area at the rim the mean distance from the centroid is
+// right: that is exact for a disc, and within a half of one per cent for regular polygons and rectangles.
 constexpr double at_corners = 1.0 / 9, at_sides = 2 * at_corners;
 
 /// A place on the face and the area that it stands for.
@@ -111,6 +111,15 @@ struct Face {
         centroid =
             origin + moments.centroid.x() * u + moments.centroid.y() * v + (gap - points.front().gap) * normal;
     }
+    /// Of the area, that of the triangle of a side and the centroid, as far as its ends are corners: a side that
+    /// is as good as none, where a corner is cut off, bears as good as nothing.
+    double weight_of_side(std::size_t i) const
+    {
+        const std::size_t next = (i + 1) % count;
+        const Vector2d &from = corners[i].at, &to = corners[next].at;
+        const double triangle = 0.5 * std::abs(from.x() * to.y() - from.y() * to.x()) / area;
+        return 0.5 * (!is_on_line(points[i]) + !is_on_line(points[next])) * triangle;
+    }
     void add(const Place& place, std::uint32_t label)
     {
         const double rise = slope.dot(place.at);
@@ -149,8 +158,7 @@ void add_inner_points(const Vector3d& normal, std::vector<PolygonPoint>& points)
     };
     for (std::size_t i = 0; i < n; ++i) add_to_rim(face.corners[i].at, weight_of(i));
     for (std::size_t i = 0; i < n; ++i)
-        add_to_rim(0.5 * (face.corners[i].at + face.corners[(i + 1) % n].at),
-                   at_sides / at_corners * 0.5 * (weight_of(i) + weight_of(i + 1)));
+        add_to_rim(0.5 * (face.corners[i].at + face.corners[(i + 1) % n].at), at_sides * face.weight_of_side(i));
 
     // What lies inside, towards each corner, has the first and second moments that the rim leaves it.
     const Spread at_rim(rim), inside(face.corners);

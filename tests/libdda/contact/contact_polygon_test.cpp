@@ -93,6 +93,25 @@ TEST(TributaryAreas, KeepAreaAndFirstMomentOfRandomConvexPolygons)
 }
 
 // A regular polygon shares its area equally.
+// What clipping within a tolerance leaves of two faces that meet along an edge: as wide as the tolerance, and it
+// may cross itself. Its area centroid lay anywhere, and it counted as a whole face.
+TEST(TributaryAreas, OfASliverThatCrossesItselfAreThoseOfASliver)
+{
+    const double width = 1e-4;
+    for (const double tilt : {0.9, 0.99, 0.999, 1.0, 1.001, 1.01}) {
+        std::vector<contact::PolygonPoint> points(5);
+        points[0].position = {0, 0, 0};
+        points[1].position = {1, 0, 0};
+        points[2].position = {1, width, 0};
+        points[3].position = {1 - 1e-4, -tilt * width, 0};
+        points[4].position = {0, -width, 0};
+        contact::assign_tributary_areas(points, Vector3d::UnitZ());
+        double area = 0;
+        for (const contact::PolygonPoint& point : points) area += point.area;
+        EXPECT_LT(area, 2 * width) << tilt;
+    }
+}
+
 TEST(TributaryAreas, OfASquareAreQuarters)
 {
     std::vector<contact::PolygonPoint> points(4);
@@ -281,6 +300,68 @@ TEST(FaceContact, KeepsItsIncidentFaceWhileAnotherIsHardlyMoreOpposed)
     }
     // Where a face has clearly turned away it is given up.
     EXPECT_EQ(incident_face(bend, 2 * degrees, other), one);
+}
+
+/// A springer with a ledge behind its joint, 10 degrees lower than the joint's plane goes on, and a voussoir whose
+/// lower face [1 m x 1 m] touches that joint with its outer edge.
+struct AtALedge {
+    static constexpr double slope = 10 * degrees;
+    Model model = make_model(Kinematics::spatial_rigid, stone(), dry(30));
+    State state;
+
+    AtALedge()
+    {
+        // The joint runs from x = -1 to the edge at 0, the ledge on to x = 1.
+        const double rise = std::tan(slope);
+        std::vector<Vector3d> vertices;
+        for (const double y : {-0.5, 0.5})
+            for (const auto& [x, z] :
+                 std::vector<std::pair<double, double>>{{-1, -2}, {1, -2}, {1, -rise}, {0, 0}, {-1, 0}})
+                vertices.emplace_back(x, y, z);
+        model.blocks.push_back(make_block("springer", 0, 0,
+                                          {make_convex_polyhedron(vertices, {{0, 1, 2, 3, 4},
+                                                                             {5, 9, 8, 7, 6},
+                                                                             {0, 5, 6, 1},
+                                                                             {1, 6, 7, 2},
+                                                                             {2, 7, 8, 3},
+                                                                             {3, 8, 9, 4},
+                                                                             {4, 9, 5, 0}})}));
+        add_box(model, "voussoir", {-1, -0.5, 0}, {0, 0.5, 1});
+        state = initial_state(model);
+    }
+    /// The voussoir turned about its outer edge, which stands `past` behind the springer's and `depth` too low.
+    contact::ContactPolygon turned(double angle, double past, double depth)
+    {
+        const Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitY()).toRotationMatrix();
+        set_pose(model, state, 1, Vector3d(past, 0, -depth) + turn * Vector3d(-0.5, 0, 0.5), turn);
+        const std::vector<contact::PlacedPart> parts = placed(model, state);
+        const auto found = contact::contact_polygon(parts[0], parts[1], 1e-2, {});
+        EXPECT_TRUE(found);
+        return found.value_or(contact::ContactPolygon());
+    }
+};
+
+double stiffness_below(const contact::ContactPolygon& polygon)
+{
+    double pressed = 0, deepest = 0;
+    for (const contact::PolygonPoint& p : polygon.points) {
+        pressed += p.area * std::max(-p.gap, 0.0);
+        deepest = std::max(deepest, -p.gap);
+    }
+    return pressed / deepest;
+}
+
+// Beyond half the angle between joint and ledge the ledge is more opposed to the voussoir's face, but nothing of
+// it lies under that: springs on next to nothing let the voussoir sink by centimetres.
+TEST(FaceContact, OfAVoussoirThatTurnsOverALedgeStaysOnItsJoint)
+{
+    AtALedge scene;
+    const double depth = 1e-4, whole = stiffness_below(scene.turned(2 * degrees, 1e-4, depth));
+    EXPECT_GT(whole, 0.3);
+    for (const double angle : {4.0, 5.0, 6.0, 8.0, 12.0, 20.0, 30.0})
+        for (const double past : {0.0, 1e-5, 5e-5})
+            EXPECT_GT(stiffness_below(scene.turned(angle * degrees, past, depth)), 0.5 * whole)
+                << angle << " deg, " << past << " m";
 }
 
 TEST(FaceContact, GluedFacesAreNeverTouched)

@@ -251,6 +251,25 @@ bool contains(const Outline& outline, const Vector2d& place)
 
 }  // namespace
 
+// A corner that is cut off by a hair: what presses there presses as it did, or an edge that wanders over it would
+// pump energy into the stones, or out of them.
+TEST(FacePoints, HardlyChangeWhereACornerIsCutOff)
+{
+    const double e = 1e-4;
+    const Outline whole = rectangle(2, 1), cut{{-2, -1}, {2 - e, -1}, {2, -1 + e}, {2, 1}, {-2, 1}};
+    Face face;
+    for (const Vector2d& slope : {Vector2d(0.3, 0), Vector2d(0.2, -0.3), Vector2d(-0.1, 0.4)}) {
+        face.slope = slope;
+        const auto pressed = [&](const Outline& outline) {
+            double energy = 0;
+            for (const PolygonPoint& point : face.of(outline))
+                if (const double gap = point.gap - 0.55 * slope.norm(); gap < 0) energy += point.area * gap * gap;
+            return energy;
+        };
+        EXPECT_NEAR(pressed(cut), pressed(whole), 20 * e * pressed(whole));
+    }
+}
+
 TEST(FacePoints, HaveTheMomentsOfTheFace)
 {
     std::mt19937 engine(7);
