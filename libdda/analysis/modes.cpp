@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "libdda/analysis/ground.h"
 #include "libdda/analysis/vibration.h"
 #include "libdda/model/elasticity.h"
 #include "libdda/solve/lowest_modes.h"
@@ -128,9 +129,10 @@ double raised_by(double stored_in_stones, double would_be_stored, double joints)
 
 /// By how much joints of a rule lower the frequency, against that of stones and measured joints alone. The joints
 /// of rigid stones stand for the elasticity of these: they lower nothing unless they yield more than it would.
-double lowered_by(const ModeEnergies& twice, double stored_in_stones, bool rigid)
+/// @param would_be_stored in stones and ground
+double lowered_by(const ModeEnergies& twice, double stored_in_stones, double would_be_stored, bool rigid)
 {
-    const double stones = std::max(stored_in_stones, twice.stones), real = twice.measured + stones;
+    const double stones = std::max(stored_in_stones, would_be_stored), real = twice.measured + stones;
     const double computed = twice.measured + twice.ruled + (rigid ? 0 : stones);
     return computed > real ? 1 - std::sqrt(real / computed) : 0;
 }
@@ -177,6 +179,25 @@ double hysteretic_ratio_of(const Model& model, double eigenvalue, const Eigen::V
     return mean;
 }
 
+/// Twice what the ground stores in itself.
+template <class K>
+double stored_in_ground(const Model& model, const Eigen::VectorXd& shape, const Vibration<K>& vibration)
+{
+    constexpr int n = K::unknowns;
+    double stored = 0;
+    if constexpr (K::deformable) {
+        const std::vector<bool> ground = ground_marks(model);
+        for (int row = 0; row < vibration.stiffness.rows(); ++row) {
+            const int b = vibration.block_of_row[row];
+            if (!ground[b]) continue;
+            const typename K::Matrix l = K::gradient(shape.segment<n>(n * row)),
+                                     strain = 0.5 * (l + l.transpose());
+            stored += 2 * elasticity_of(model, b).energy(strain);
+        }
+    }
+    return stored;
+}
+
 /// @param eigenvalue omega^2 of a shape with unit modal mass
 template <class K>
 NaturalMode mode_of(const Model& model, double eigenvalue, const Eigen::VectorXd& shape,
@@ -190,8 +211,9 @@ NaturalMode mode_of(const Model& model, double eigenvalue, const Eigen::VectorXd
     mode.joint_share = std::min(1.0, joints / eigenvalue);
     // Stones bend less than a continuum does, and rigid ones not at all: their joints tell what they would store.
     const double stored = K::deformable ? std::max(0.0, eigenvalue - joints) : 0;
-    mode.lowered_by_joints = lowered_by(twice, stored, !K::deformable);
-    if (K::deformable) mode.raised_by_stones = raised_by(stored, twice.stones, joints);
+    const double would_be_stored = twice.stones + stored_in_ground(model, shape, vibration);
+    mode.lowered_by_joints = lowered_by(twice, stored, would_be_stored, !K::deformable);
+    if (K::deformable) mode.raised_by_stones = raised_by(stored, would_be_stored, joints);
     mode.raised_by_corners = raised_by(eigenvalue, eigenvalue + (corners_to_face - 1) * twice.turned_corners, 0);
     mode.dashpot_time = twice.dashpots / eigenvalue;
     if (std::any_of(model.materials.begin(), model.materials.end(),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libdda/analysis/ground.h"
 #include "libdda/block/block_step.h"
 #include "libdda/contact/contact_history.h"
 #include "libdda/contact/initial_contacts.h"
@@ -151,10 +152,12 @@ class ClosedJoints
         bent.push_back(face);
     }
 
+    /// Ground is a continuum, cut into blocks: it strains with its neighbours and does not bend between its
+    /// joints.
     void add_half_stone(int block, const ContactPatchIn<D>& patch, const JointMaterial& joint,
                         VibratingPoint<K>& point) const
     {
-        if (all_held(blocks_[block])) return;
+        if (all_held(blocks_[block]) || ground_[block]) return;
         const BlockMaterial& material = model_.materials[model_.blocks[block].material];
         const double half = 0.5 * depth_along<D>(model_.blocks[block], blocks_[block].start.map, patch.normal);
         point.stone_normal += patch.stiffness * half / material.young;
@@ -164,6 +167,7 @@ class ClosedJoints
 
     const Model& model_;
     const std::vector<step::BlockStep<K>>& blocks_;
+    std::vector<bool> ground_ = ground_marks(model_);
     bool has_stepped_ = false;
     int patch_ = 0;
 };
