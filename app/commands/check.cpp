@@ -10,6 +10,7 @@
 #include "app/commands/outputs.h"
 #include "app/commands/say.h"
 #include "app/commands/trust_watch.h"
+#include "app/reader/automatic_steps.h"
 #include "app/reader/case_file.h"
 #include "app/results/scene_vectors.h"
 #include "app/words/trust_words.h"
@@ -156,7 +157,7 @@ void tell_trust(const Case& the_case)
     if (the_case.output.trust == TrustFigures::never) return;
     const State state = initial_state(the_case.model);
     ModesSearch search;
-    search.most_work = std::max(most_work_of_modes(the_case), worth_waiting_for);
+    search.most_work = std::max(reader::most_work_of_modes(the_case), worth_waiting_for);
     const Trust trust = trust_in({false, natural_modes(the_case.model, state, search), {}}, the_case.stages, {});
     say(fmt::format("as drawn, all joints closed: {}", words::vibrations_in_words(trust)));
     for (const NaturalMode& mode : trust.start.modes.modes) {

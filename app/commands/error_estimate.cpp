@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "app/commands/interrupt.h"
 #include "app/commands/say.h"
@@ -27,21 +28,25 @@ struct Beside {
 };
 
 /// A dissipation that is not given follows the step by itself.
-void halve_step(StepControl& control)
+/// @param shortest of the run, where its steps became shorter [s]
+void halve_step(double shortest, StepControl& control)
 {
-    control.time_step *= 0.5;
+    control.time_step = 0.5 * std::min(shortest, control.time_step);
+    control.automatic = false;
     control.step_error = studies::converge::scaled_step_error(control.step_error, 0.5);
     control.min_time_step = std::min(control.min_time_step, control.time_step);
 }
 
-std::vector<Beside> cases_beside(const Case& the_case)
+std::vector<Beside> cases_beside(const Case& the_case, const RunReport& report)
 {
     std::vector<Beside> all;
     const auto is_dynamic = [](const Stage& stage) { return stage.type == StageType::dynamic; };
     if (std::any_of(the_case.stages.begin(), the_case.stages.end(), is_dynamic)) {
         all.push_back({"half the time step", "half_step", the_case});
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const ShorterSteps& shorter : report.shorter_steps) shortest = std::min(shortest, shorter.time_step);
         for (Stage& stage : all.back().the_case.stages)
-            if (is_dynamic(stage)) halve_step(stage.control);
+            if (is_dynamic(stage)) halve_step(shortest, stage.control);
     }
     // A measured stiffness is no error of the computation.
     const auto follows_rule = [](const JointMaterial& joint) {
@@ -205,7 +210,7 @@ std::optional<results::ErrorEstimate> error_of(const Case& the_case, const Recor
     }
     const RecordedRun& judged = again ? *again : own;
     results::ErrorEstimate estimate = quantities_of(judged, the_case.model);
-    for (const Beside& beside : cases_beside(the_case)) {
+    for (const Beside& beside : cases_beside(the_case, judged.report)) {
         const std::optional<RecordedRun> other = ran(beside.name, beside.the_case);
         if (!other) return std::nullopt;
         estimate.runs.push_back({beside.name, beside.key, outcome_of(*other, beside.the_case)});

@@ -102,6 +102,22 @@ Ended run_unbroken(const Case& the_case, Start& start, results::ResultsWriter& w
     }
 }
 
+/// "earthquake: steps of 4 ms, 2 ms from 1.2 s on, 1 ms from 3.1 s on" for stages whose steps became shorter.
+void print_shorter_steps(const RunReport& report, const std::vector<Stage>& stages)
+{
+    for (int s = 0; s < static_cast<int>(stages.size()); ++s) {
+        std::string told;
+        for (const ShorterSteps& shorter : report.shorter_steps)
+            if (shorter.stage == s)
+                told += fmt::format(
+                    ", {:.3g} ms {}", 1e3 * shorter.time_step,
+                    shorter.at_start ? "from its start" : fmt::format("from {:.4g} s on", shorter.time));
+        if (told.empty()) continue;
+        say(fmt::format("  {}: time_step auto, {:.3g} ms as drawn{}", stages[s].name,
+                        1e3 * stages[s].control.time_step, told));
+    }
+}
+
 void print_joints(const std::vector<JointPeaks>& joints)
 {
     if (joints.empty()) return;
@@ -141,6 +157,7 @@ void print_report(const Case& the_case, const Ended& ended, double wall_time)
     say(fmt::format("  {} steps cut, {} not converged, {} open-close iterations, {} factorisations",
                     report.step_cuts, report.unconverged_steps, report.open_close_iterations,
                     report.factorisations));
+    print_shorter_steps(report, the_case.stages);
     const EnergyLedger& e = report.energy;
     say(fmt::format(
         "  largest penetration {:.2e} m; energy unaccounted for {:.1e} of the energy put in, stored or lost",
@@ -153,7 +170,7 @@ void print_report(const Case& the_case, const Ended& ended, double wall_time)
         e.closing / 1e3, (e.algorithmic + e.algorithmic_rotation + e.redetection) / 1e3));
     print_joints(ended.joints);
     print_bars(report);
-    const std::optional<Trust> trust = print_trust(the_case, ended.trust, report.energy);
+    const std::optional<Trust> trust = print_trust(the_case, ended.trust, report);
     for (const std::string& doubt : words::doubts_of(report, trust, the_case.model, the_case.stages))
         say(fmt::format("  warning: {}", doubt));
     if (ended.estimate) print_estimate(*ended.estimate, report.outcome);

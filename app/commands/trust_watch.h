@@ -11,14 +11,10 @@
 namespace voussoir::app::commands
 {
 
-/// How much work the search for modes may be in a run of this case [floating-point operations]: next to nothing
-/// beside its steps, or as much as it takes where the case says so.
-double most_work_of_modes(const Case& the_case);
-
-/// Prints how far a run can be trusted. @param energy its ledger
+/// Prints how far a run can be trusted.
 /// @returns what was found; nothing where no motion began
 std::optional<Trust> print_trust(const Case& the_case, const std::optional<TrustStart>& noted,
-                                 const EnergyLedger& energy);
+                                 const RunReport& report);
 
 class TrustWatch
 {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/reader/attached_masses.h"
+#include "app/reader/automatic_steps.h"
 #include "app/reader/bars.h"
 #include "app/reader/blocks.h"
 #include "app/reader/boundaries.h"
@@ -90,6 +91,7 @@ void read_everything(YamlCursor& top, Case& result, Findings& findings)
     result.stages = read_stages(top, result.model, foundations, motions);
     if (has_weight_alone(result.stages, findings.apart)) contact::stiffen_for_rest(result.model);
     result.output = read_output(top, result.model, result.stages);
+    if (findings.faults.empty()) choose_time_steps(result, findings);
     refuse_rounded_stresses(result, findings);
     refuse_soft_joints(result, findings);
     top.reject_unknown_keys();

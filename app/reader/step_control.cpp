@@ -1,5 +1,9 @@
 #include "app/reader/step_control.h"
 
+#include <fmt/core.h>
+
+#include <optional>
+
 namespace voussoir::app::reader
 {
 namespace
@@ -46,6 +50,30 @@ void read_open_close(YamlCursor& stage, StepControl& control)
                                                 control.force_tolerance);
 }
 
+/// A step that is left to the program is chosen when the whole case has been read.
+void read_time_step(YamlCursor& stage, bool is_static, StepControl& control)
+{
+    const std::optional<YamlCursor> given = stage.find("time_step");
+    const bool is_auto = given && given->is_scalar() && given->as_text() == "auto";
+    control.time_step = is_static ? static_time_step : dynamic_time_step;
+    control.automatic = !is_static && (!given || is_auto);
+    if (is_auto && is_static)
+        given->fault("auto in a static stage", "its step is no time: leave it out, or give one such as 1 s");
+    else if (is_static || !control.automatic)
+        control.time_step =
+            stage.quantity_or("time_step", words::dimension::time, words::Range::positive(), control.time_step);
+}
+
+/// Shi's iteration is for comparison: its steps are what they are told to be.
+void read_published_step(YamlCursor& stage, StepControl& control)
+{
+    if (control.automatic && stage.find("time_step"))
+        stage.fault("time_step: auto with open_close: published", "give a step such as 0.1 ms");
+    else if (control.automatic)
+        stage.took_default("time_step", fmt::format("{:g} s", control.time_step));
+    control.automatic = false;
+}
+
 /// What only dynamic stages have.
 void read_motion_control(YamlCursor& stage, StepControl& control)
 {
@@ -65,13 +93,13 @@ StepControl read_step_control(YamlCursor& stage, StageType type)
 {
     StepControl control;
     const bool is_static = type == StageType::static_equilibrium;
-    control.time_step = stage.quantity_or("time_step", words::dimension::time, words::Range::positive(),
-                                          is_static ? static_time_step : dynamic_time_step);
+    read_time_step(stage, is_static, control);
     control.min_time_step = stage.quantity_or("min_time_step", words::dimension::time, words::Range::positive(),
                                               control.min_time_step);
     if (control.min_time_step > control.time_step)
         stage.fault("min_time_step exceeds time_step", "it must be the smaller one");
     read_open_close(stage, control);
+    if (control.is_published()) read_published_step(stage, control);
     if (!is_static) read_motion_control(stage, control);
     using Kind = LinearSolverKind;
     control.linear_solver = stage.choice_or<Kind>("linear_solver",

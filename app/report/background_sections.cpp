@@ -73,8 +73,19 @@ std::string damping_of(const Json& stage)
     return factor < 1 ? fmt::format("x {:g} a step", factor) : "none";
 }
 
+/// ", 2 from 1.2 s on": where the steps of a stage became shorter.
+std::string shorter_steps_of(const std::string& stage, const Json& summary)
+{
+    std::string told;
+    for (const Json& shorter : summary.value("shorter_steps", Json::array()))
+        if (shorter.value("stage", "") == stage)
+            told += fmt::format(", {} from {} s on", figure(1e3 * shorter.value("time_step_s", 0.0)),
+                                figure(shorter.value("time_s", 0.0)));
+    return told;
+}
+
 /// Steps of a static stage are a way to rest, no time.
-Table stages_table(const RunRecord& record)
+Table stages_table(const RunRecord& record, const Json& summary)
 {
     Table table{"stages",
                 "Stages",
@@ -87,6 +98,8 @@ Table stages_table(const RunRecord& record)
         std::string step = is_dynamic ? figure(1e3 * control.value("time_step_s", 0.0)) : "to rest";
         if (is_dynamic && step_error > 0)
             step = fmt::format("at most {}, step error {:g} mm", step, 1e3 * step_error);
+        if (control.value("automatic_time_step", false))
+            step = "auto: " + step + shorter_steps_of(stage.at("name").get<std::string>(), summary);
         table.rows.push_back({text_of(stage.at("name")), text_of(stage.at("type")),
                               is_dynamic ? figure(stage.at("duration_s").get<double>()) : "to rest", step,
                               is_dynamic ? integrator_of(control) : "none", damping_of(stage)});
@@ -197,7 +210,7 @@ Section what_was_analysed(const RunRecord& record)
         "kinematics: {}.",
         model.block_names.size(), model.foundations.size(), mass / 1e3, model.joints.size(), kinematics));
     section.tables = {geometry_table(record), materials_table(record), joint_materials_table(record),
-                      stages_table(record)};
+                      stages_table(record, Json::parse(record.summary))};
     return section;
 }
 

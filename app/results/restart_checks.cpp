@@ -62,11 +62,13 @@ bool is_sound(const StaticCourse& course)
 
 bool is_sound(const RunPosition& at)
 {
+    constexpr int most_halvings = 30;
     const std::array<std::int64_t, 9> counts{at.parts,       at.frames,          at.multiples,
                                              at.divisions,   at.load_increments, at.static_steps,
                                              at.quiet_steps, at.course.steady,   at.course.idle};
-    return is_sound(at.report) && are_finite(at.pace.accelerations) && std::isfinite(at.pace.time_step) &&
-           is_sound(at.course) && are_finite(at.reference) && std::all_of(counts.begin(), counts.end(), is_count);
+    return at.halvings >= 0 && at.halvings <= most_halvings && is_sound(at.report) &&
+           are_finite(at.pace.accelerations) && std::isfinite(at.pace.time_step) && is_sound(at.course) &&
+           are_finite(at.reference) && std::all_of(counts.begin(), counts.end(), is_count);
 }
 
 /// The clock of the stage is where its grid is, and the counters of a static stage are within its own.
@@ -97,7 +99,12 @@ bool fits(const Diagnosis& diagnosis, const Case& the_case)
 
 bool told_fits(const RunReport& report, const Case& the_case)
 {
-    return (!report.diagnosis || fits(*report.diagnosis, the_case)) &&
+    const auto stages = static_cast<int>(the_case.stages.size());
+    const auto is_of_a_stage = [&](const ShorterSteps& shorter) {
+        return shorter.stage >= 0 && shorter.stage < stages && shorter.time_step > 0;
+    };
+    return std::all_of(report.shorter_steps.begin(), report.shorter_steps.end(), is_of_a_stage) &&
+           (!report.diagnosis || fits(*report.diagnosis, the_case)) &&
            std::all_of(report.warnings.begin(), report.warnings.end(),
                        [&](const Diagnosis& warning) { return fits(warning, the_case); });
 }

@@ -15,7 +15,7 @@ namespace voussoir::app::results
 namespace
 {
 
-constexpr std::string_view mark = "voussoir restart 26\n";  // its number rises when the layout changes
+constexpr std::string_view mark = "voussoir restart 27\n";  // its number rises when the layout changes
 constexpr const char* what = "a restart file";
 constexpr std::size_t head_bytes = 1 + 8 + 8;  // whether it ended, its time, the bytes of what follows
 
@@ -60,7 +60,7 @@ void verdict_fields(Archive& archive, SomeVerdict& verdict)
 template <typename Archive, typename Report>
 void report_fields(Archive& archive, Report& report)
 {
-    auto& [outcome, diagnosis, steps, step_cuts, unconverged_steps, divided_steps, refused_steps,
+    auto& [outcome, diagnosis, steps, step_cuts, unconverged_steps, divided_steps, refused_steps, shorter_steps,
            open_close_iterations, factorisations, linear_iterations, factor_entries, acted, blows, simulated_time,
            max_penetration, deepest, static_unbalanced, energy, fallen, crushed, joints, bars, seconds, warnings,
            verdict] = report;
@@ -69,6 +69,10 @@ void report_fields(Archive& archive, Report& report)
                    max_penetration, static_unbalanced, seconds);
     auto& [relaxed, whole_tangents, shortened] = acted;
     archive.fields(relaxed, whole_tangents, shortened, blows.solved, blows.unfinished);
+    archive.list(shorter_steps, [](auto& to, auto& entry) {
+        auto& [stage, time, time_step, at_start] = entry;
+        to.fields(stage, time, time_step, at_start);
+    });
     ledger_fields(archive, energy);
     auto& [share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn] = deepest;
     archive.fields(share, depth, forgiven, overlap_time, overlap_a, overlap_b, drawn);
@@ -104,11 +108,14 @@ void report_fields(Archive& archive, Report& report)
 template <typename Archive, typename Position>
 void position_fields(Archive& archive, Position& position)
 {
-    auto& [report, frames, reference, stage_done, multiples, divisions, parts, pace, load_increments, static_steps,
-           quiet_steps, step_unbalanced, course] = position;
+    auto& [report, frames, reference, before_motion, rested, stage_done, multiples, divisions, parts, halvings,
+           at_halving, pace, load_increments, static_steps, quiet_steps, step_unbalanced, course] = position;
     report_fields(archive, report);
-    archive.fields(frames, stage_done, multiples, divisions, parts, load_increments, static_steps, quiet_steps,
-                   step_unbalanced);
+    archive.fields(frames, rested, stage_done, multiples, divisions, parts, halvings, load_increments,
+                   static_steps, quiet_steps, step_unbalanced);
+    auto& [put_in, integrator, closing, contacts] = at_halving;
+    archive.fields(put_in, integrator, closing, contacts);
+    archive.maybe(before_motion, [](auto& to, auto& ledger) { ledger_fields(to, ledger); });
     archive.list(reference);
     auto& [accelerations, time_step] = pace;
     archive.list(accelerations);

@@ -240,7 +240,9 @@ std::vector<JointPeaks> ResultsWriter::finish(const State& state, const RunRepor
     if (last.joints.size() != the.joints.size()) last.joints = no_peaks(the.joints);
     note_joints(the.the_case.model, the.joints, state, last);
     RunQuality quality;
-    if (the.restart.trust) quality.trust = trust_in(*the.restart.trust, the.the_case.stages, last.energy);
+    if (the.restart.trust)
+        quality.trust =
+            trust_in(*the.restart.trust, as_begun(the.the_case.stages, last.shorter_steps), last.energy);
     quality.estimate = the.estimate;
     const std::string summary =
         summary_json(the.the_case, the.joints, state, last, quality, times, files_in(the.folder));

@@ -95,6 +95,7 @@ using Json = nlohmann::ordered_json;
 Json to_json(const StepControl& control)
 {
     return {{"time_step_s", control.time_step},
+            {"automatic_time_step", control.automatic},
             {"min_time_step_s", control.min_time_step},
             {"step_error_m", control.step_error},
             {"integrator", name_of(control.integrator)},

@@ -118,7 +118,8 @@ Json integrators(const std::vector<Stage>& stages)
         Json entry = {{"stage", stage.name},
                       {"type", name_of(stage.type)},
                       {"integrator", name_of(stage.control.integrator)},
-                      {"time_step_s", stage.control.time_step}};
+                      {"time_step_s", stage.control.time_step},
+                      {"automatic_time_step", stage.control.automatic}};
         if (stage.control.integrator == Integrator::energy_decaying) {
             entry["dissipation"] = stage.control.dissipation_used();
         }
@@ -177,6 +178,10 @@ std::string summary_json(const Case& the_case, const std::vector<WatchedJoint>& 
     json["steps"] = report.steps;
     json["step_cuts"] = report.step_cuts;
     if (report.refused_steps > 0) json["refused_steps"] = report.refused_steps;
+    for (const ShorterSteps& shorter : report.shorter_steps)
+        json["shorter_steps"].push_back({{"stage", the_case.stages[shorter.stage].name},
+                                         {"time_s", shorter.time},
+                                         {"time_step_s", shorter.time_step}});
     json["unconverged_steps"] = report.unconverged_steps;
     json["open_close_iterations"] = report.open_close_iterations;
     json["iteration_acted"] = {{"stones_relaxed", report.acted.relaxed},

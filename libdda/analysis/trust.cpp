@@ -123,11 +123,12 @@ double stored(const EnergyLedger& energy)
     return energy.kinetic + energy.strain + energy.contact;
 }
 
-EnergyShares shares_of(const EnergyLedger& now, const TrustStart& start)
+}  // namespace
+
+EnergyShares shares_of(const EnergyLedger& now, const EnergyLedger& then, bool at_rest)
 {
-    const EnergyLedger& then = start.energy;
     EnergyShares shares;
-    const double resting = start.at_rest ? stored(then) : 0;
+    const double resting = at_rest ? stored(then) : 0;
     shares.put_in = std::max(
         {std::abs(now.input() - then.input()), now.dissipated() - then.dissipated(), now.peak_stored - resting});
     if (!(shares.put_in > rest_is_quiet * resting)) return shares;
@@ -145,7 +146,12 @@ EnergyShares shares_of(const EnergyLedger& now, const TrustStart& start)
     return shares;
 }
 
-}  // namespace
+std::vector<Stage> as_begun(std::vector<Stage> stages, const std::vector<ShorterSteps>& shorter)
+{
+    for (const ShorterSteps& step : shorter)
+        if (step.at_start) stages[step.stage].control.time_step = step.time_step;
+    return stages;
+}
 
 Trust trust_in(const TrustStart& start, const std::vector<Stage>& stages, const EnergyLedger& now)
 {
@@ -156,7 +162,7 @@ Trust trust_in(const TrustStart& start, const std::vector<Stage>& stages, const 
         find_damping(stages[trust.stage], trust);
         trust.steps_follow = stages[trust.stage].control.step_error > 0;
         judge_damping(trust);
-        trust.shares = shares_of(now, start);
+        trust.shares = shares_of(now, start.energy, start.at_rest);
     }
     judge_joints(trust);
     judge_stones(trust);

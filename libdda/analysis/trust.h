@@ -86,7 +86,13 @@ struct Trust {
     std::vector<TrustFinding> findings;  // what is beyond its limit; empty: nothing is
 };
 
-/// Judges a run. @param now its ledger; that of `start` if it has not run yet
+/// Where the energy went since `then`. @param at_rest the structure came to rest by then
+EnergyShares shares_of(const EnergyLedger& now, const EnergyLedger& then, bool at_rest);
+
+/// The stages with the steps that they began with.
+std::vector<Stage> as_begun(std::vector<Stage> stages, const std::vector<ShorterSteps>& shorter);
+
+/// Judges a run. @param stages as_begun(); @param now its ledger; that of `start` if it has not run yet
 Trust trust_in(const TrustStart& start, const std::vector<Stage>& stages, const EnergyLedger& now);
 
 }  // namespace voussoir

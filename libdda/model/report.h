@@ -194,13 +194,22 @@ struct JointPeaks {
     std::optional<double> opened, slid;  // s since the run's start: the first time either was noteworthy
 };
 
+/// When the steps of a stage whose time_step is automatic became shorter.
+struct ShorterSteps {
+    int stage = 0;
+    double time = 0;        // s since the run's start
+    double time_step = 0;   // s, from then on
+    bool at_start = false;  // of the stage
+};
+
 /// What a run did.
 struct RunReport {
     Outcome outcome = Outcome::completed;                          // how it ended
     std::optional<Diagnosis> diagnosis;                            // why, when not completed
     std::int64_t steps = 0, step_cuts = 0, unconverged_steps = 0;  // counts
     std::int64_t divided_steps = 0;                                // that ended just before stones land
-    std::int64_t refused_steps = 0;  // done again, their error larger than step_error
+    std::int64_t refused_steps = 0;           // done again, their error larger than step_error
+    std::vector<ShorterSteps> shorter_steps;  // in their order
     std::int64_t open_close_iterations = 0, factorisations = 0, linear_iterations = 0;  // counts
     std::int64_t factor_entries = 0;                              // of the last factorisation
     IterationCounts acted;                                        // in the open-close iterations

@@ -36,7 +36,9 @@ enum class LinearSolverKind {
 
 /// Time step, integrator, tolerances.
 struct StepControl {
-    double time_step = 1e-3;      // s, nominal; cut steps return to this grid
+    double time_step = 1e-3;  // s, nominal; cut steps return to this grid
+    // time_step is halved in the course of the run where steps take too much of the energy that is put in.
+    bool automatic = false;
     double min_time_step = 1e-9;  // s; below it the run gives up
     // m, by which a step may displace a block wrongly; 0: all steps are as long as time_step, else at most as long
     double step_error = 0;

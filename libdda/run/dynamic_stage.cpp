@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdda/run/automatic_step.h"
+
 namespace voussoir::driver
 {
 
@@ -56,33 +58,34 @@ bool is_due(const Grid& grid, const RunProgress& progress)
 }
 
 /// How long the next step is to be, of what is left of a nominal one [s].
-double next_step(const Stage& stage, const State& state, double left)
+double next_step(const Stage& stage, const State& state, const RunPosition& at, double left)
 {
-    if (state.next_time_step == 0) return left;
-    // Steps that follow their error share what is left: none is a crumb.
-    return stage.control.step_error > 0 ? left / std::ceil(left / state.next_time_step - 1e-9)
-                                        : std::min(state.next_time_step, left);
+    // Steps that follow their error, or have been halved, share what is left: none is a crumb.
+    const auto shared = [&](double step) { return left / std::ceil(left / step - 1e-9); };
+    const double longest = shared(longest_so_far(stage, at));
+    if (state.next_time_step == 0) return longest;
+    return std::min(longest, stage.control.step_error > 0 ? shared(state.next_time_step) : state.next_time_step);
 }
 
 /// The stage as a step of h [s] is made in it. @param now a copy of the stage
 void suit_to_step(const Stage& stage, const RunPosition& at, double h, Stage& now)
 {
     now.control.divide_up_to_blocks = at.divisions < max_divisions ? stage.control.divide_up_to_blocks : 0;
-    if (stage.control.step_error == 0) return;
+    if (stage.control.step_error == 0 && at.halvings == 0) return;
     StepControl of_step = stage.control;
     of_step.time_step = h;
     now.control.dissipation = of_step.dissipation_used();
 }
 
-/// One step towards the next grid time. @param now a copy of the stage
+/// One step towards the next grid time. @param now a copy of the stage; @param motions energy_of_motions() [J]
 /// @returns false when the run ends here
-bool step_on_grid(const Stage& stage, Stage& now, const Grid& grid, RunProgress& progress)
+bool step_on_grid(const Stage& stage, Stage& now, const Grid& grid, double motions, RunProgress& progress)
 {
     State& state = progress.state;
     RunPosition& at = progress.position;
     const double next = grid.time(state.grid + 1);
     const double left = next - state.stage_time;
-    const double h = next_step(stage, state, left);
+    const double h = next_step(stage, state, at, left);
     suit_to_step(stage, at, h, now);
     StepReport step;
     if (!step_once(now, h, progress, step)) return false;
@@ -93,6 +96,7 @@ bool step_on_grid(const Stage& stage, Stage& now, const Grid& grid, RunProgress&
     if (on_grid) {
         state.stage_time = next;
         ++state.grid;
+        shorten_where_steps_take_much(stage, motions, progress);
     }
     // After a division the rest of the step is done at once. Steps that follow their error have found the next.
     if (stage.control.step_error == 0)
@@ -116,9 +120,10 @@ bool run_dynamic(const Stage& stage, RunProgress& progress)
 {
     const Grid grid(stage);
     Stage now = stage;
+    const double motions = stage.control.automatic ? energy_of_motions(progress.model, stage) : 0;
     while (progress.state.grid < grid.steps) {
         if (has_collapsed(stage, progress)) return false;
-        if (!step_on_grid(stage, now, grid, progress)) return false;
+        if (!step_on_grid(stage, now, grid, motions, progress)) return false;
     }
     return !has_collapsed(stage, progress);
 }

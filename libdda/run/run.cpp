@@ -9,6 +9,7 @@
 #include "libdda/analysis/dry_joints.h"
 #include "libdda/analysis/energies.h"
 #include "libdda/analysis/verdict.h"
+#include "libdda/run/automatic_step.h"
 #include "libdda/run/dynamic_stage.h"
 #include "libdda/run/static_stage.h"
 
@@ -93,6 +94,10 @@ void enter_stage(int stage, const std::vector<Stage>& stages, driver::RunProgres
     const Stage& entered = stages[stage];
     begin_stage(progress.model, stage, progress.state);
     if (entered.type == StageType::dynamic) {
+        if (!progress.position.before_motion) {
+            progress.position.before_motion = progress.report.energy;
+            progress.position.rested = progress.state.step > 0;
+        }
         if (stage > 0 && is_static(stages[stage - 1])) {
             stick(progress.state.contacts);
             stick(progress.state.planar_contacts);
@@ -106,12 +111,15 @@ void enter_stage(int stage, const std::vector<Stage>& stages, driver::RunProgres
     fresh.report = std::move(progress.report);
     fresh.frames = progress.position.frames;
     fresh.reference = std::move(progress.position.reference);
+    fresh.before_motion = progress.position.before_motion;
+    fresh.rested = progress.position.rested;
     if (entered.moves() && fresh.reference.empty()) {
         fresh.reference = progress.state.coordinates;
         count_from(progress.model, fresh.reference, progress.joints);
         fresh.report.joints = no_peaks(progress.joints);
     }
     progress.position = std::move(fresh);
+    driver::suit_to_vibrations(stages, stage, progress);
 }
 
 /// Judges the structure. One of which stones have fallen has collapsed, whatever came afterwards; where the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "libdda/model/model.h"
@@ -19,16 +20,25 @@ struct StepPace {
     double time_step = 0;               // s
 };
 
+/// What there was of an energy that steps take when they were halved, since the motion began [J].
+struct TakenBySteps {
+    double put_in = 0, integrator = 0, closing = 0, contacts = 0;
+};
+
 /// Where a run stands: with its State, all that is needed to go on as if nothing had happened.
 struct RunPosition {
     RunReport report;               // so far
     std::int64_t frames = 0;        // calls of RunObserver::frame so far, that of an interruption not counted
     std::vector<double> reference;  // State::coordinates when the first motion began; empty: it has not yet
+    std::optional<EnergyLedger> before_motion;  // when the first dynamic stage began
+    bool rested = false;                        // the structure had come to rest by then
     // Of the stage under way:
     bool stage_done = false;
     std::int64_t multiples = 0;  // dynamic: of RunObserver::every that had their frame
     int divisions = 0;           // dynamic: of the nominal step under way, before landings
     int parts = 0;               // dynamic: of the nominal step under way, those that cutting made
+    int halvings = 0;            // dynamic, of an automatic time_step
+    TakenBySteps at_halving;     // dynamic, by the last of these
     StepPace pace;               // dynamic, with step_error
     int load_increments = 0;     // static: complete ones
     int static_steps = 0;        // static: of the load increment under way

@@ -175,6 +175,7 @@ Case with_setting(const Case& the_case, const ConvergeSetting& setting)
     for (Stage& stage : changed.stages) {
         if (stage.type != StageType::dynamic) continue;
         stage.control.time_step *= setting.step_factor;
+        stage.control.automatic = false;  // an order needs steps of one length
         stage.control.step_error = scaled_step_error(stage.control.step_error, setting.step_factor);
         if (stage.control.integrator == setting.integrator) continue;
         stage.control.integrator = setting.integrator;

@@ -1,5 +1,7 @@
 #include "app/studies/ensemble/variation.h"
 
+#include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -82,6 +84,21 @@ void expect_comparable(const Case& member, const Case& first)
                              "lower the min_time_step");
 }
 
+/// Steps that are left to the program are the same in all members: the shortest of theirs.
+void share_automatic_steps(std::vector<Case>& members)
+{
+    const auto is_alike = [&](const Case& member) {
+        return member.stages.size() == members.front().stages.size();
+    };
+    if (!std::all_of(members.begin(), members.end(), is_alike)) return;
+    for (std::size_t s = 0; s < members.front().stages.size(); ++s) {
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const Case& member : members) shortest = std::min(shortest, member.stages[s].control.time_step);
+        for (Case& member : members)
+            if (StepControl& control = member.stages[s].control; control.automatic) control.time_step = shortest;
+    }
+}
+
 }  // namespace
 
 std::vector<Case> read_members(const std::filesystem::path& file, const std::vector<std::string>& overrides,
@@ -93,6 +110,7 @@ std::vector<Case> read_members(const std::filesystem::path& file, const std::vec
         settings.push_back(variation.key + "=" + value);
         members.push_back(read(file, settings));
     }
+    share_automatic_steps(members);
     for (const Case& member : members) expect_comparable(member, members.front());
     if (members.front().output.histories.empty())
         throw InputError(file.string() + ": output.histories", "there is no point whose drift could be compared",

@@ -52,6 +52,9 @@ Restart sound_restart(const Case& the_case)
     restart.position.frames = 2;
     restart.position.multiples = 25;
     restart.position.report.steps = 250;
+    restart.position.report.shorter_steps = {{1, 0.2, 1e-3, false}};
+    restart.position.before_motion = EnergyLedger{};
+    restart.position.halvings = 1;
     restart.position.report.fallen = {{1, 0.4, false}};
     restart.position.report.crushed = {{0, 1, 1e6, 0.1, 0.2, 2e6}};
     restart.position.report.joints = {{0, 1, 2e-3, 1e-5, 0.3, {}}};
@@ -275,6 +278,8 @@ TEST_P(DamagedRestart, WhatWouldLeadOutsideArraysOrCountsIsRefused)
     EXPECT_TRUE(report([](RunReport& r) { r.fallen[0].block = 2; }));
     EXPECT_TRUE(report([](RunReport& r) { r.fallen[0].block = -1; }));
     EXPECT_TRUE(report([](RunReport& r) { r.crushed[0].block_a = huge_int; }));
+    EXPECT_TRUE(report([](RunReport& r) { r.shorter_steps[0].stage = huge_int; }));
+    EXPECT_TRUE(report([](RunReport& r) { r.shorter_steps[0].time_step = 0; }));
     EXPECT_TRUE(report([](RunReport& r) { r.crushed[0].block_b = 2; }));
     EXPECT_TRUE(report([](RunReport& r) { r.joints[0].block_b = 2; }));
     EXPECT_TRUE(report([](RunReport& r) { r.joints.clear(); }));

@@ -72,6 +72,32 @@ TEST(Resume, AFrameStoppedAfterEveryThirteenSteps)
     stop_again_and_again(killed_runs::shaken_frame, 13);
 }
 
+// How often the steps have been halved, and what had been lost when the motion began, are in the place to go on
+// from.
+TEST(Resume, StepsThatBecameShorterStoppedAfterEveryElevenSteps)
+{
+    const std::string text =
+        "kinematics: planar_rigid\n"
+        "thickness: 1 m\n"
+        "materials: {stone: {density: 2000 kg/m3, young: 3 GPa, poisson: 0.2}}\n"
+        "joints: {dry: {friction: 40 deg}}\n"
+        "blocks:\n"
+        "  - {box: {name: base, lower: [-3, -1], upper: [3, 0]}, group: foundation}\n"
+        "  - {wall: {name: column, length: 1 m, height: 3 m, thickness: 1 m, block: [1 m, 0.5 m]}}\n"
+        "foundation: {blocks: foundation, motion: {x: {sine: {acceleration: 0.7 g, frequency: 1.5 Hz, duration: 2 "
+        "s}}}}\n"
+        "stages:\n"
+        "  - {name: self-weight, type: static}\n"
+        "  - {name: earthquake, type: dynamic, time_step: auto, duration: 2 s, divide_up_to_blocks: 0}\n"
+        "output: {every: 20 ms}\n";
+    const TemporaryFolder folder;
+    const Case the_case = reader::read_case(folder.write("case.yaml", text), {});
+    ASSERT_TRUE(the_case.stages[1].control.automatic);
+    run_steps(the_case, folder / "whole", -1, nullptr);
+    EXPECT_NE(contents(folder / "whole" / "summary.json").find("\"shorter_steps\""), std::string::npos);
+    stop_again_and_again(text, 11);
+}
+
 // The reactions of the boundary are in the state, and what the soil remembers of its strain: without the ones it
 // would sink after the first interruption, without the other it would be softer.
 TEST(Resume, SoilOnAViscousBaseStoppedAfterEverySevenSteps)
