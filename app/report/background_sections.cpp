@@ -99,7 +99,7 @@ Table stages_table(const RunRecord& record, const Json& summary)
         if (is_dynamic && step_error > 0)
             step = fmt::format("at most {}, step error {:g} mm", step, 1e3 * step_error);
         if (control.value("automatic_time_step", false))
-            step = "auto: " + step + shorter_steps_of(stage.at("name").get<std::string>(), summary);
+            step = fmt::format("auto: {}{}", step, shorter_steps_of(stage.at("name").get<std::string>(), summary));
         table.rows.push_back({text_of(stage.at("name")), text_of(stage.at("type")),
                               is_dynamic ? figure(stage.at("duration_s").get<double>()) : "to rest", step,
                               is_dynamic ? integrator_of(control) : "none", damping_of(stage)});

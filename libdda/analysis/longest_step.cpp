@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "libdda/analysis/trust.h"
 
@@ -33,7 +34,9 @@ bool follows(const GroundMotion& motion, double duration, double step)
 {
     double off = 0, all = 0;
     double before = motion.acceleration(0);
-    for (double time = step; time <= duration; time += step) {
+    const auto steps = static_cast<std::int64_t>(duration / step);
+    for (std::int64_t i = 1; i <= steps; ++i) {
+        const double time = static_cast<double>(i) * step;
         const double now = motion.acceleration(time), between = motion.acceleration(time - step / 2);
         off += std::pow(between - (before + now) / 2, 2);
         all += between * between;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 #include "libdda/analysis/longest_step.h"
@@ -20,8 +21,9 @@ constexpr double least_left = 0.1;             // of what a limit allows, where 
 double fastest(const GroundMotion& motion, double duration, double step)
 {
     double most = 0;
-    const double end = std::min(duration, motion.duration());
-    for (double time = 0; time <= end; time += step) most = std::max(most, std::abs(motion.velocity(time)));
+    const auto steps = static_cast<std::int64_t>(std::min(duration, motion.duration()) / step);
+    for (std::int64_t i = 0; i <= steps; ++i)
+        most = std::max(most, std::abs(motion.velocity(static_cast<double>(i) * step)));
     return most;
 }
 
