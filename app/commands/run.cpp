@@ -102,7 +102,8 @@ Ended run_unbroken(const Case& the_case, Start& start, results::ResultsWriter& w
     }
 }
 
-/// "earthquake: steps of 4 ms, 2 ms from 1.2 s on, 1 ms from 3.1 s on" for stages whose steps became shorter.
+/// "earthquake: time_step auto, 4 ms as drawn, 2 ms from its start, 1 ms from 3.1 s on": whose steps became
+/// shorter.
 void print_shorter_steps(const RunReport& report, const std::vector<Stage>& stages)
 {
     for (int s = 0; s < static_cast<int>(stages.size()); ++s) {
