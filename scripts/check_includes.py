@@ -76,6 +76,7 @@ FOLDER_RULES = {
     "app/studies/converge/": ENGINE + ("app/version/", "libdda/text/", "app/words/", "app/case/", "app/results/", "app/plots/"),
     "app/studies/ensemble/": ENGINE + ("app/version/", "importers/process/", "app/words/", "app/case/", "app/results/", "app/plots/",
                                        "app/studies/converge/"),
+    "app/studies/limit/": ENGINE + ("app/version/", "app/words/", "app/case/"),
     "app/studies/stability/": ENGINE + ("app/version/", "importers/process/", "app/words/", "app/case/", "app/plots/",
                                         "app/studies/scenes/", "app/studies/stability/references/"),
     "app/studies/stability/references/": (),
@@ -265,13 +266,14 @@ ROWS = (
     ("importers/process/", "importers/mesh/", "importers/exact/", "importers/helper/", "importers/assembly/"),
     ("app/words/", "app/case/", "app/results/", "app/drawing/", "app/plots/", "app/render/", "app/generate/",
      "app/studies/scenes/", "app/studies/verify/", "app/studies/converge/", "app/studies/ensemble/",
-     "app/studies/stability/", "app/commands/"),
+     "app/studies/limit/", "app/studies/stability/", "app/commands/"),
     ("app/words/", "app/case/", "app/reader/", "app/commands/"),
     ("app/words/", "app/case/", "app/reader/", "app/problems/"), ("app/results/", "app/problems/"),
     # The reader of case files is the commands' alone.
     ("app/results/", "app/reader/"), ("app/render/", "app/reader/"), ("app/plots/", "app/reader/"),
     ("app/studies/verify/", "app/reader/"), ("app/studies/converge/", "app/reader/"),
-    ("app/studies/ensemble/", "app/reader/"), ("app/studies/stability/", "app/reader/"),
+    ("app/studies/ensemble/", "app/reader/"), ("app/studies/limit/", "app/reader/"),
+    ("app/studies/stability/", "app/reader/"),
 )
 HEADERS = ("libdda/errors.h", "libdda/geometry/moments.h", "libdda/model/model.h", "libdda/model/ground_motion.h",
            "records/record.h", "importers/mesh/read_mesh.h", "app/reader/case_file.h")

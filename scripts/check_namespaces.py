@@ -59,6 +59,7 @@ NAMESPACES = {
     "app/results/": "voussoir::app::results",
     "app/studies/converge/": "voussoir::app::studies::converge",
     "app/studies/ensemble/": "voussoir::app::studies::ensemble",
+    "app/studies/limit/": "voussoir::app::studies::limit",
     "app/studies/scenes/": "voussoir::app::studies::scenes",
     "app/studies/stability/": "voussoir::app::studies::stability",
     "app/studies/stability/references/": "voussoir::app::studies::stability::references",

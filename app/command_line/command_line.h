@@ -21,7 +21,7 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides);
 void add_case_commands(CLI::App& program, std::function<int()>& chosen);
 /// What shows results: render, report, compare.
 void add_picture_commands(CLI::App& program, std::function<int()>& chosen);
-/// What runs cases or scenes many times: verify, converge, ensemble, stability.
+/// What runs cases or scenes many times, or asks for their limit: verify, limit, converge, ensemble, stability.
 void add_study_commands(CLI::App& program, std::function<int()>& chosen);
 
 }  // namespace voussoir::app::command_line

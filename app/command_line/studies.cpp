@@ -1,4 +1,4 @@
-// verify, converge, ensemble and stability on the command line.
+// verify, limit, converge, ensemble and stability on the command line.
 #include <CLI/CLI.hpp>
 
 #include <memory>
@@ -169,11 +169,30 @@ void add_ensemble(CLI::App& program, std::function<int()>& chosen)
         [arguments, &chosen] { chosen = [arguments] { return commands::ensemble_command(*arguments); }; });
 }
 
+void add_limit(CLI::App& program, std::function<int()>& chosen)
+{
+    auto arguments = std::make_shared<commands::LimitArguments>();
+    CLI::App* command = program.add_subcommand(
+        "limit", "Limit analysis of your own case: the acceleration at which its stones become a mechanism");
+    command->add_option("case", arguments->case_file, "The case file (YAML)")->required()->type_name("CASE");
+    add_list(*command, "--towards", arguments->towards, "Direction in which the stones are pushed")
+        ->required()
+        ->type_name("X,Y,Z");
+    add_overrides(*command, arguments->overrides);
+    command->add_option("--json", arguments->json, "Write the results as JSON to a file (- is standard output)")
+        ->type_name("FILE");
+    command->add_option("-o,--output", arguments->folder, "Folder for the page")->type_name("DIR");
+    command->add_flag("-q,--quiet", arguments->quiet, "Print faults only");
+    command->callback(
+        [arguments, &chosen] { chosen = [arguments] { return commands::limit_command(*arguments); }; });
+}
+
 }  // namespace
 
 void add_study_commands(CLI::App& program, std::function<int()>& chosen)
 {
     add_verify(program, chosen);
+    add_limit(program, chosen);
     add_converge(program, chosen);
     add_ensemble(program, chosen);
     add_stability(program, chosen);

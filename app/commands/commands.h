@@ -183,6 +183,19 @@ struct ConvergeArguments {
 /// @throws InputError with all faults of the case or of the choices
 int converge_command(const ConvergeArguments& arguments);
 
+struct LimitArguments {
+    std::filesystem::path case_file;
+    std::vector<std::string> overrides;
+    std::vector<double> towards;  // three numbers
+    std::optional<std::filesystem::path> json, folder;
+    bool quiet = false;
+};
+
+/// Limit analysis of rigid stones under a body force in one direction. @returns exit_gave_up where there is no
+/// limit: the stones do not stand, or under any force
+/// @throws InputError with all faults of the case or of the choices
+int limit_command(const LimitArguments& arguments);
+
 struct EnsembleArguments {
     std::filesystem::path case_file;
     std::vector<std::string> overrides;

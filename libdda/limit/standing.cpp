@@ -25,30 +25,30 @@ void find_near(const Model& model, double reach, State& state)
     contacts_in<D>(state) = std::move(contacts);
 }
 
-LimitProblem problem_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach,
-                        FacePoints points)
+}  // namespace
+
+LimitProblem problem_in(const Model& model, const State& state, const Eigen::Vector3d& dead,
+                        const Eigen::Vector3d& live, double reach, FacePoints points)
 {
     State near = state;
     if (is_planar(model.kinematics))
         find_near<2>(model, reach, near);
     else
         find_near<3>(model, reach, near);
-    return limit_problem_of(model, near, gravity, Eigen::Vector3d::Zero(), reach, points);
+    return limit_problem_of(model, near, dead, live, reach, points);
 }
-
-}  // namespace
 
 Balance balance_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach)
 {
     if (!is_known_to_limit_analysis(model)) return {};
-    return balance_of(problem_in(model, state, gravity, reach, FacePoints::corners));
+    return balance_of(problem_in(model, state, gravity, Eigen::Vector3d::Zero(), reach, FacePoints::corners));
 }
 
 Standing sliding_in(const Model& model, const State& state, const Eigen::Vector3d& gravity, double reach,
                     const std::vector<int>& moving)
 {
     if (!is_known_to_limit_analysis(model)) return Standing::unknown;
-    LimitProblem problem = problem_in(model, state, gravity, reach, FacePoints::all);
+    LimitProblem problem = problem_in(model, state, gravity, Eigen::Vector3d::Zero(), reach, FacePoints::all);
     if (!moving.empty())
         for (std::size_t b = 0; b < problem.blocks.size(); ++b)
             if (!std::binary_search(moving.begin(), moving.end(), static_cast<int>(b))) problem.blocks[b].hold();

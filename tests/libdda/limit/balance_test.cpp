@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "libdda/contact/face_points.h"
@@ -255,6 +256,45 @@ TEST(LimitFactor, IsNoneWhereStonesAreLocked)
     LimitProblem unsupported = block_on_base(0.5, true);
     unsupported.blocks[1].centroid.x() = 0.6 * width;
     EXPECT_FALSE(limit_factor(unsupported)) << "it does not stand at all";
+    EXPECT_EQ(collapse_load(unsupported).outcome, UnderLoad::falls_before);
+    EXPECT_EQ(collapse_load(stone_in_a_cleft(0.5, 0)).outcome, UnderLoad::bears_all);
+}
+
+// One block on one face: whether it opens while it slides decides nothing.
+TEST(SlidingBracket, OfABlockOnItsBaseIsItsLimit)
+{
+    for (const bool planar : {false, true})
+        for (const double friction : {0.1, 0.3}) {
+            const LimitProblem problem = block_on_base(friction, planar);
+            const std::optional<SlidingBracket> sliding = sliding_bracket(problem, friction);
+            ASSERT_TRUE(sliding);
+            EXPECT_EQ(sliding->slides_at, friction);
+            EXPECT_NEAR(sliding->stands_at, 0.998 * friction, 1e-12);
+            // Asked for twice its limit it is found all the same, by bisection.
+            const std::optional<SlidingBracket> found = sliding_bracket(problem, 2 * friction);
+            ASSERT_TRUE(found);
+            EXPECT_NEAR(found->stands_at, friction, 0.005 * friction);
+            EXPECT_NEAR(found->slides_at, friction, 0.005 * friction);
+            EXPECT_LT(found->stands_at, found->slides_at);
+        }
+}
+
+TEST(SlidingBracket, IsNotKnownOfBrittleJoints)
+{
+    LimitProblem bonded = block_on_base(0.3, true);
+    for (LimitContact& contact : bonded.contacts) contact.cohesion = contact.tension = 0.1;
+    EXPECT_FALSE(sliding_bracket(bonded, 0.3));
+}
+
+TEST(CollapseLoad, EndsWhereItsCallerThrows)
+{
+    struct Enough {
+    };
+    int asked = 0;
+    const auto twice = [&] {
+        if (++asked == 2) throw Enough();
+    };
+    EXPECT_THROW(collapse_load(block_on_base(0.3, true), twice), Enough);
 }
 
 }  // namespace voussoir::limit
