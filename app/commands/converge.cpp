@@ -125,7 +125,7 @@ studies::converge::ConvergeStudy run_chosen(const ConvergeArguments& arguments)
     return study;
 }
 
-/// How the study can be had again; the folder by its last name, for pages travel.
+/// How the study can be had again.
 std::string command_line(const ConvergeArguments& arguments)
 {
     std::string text = "voussoir converge " + shell_word(arguments.case_file.string());
@@ -147,8 +147,7 @@ std::string command_line(const ConvergeArguments& arguments)
         add("--collapse-displacement", arguments.collapse_displacement);
     for (const std::string& setting : arguments.overrides) add("--set", setting);
     if (arguments.threads != defaults.threads) add("--threads", std::to_string(arguments.threads));
-    add("-o", (*arguments.folder / "").parent_path().filename().string());
-    return text;
+    return text + folder_option(*arguments.folder);
 }
 
 /// Why no run of the study gave anything to compare; empty if one did.

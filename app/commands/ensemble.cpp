@@ -39,7 +39,7 @@ studies::ensemble::EnsembleStudy run_chosen(const EnsembleArguments& arguments)
     return studies::ensemble::run_ensemble(members, variation, choices, {tell, interrupted});
 }
 
-/// How the study can be had again; the folder by its last name, for pages travel.
+/// How the study can be had again.
 std::string command_line(const EnsembleArguments& arguments)
 {
     const EnsembleArguments defaults;
@@ -50,7 +50,7 @@ std::string command_line(const EnsembleArguments& arguments)
         text += fmt::format(" --stiffness-factor {:g}", arguments.stiffness_factor);
     for (const std::string& setting : arguments.overrides) text += " --set " + shell_word(setting);
     if (arguments.jobs != defaults.jobs) text += fmt::format(" --jobs {}", arguments.jobs);
-    return text + " -o " + shell_word((*arguments.folder / "").parent_path().filename().string());
+    return text + folder_option(*arguments.folder);
 }
 
 }  // namespace

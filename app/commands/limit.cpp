@@ -25,13 +25,13 @@ Eigen::Vector3d direction_of(const std::vector<double>& towards)
     return direction;
 }
 
-/// How the study can be had again; the folder by its last name, for pages travel.
+/// How the study can be had again.
 std::string command_line(const LimitArguments& arguments)
 {
     std::string text = fmt::format("voussoir limit {} --towards={}", shell_word(arguments.case_file.string()),
                                    fmt::join(arguments.towards, ","));
     for (const std::string& setting : arguments.overrides) text += " --set " + shell_word(setting);
-    return text + " -o " + shell_word((*arguments.folder / "").parent_path().filename().string());
+    return text + folder_option(*arguments.folder);
 }
 
 }  // namespace

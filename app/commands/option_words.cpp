@@ -30,4 +30,9 @@ std::string shell_word(const std::string& word)
     return quoted + "'";
 }
 
+std::string folder_option(const std::filesystem::path& folder)
+{
+    return " -o " + shell_word((folder / "").parent_path().filename().string());
+}
+
 }  // namespace voussoir::app::commands
